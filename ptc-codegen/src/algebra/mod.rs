@@ -1,0 +1,20 @@
+//! Exact algebra: symbols, and sparse Laurent polynomials over the rationals.
+//!
+//! Everything the expansions produce is a Laurent polynomial in a few symbols, so equality is
+//! decidable, simplification is arithmetic, and Horner forms fall out of the exponents.
+
+mod poly;
+mod render;
+mod symbol;
+
+pub use poly::{Monomial, Poly};
+pub use render::{latex, text};
+pub use symbol::{Kind, Symbol};
+
+pub use num_bigint::BigInt;
+pub use num_rational::BigRational;
+
+/// The integer `value` as an exact rational.
+pub fn integer(value: i64) -> BigRational {
+    BigRational::from_integer(BigInt::from(value))
+}

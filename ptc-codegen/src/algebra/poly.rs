@@ -1,0 +1,301 @@
+//! Sparse Laurent polynomials with exact rational coefficients.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Zero};
+
+use super::{BigRational, Symbol, integer};
+
+/// A product of powers of symbols: sorted by symbol, no exponent zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Monomial(Vec<(Symbol, i32)>);
+
+impl Monomial {
+    /// The monomial 1.
+    pub fn one() -> Self {
+        Self::default()
+    }
+
+    /// `symbol^exponent`.
+    pub fn power(symbol: Symbol, exponent: i32) -> Self {
+        if exponent == 0 { Self::one() } else { Self(vec![(symbol, exponent)]) }
+    }
+
+    /// The factors in symbol order, exponents nonzero.
+    pub fn factors(&self) -> &[(Symbol, i32)] {
+        &self.0
+    }
+
+    /// Exponent of `symbol`, 0 where it is absent.
+    pub fn exponent(&self, symbol: Symbol) -> i32 {
+        self.0.iter().find(|(s, _)| *s == symbol).map_or(0, |(_, e)| *e)
+    }
+
+    /// Product, by one merge of the sorted factors.
+    pub fn times(&self, other: &Self) -> Self {
+        let (mut left, mut right) = (self.0.iter().peekable(), other.0.iter().peekable());
+        let mut factors = Vec::with_capacity(self.0.len() + other.0.len());
+        loop {
+            match (left.peek(), right.peek()) {
+                (Some(&&(a, e)), Some(&&(b, f))) if a == b => {
+                    if e + f != 0 {
+                        factors.push((a, e + f));
+                    }
+                    left.next();
+                    right.next();
+                }
+                (Some(&&l), Some(&&r)) if l.0 < r.0 => {
+                    factors.push(l);
+                    left.next();
+                }
+                (Some(&&l), None) => {
+                    factors.push(l);
+                    left.next();
+                }
+                (_, Some(&&r)) => {
+                    factors.push(r);
+                    right.next();
+                }
+                (None, None) => return Self(factors),
+            }
+        }
+    }
+
+    /// The monomial raised to an integer power.
+    pub fn pow(&self, exponent: i32) -> Self {
+        if exponent == 0 {
+            return Self::one();
+        }
+        Self(self.0.iter().map(|(s, e)| (*s, e * exponent)).collect())
+    }
+
+    /// The same product without `symbol`.
+    pub fn without(&self, symbol: Symbol) -> Self {
+        Self(self.0.iter().filter(|(s, _)| *s != symbol).copied().collect())
+    }
+
+    /// The factors for which `keep` holds.
+    pub fn restrict(&self, keep: impl Fn(Symbol) -> bool) -> Self {
+        Self(self.0.iter().filter(|(s, _)| keep(*s)).copied().collect())
+    }
+}
+
+/// A Laurent polynomial: exact coefficients by monomial, none of them zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Poly(BTreeMap<Monomial, BigRational>);
+
+impl Poly {
+    /// The polynomial 0.
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// The polynomial 1.
+    pub fn one() -> Self {
+        Self::constant(BigRational::one())
+    }
+
+    /// A rational constant.
+    pub fn constant(value: BigRational) -> Self {
+        Self::term(value, Monomial::one())
+    }
+
+    /// One symbol.
+    pub fn symbol(symbol: Symbol) -> Self {
+        Self::term(BigRational::one(), Monomial::power(symbol, 1))
+    }
+
+    /// `coefficient * monomial`.
+    pub fn term(coefficient: BigRational, monomial: Monomial) -> Self {
+        let mut terms = BTreeMap::new();
+        if !coefficient.is_zero() {
+            terms.insert(monomial, coefficient);
+        }
+        Self(terms)
+    }
+
+    /// The terms in a fixed order.
+    pub fn terms(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = (&Monomial, &BigRational)> + ExactSizeIterator {
+        self.0.iter()
+    }
+
+    /// Number of terms.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether this is the polynomial 0.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The only term of a polynomial that has one.
+    pub fn single_term(&self) -> Option<(&Monomial, &BigRational)> {
+        if self.0.len() == 1 { self.0.iter().next() } else { None }
+    }
+
+    /// Adds `coefficient * monomial` in place.
+    pub fn add_term(&mut self, coefficient: BigRational, monomial: Monomial) {
+        use std::collections::btree_map::Entry;
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.0.entry(monomial) {
+            Entry::Vacant(slot) => {
+                slot.insert(coefficient);
+            }
+            Entry::Occupied(mut slot) => {
+                *slot.get_mut() += coefficient;
+                if slot.get().is_zero() {
+                    slot.remove();
+                }
+            }
+        }
+    }
+
+    /// Sum.
+    pub fn plus(mut self, other: &Self) -> Self {
+        for (monomial, coefficient) in &other.0 {
+            self.add_term(coefficient.clone(), monomial.clone());
+        }
+        self
+    }
+
+    /// Product.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero();
+        for (left, a) in &self.0 {
+            for (right, b) in &other.0 {
+                product.add_term(a * b, left.times(right));
+            }
+        }
+        product
+    }
+
+    /// Product with a constant.
+    pub fn scaled(&self, factor: &BigRational) -> Self {
+        if factor.is_zero() {
+            return Self::zero();
+        }
+        Self(self.0.iter().map(|(m, c)| (m.clone(), c * factor)).collect())
+    }
+
+    /// Product with a monomial.
+    pub fn shifted(&self, monomial: &Monomial) -> Self {
+        Self(self.0.iter().map(|(m, c)| (m.times(monomial), c.clone())).collect())
+    }
+
+    /// Non-negative integer power.
+    pub fn pow(&self, exponent: u32) -> Self {
+        (0..exponent).fold(Self::one(), |product, _| product.times(self))
+    }
+
+    /// The inverse, which is a Laurent polynomial only for a single term.
+    pub fn inverse(&self) -> Option<Self> {
+        let (monomial, coefficient) = self.single_term()?;
+        Some(Self::term(coefficient.recip(), monomial.pow(-1)))
+    }
+
+    /// Total derivative by the chain rule, from the derivative of each symbol (`None`: constant).
+    pub fn derive(&self, derivative: impl Fn(Symbol) -> Option<Poly>) -> Self {
+        let mut total = Self::zero();
+        for (monomial, coefficient) in &self.0 {
+            for (symbol, exponent) in monomial.factors() {
+                let Some(inner) = derivative(*symbol) else { continue };
+                let outer = monomial.times(&Monomial::power(*symbol, -1));
+                let factor = coefficient * integer(i64::from(*exponent));
+                for (m, c) in &inner.0 {
+                    total.add_term(c * &factor, m.times(&outer));
+                }
+            }
+        }
+        total
+    }
+
+    /// Replaces symbols by polynomials (`None`: left alone). A symbol that stands in a negative
+    /// power must be replaced by a single term.
+    pub fn substitute(&self, value: impl Fn(Symbol) -> Option<Poly>) -> Self {
+        let mut result = Self::zero();
+        for (monomial, coefficient) in &self.0 {
+            let mut product = Self::constant(coefficient.clone());
+            for (symbol, exponent) in monomial.factors() {
+                let factor = match value(*symbol) {
+                    None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
+                    Some(poly) if *exponent >= 0 => poly.pow(exponent.unsigned_abs()),
+                    Some(poly) => match poly.inverse() {
+                        Some(inverse) => inverse.pow(exponent.unsigned_abs()),
+                        None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
+                    },
+                };
+                product = product.times(&factor);
+            }
+            result = result.plus(&product);
+        }
+        result
+    }
+
+    /// The polynomial as one in `symbol`: coefficient polynomials by exponent.
+    pub fn collect(&self, symbol: Symbol) -> BTreeMap<i32, Poly> {
+        let mut by_exponent: BTreeMap<i32, Poly> = BTreeMap::new();
+        for (monomial, coefficient) in &self.0 {
+            by_exponent
+                .entry(monomial.exponent(symbol))
+                .or_default()
+                .add_term(coefficient.clone(), monomial.without(symbol));
+        }
+        by_exponent
+    }
+
+    /// Every symbol that occurs, in order.
+    pub fn symbols(&self) -> std::collections::BTreeSet<Symbol> {
+        self.0.keys().flat_map(|m| m.factors().iter().map(|(s, _)| *s)).collect()
+    }
+}
+
+impl FromIterator<(Monomial, BigRational)> for Poly {
+    fn from_iter<I: IntoIterator<Item = (Monomial, BigRational)>>(terms: I) -> Self {
+        let mut poly = Self::zero();
+        for (monomial, coefficient) in terms {
+            poly.add_term(coefficient, monomial);
+        }
+        poly
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::Kind;
+
+    fn t() -> Poly {
+        Poly::symbol(Symbol::plain(Kind::TimeToGo))
+    }
+
+    #[test]
+    fn powers_cancel_to_nothing_left() {
+        let inverse = t().inverse().expect("a single term");
+        assert_eq!(t().times(&inverse), Poly::one());
+        assert!(t().plus(&t().scaled(&integer(-1))).is_zero());
+    }
+
+    #[test]
+    fn derivation_follows_the_chain_rule() {
+        // D T = -T, so D T^-3 = 3 T^-3.
+        let cube = t().pow(3).inverse().expect("a single term");
+        let derived = cube.derive(|_| Some(t().scaled(&integer(-1))));
+        assert_eq!(derived, cube.scaled(&integer(3)));
+    }
+
+    #[test]
+    fn collect_and_substitute_agree() {
+        let a = Symbol::plain(Kind::A);
+        let p = t().plus(&Poly::symbol(a)).pow(2);
+        let collected = p.collect(a);
+        assert_eq!(collected.len(), 3);
+        assert_eq!(collected[&1], t().scaled(&integer(2)));
+        let at_one = p.substitute(|s| (s == a).then(Poly::one));
+        assert_eq!(at_one, t().plus(&Poly::one()).pow(2));
+    }
+}

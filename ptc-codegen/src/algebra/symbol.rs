@@ -1,0 +1,123 @@
+//! The symbols of the field, each with one spelling in text and one in LaTeX.
+
+/// What a symbol stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// The circle constant.
+    Pi,
+    /// Prescribed settling time tau.
+    Tau,
+    /// Rate a of stretched time.
+    A,
+    /// Exponent m of the power family.
+    M,
+    /// Rate a_i of one term of `exp_sum`.
+    Rate,
+    /// Gain k_i of the linear infinite-time law.
+    Gain,
+    /// Scaled gain K_i: gain k_i in units of the rate of stretched time.
+    ScaledGain,
+    /// i-th derivative of the abstract mapping s (= kappa) with respect to elapsed time.
+    Derivative,
+    /// r_k: k-th derivative of mu at stretched time.
+    R,
+    /// Time-to-go T = tau - Dt.
+    TimeToGo,
+    /// P = (T/tau)^m of the power family.
+    PowerRatio,
+    /// q = (T/tau)^-m = 1/P of the power family.
+    InversePowerRatio,
+    /// E = exp(-2 a t) of the tanh family.
+    Decay,
+    /// g = 1/(1 + E) of the tanh family.
+    Logistic,
+    /// y = a t, the stretched time in units of its rate.
+    StretchedAngle,
+    /// V = 1/(1 + y^2) of the tan family.
+    Lorentz,
+    /// h = 1/sqrt(1 + y^2) of the algebraic family.
+    Cosine,
+    /// e_i = exp(-a_i t) of one term of `exp_sum`.
+    Mode,
+    /// 1/T, the tick quantity in which the time-to-go families are evaluated.
+    InverseTimeToGo,
+    /// 1 + E, the inverse of g.
+    OnePlusDecay,
+    /// 1 + y^2, the inverse of V.
+    OnePlusSquare,
+    /// sqrt(1 + y^2)/tau of the algebraic family.
+    Secant,
+}
+
+/// A symbol: a kind and, for indexed ones, its index (1-based; 0 where there is none).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol {
+    /// What it stands for.
+    pub kind: Kind,
+    /// Index, from 1; 0 for a symbol without one.
+    pub index: u16,
+}
+
+impl Symbol {
+    /// The symbol of a kind without index.
+    pub const fn plain(kind: Kind) -> Self {
+        Self { kind, index: 0 }
+    }
+
+    /// The `index`-th symbol of a kind, counted from 1.
+    pub fn indexed(kind: Kind, index: usize) -> Self {
+        Self { kind, index: u16::try_from(index).unwrap_or(u16::MAX) }
+    }
+
+    /// Spelling in plain text; also the stem of identifiers in emitted code.
+    pub fn text(self) -> String {
+        let stem = match self.kind {
+            Kind::Pi => "pi",
+            Kind::Tau => "tau",
+            Kind::A => "a",
+            Kind::M => "m",
+            Kind::Rate => "a",
+            Kind::Gain => "k",
+            Kind::ScaledGain => "K",
+            Kind::Derivative => "s",
+            Kind::R => "r",
+            Kind::TimeToGo => "T",
+            Kind::PowerRatio => "P",
+            Kind::InversePowerRatio => "q",
+            Kind::Decay => "E",
+            Kind::Logistic => "g",
+            Kind::StretchedAngle => "y",
+            Kind::Lorentz => "V",
+            Kind::Cosine => "h",
+            Kind::Mode => "e",
+            Kind::InverseTimeToGo => "inv_T",
+            Kind::OnePlusDecay => "one_plus_E",
+            Kind::OnePlusSquare => "one_plus_y2",
+            Kind::Secant => "sec",
+        };
+        if self.index == 0 { stem.to_owned() } else { format!("{stem}{}", self.index) }
+    }
+
+    /// Spelling in LaTeX.
+    pub fn latex(self) -> String {
+        let index = self.index;
+        match self.kind {
+            Kind::Pi => r"\pi".to_owned(),
+            Kind::Tau => r"\tau".to_owned(),
+            Kind::Derivative => match index {
+                1 => "s'".to_owned(),
+                2 => "s''".to_owned(),
+                _ => format!("s^{{({index})}}"),
+            },
+            Kind::InverseTimeToGo => "T^{-1}".to_owned(),
+            Kind::OnePlusDecay => "(1+E)".to_owned(),
+            Kind::OnePlusSquare => "(1+y^2)".to_owned(),
+            Kind::Secant => r"\sigma".to_owned(),
+            _ if index == 0 => self.text(),
+            _ => {
+                let stem = Symbol::plain(self.kind).text();
+                format!("{stem}_{{{index}}}")
+            }
+        }
+    }
+}

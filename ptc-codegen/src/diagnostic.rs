@@ -1,0 +1,99 @@
+//! What is told to a user whose input is wrong.
+
+use std::fmt;
+
+/// A place in the front end's own input: an index into a table that the front end keeps
+/// (byte ranges on the command line, spans in the macro). The library only hands it back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place(pub usize);
+
+/// One thing that is wrong, with what is legal and the likely fix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Stable short name of the kind of mistake, for example `unknown-family`.
+    pub code: &'static str,
+    /// The key that is wrong, as the user knows it, for example `mu.a`.
+    pub key: String,
+    /// Where it was written, if anywhere.
+    pub place: Option<Place>,
+    /// What is wrong, with the bad value.
+    pub message: String,
+    /// What is legal, and the likely fix.
+    pub help: String,
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}\n{}", self.key, self.message, self.help)
+    }
+}
+
+/// Every mistake found in one input; empty while there is none.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnostics(Vec<Diagnostic>);
+
+impl Diagnostics {
+    /// Notes one more mistake.
+    pub fn push(
+        &mut self,
+        code: &'static str,
+        key: impl Into<String>,
+        place: Option<Place>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.0.push(Diagnostic {
+            code,
+            key: key.into(),
+            place,
+            message: message.into(),
+            help: help.into(),
+        });
+    }
+
+    /// `value`, if nothing was wrong.
+    ///
+    /// # Errors
+    /// All mistakes noted so far.
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Vec<Diagnostic>> {
+        match value {
+            Some(value) if self.0.is_empty() => Ok(value),
+            _ => Err(self.0),
+        }
+    }
+}
+
+/// The legal name that `given` most likely meant: one at most a third of its letters off, else one
+/// that it begins or that begins it.
+pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let given = given.to_lowercase();
+    let rank = |name: &str| {
+        let distance = strsim::damerau_levenshtein(&given, name);
+        let typo = 3 * distance <= given.len().max(3);
+        let prefix = given.len() >= 2 && (given.starts_with(name) || name.starts_with(&given));
+        (typo || prefix).then(|| (!typo, distance, given.len().abs_diff(name.len())))
+    };
+    let ranked = legal.into_iter().filter_map(|name| Some((rank(name)?, name)));
+    ranked.min().map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::near_miss;
+
+    #[test]
+    fn near_misses() {
+        let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum"];
+        for (given, meant) in [
+            ("exponential", Some("exp")),
+            ("EXP", Some("exp")),
+            ("exp_sun", Some("exp_sum")),
+            ("ratoinal", Some("rational")),
+            ("tahn", Some("tanh")),
+            ("zebra", None),
+            ("", None),
+        ] {
+            assert_eq!(near_miss(given, families), meant, "{given}");
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Theorem 1 for the linear law: u = kappa'^n (pi0(BB_n x) - b_n^T x), pi0 = -sum k_i xi_i, g = 1.
+//!
+//! So u = sum_j gain_j x_j with gain_j = -kappa'^n sum_{i=j..n+1} k_i B_{i-1,j-1}, k_{n+1} = 1.
+//! kappa'^n is multiplied in symbolically: entries of BB_n vanish at the deadline like powers of T
+//! while kappa'^n blows up, and their product is a small power of 1/T with no cancellation.
+//!
+//! *Structure theorem.* With K_i = k_i rate^-(n+1-i), gain_j = base^-(n+1-j) row_j, where row_j is
+//! a polynomial in one quantity that time decides, with coefficients that parameters decide.
+
+use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
+use crate::expansion;
+use crate::mapping::{Mapping, expand};
+
+/// The feedback gains of the linear law in the form in which they are computed.
+#[derive(Clone, Debug)]
+pub enum GainForm {
+    /// gain_j = base_inverse^(n+1-j) row_j with polynomial rows (see the module's doc).
+    Rows {
+        /// The tick quantity 1/base; none where it is part of the rows' coefficients.
+        base_inverse: Option<Symbol>,
+        /// `rows[j - 1]`, in the scaled gains, the parameters and at most one tick quantity.
+        rows: Vec<Poly>,
+    },
+    /// gain_j = -r_1^-(n+1-j) (1/(j-1)!) sum_i k_i (i-1)! [z^(i-1)] p(z)^(j-1), where
+    /// p(z) = sum_l r_l/(r_1 l!) z^l is the normalised Taylor series of mu: for mappings whose r_1
+    /// is no single term. It needs r_1..r_n as numbers and no expansion at all.
+    Series,
+}
+
+/// Theorem 1, specialised to one order and mapping.
+#[derive(Clone, Debug)]
+pub struct LinearLaw {
+    /// Order n of the chain.
+    pub n: usize,
+    /// Rate of stretched time: K_i = k_i rate^-(n+1-i).
+    pub rate: Poly,
+    /// How the gains are computed.
+    pub form: GainForm,
+}
+
+impl LinearLaw {
+    /// The law for order `n` and `mapping`.
+    pub fn new(n: usize, mapping: &Mapping) -> Self {
+        let form = match mapping.r1.inverse() {
+            Some(kappa_prime) => GainForm::Rows {
+                base_inverse: mapping.base_inverse,
+                rows: rows(n, mapping, &kappa_prime),
+            },
+            None => GainForm::Series,
+        };
+        Self { n, rate: mapping.rate.clone(), form }
+    }
+}
+
+fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly) -> Vec<Poly> {
+    let table = expansion::table(mapping, n);
+    let kappa_prime_n = kappa_prime.pow(exponent(n));
+    (0..n)
+        .map(|j| {
+            // Where time decides the base it is factored out; else its power joins the coefficients.
+            let factored = match mapping.base_inverse {
+                Some(_) => mapping.base.pow(exponent(n - j)),
+                None => Poly::one(),
+            };
+            let mut row = Poly::zero();
+            for (i, bell) in table.iter().enumerate().skip(j) {
+                let gain = if i == n { Poly::one() } else { scaled_gain(i + 1) };
+                let bell = bell[j].times(&mapping.rate.pow(exponent(n - i)));
+                row = row.plus(&gain.times(&kappa_prime_n).times(&bell));
+            }
+            in_tick_quantities(&row.times(&factored).scaled(&integer(-1)), mapping)
+        })
+        .collect()
+}
+
+/// Writes negative powers of atoms in the quantities that are computed. A sum is expanded to a
+/// polynomial in one of them; a single term stays a power, which is cheaper.
+fn in_tick_quantities(row: &Poly, mapping: &Mapping) -> Poly {
+    let mut result = row.clone();
+    for reciprocal in &mapping.reciprocals {
+        if result.len() > 1 && reciprocal.expansion.is_some() {
+            result = expand(&result, reciprocal);
+        } else {
+            result = result
+                .terms()
+                .map(|(monomial, coefficient)| {
+                    let e = -monomial.exponent(reciprocal.atom) / reciprocal.power;
+                    let named = Monomial::power(reciprocal.by, e);
+                    (monomial.without(reciprocal.atom).times(&named), coefficient.clone())
+                })
+                .collect();
+        }
+    }
+    result
+}
+
+fn scaled_gain(i: usize) -> Poly {
+    Poly::symbol(Symbol::indexed(Kind::ScaledGain, i))
+}
+
+fn exponent(value: usize) -> u32 {
+    u32::try_from(value).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text;
+    use crate::mapping::Family;
+
+    fn rows_of(family: Family, n: usize) -> Vec<String> {
+        match LinearLaw::new(n, &family.mapping(0)).form {
+            GainForm::Rows { rows, .. } => rows.iter().map(text).collect(),
+            GainForm::Series => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn exp_rows_hold_no_time_at_all() {
+        assert_eq!(rows_of(Family::Exp, 2), ["-K1", "1 - K2"]);
+    }
+
+    #[test]
+    fn the_first_row_is_a_single_power() {
+        assert_eq!(rows_of(Family::Rational, 3)[0], "-K1*inv_T^3");
+        assert_eq!(rows_of(Family::Tan, 3)[0], "-1/8*pi^3*tau^-3*K1*one_plus_y2^3");
+        assert_eq!(rows_of(Family::Tanh, 2)[0], "-K1*one_plus_E^2");
+    }
+
+    #[test]
+    fn a_sum_is_a_polynomial_in_one_quantity() {
+        assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
+        for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
+            let mapping = family.mapping(0);
+            let GainForm::Rows { rows, .. } = LinearLaw::new(5, &mapping).form else {
+                panic!("r_1 of {family:?} is a single term");
+            };
+            for row in rows {
+                let tick = row.symbols().into_iter().filter(|s| {
+                    !matches!(s.kind, Kind::Pi | Kind::Tau | Kind::M | Kind::ScaledGain)
+                });
+                assert_eq!(tick.count(), 1, "{family:?}: {}", text(&row));
+                assert!(row.terms().all(|(m, _)| {
+                    m.factors().iter().all(|(s, e)| *e > 0 || matches!(s.kind, Kind::Tau))
+                }));
+            }
+        }
+    }
+}
