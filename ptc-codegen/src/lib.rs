@@ -4,11 +4,15 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
 pub mod law;
+pub mod lower;
 pub mod mapping;
+pub mod program;
 pub mod spec;
 
 use diagnostic::Diagnostic;
-use emit::{File, Language};
+use emit::{Controller, File, Language};
+use law::LinearLaw;
+use program::{Program, passes};
 use spec::Spec;
 
 /// Generates the source files of one controller.
@@ -16,8 +20,9 @@ use spec::Spec;
 /// # Errors
 /// Everything in the spec that cannot be generated.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let _ = (spec, language);
-    Ok(vec![])
+    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let program = optimised(spec, &law);
+    Ok(emit::emit(&Controller { spec, law: &law, program: &program }, language))
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -26,6 +31,11 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// # Errors
 /// Everything in the spec that cannot be generated.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    let _ = spec;
-    Ok(String::new())
+    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let program = optimised(spec, &law);
+    Ok(emit::emit_items(&Controller { spec, law: &law, program: &program }))
+}
+
+fn optimised(spec: &Spec, law: &LinearLaw) -> Program {
+    passes::optimise(lower::lower(spec, law), &mut |_, _| {})
 }

@@ -1,4 +1,17 @@
 //! Back ends: one staged program in, source text out.
+//!
+//! A printer ([`print`]) writes expressions and statements; a template places them. A template
+//! holds structure and API text, never arithmetic.
+
+mod c;
+mod header;
+mod plan;
+mod print;
+mod rust;
+
+use crate::law::LinearLaw;
+use crate::program::Program;
+use crate::spec::Spec;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,4 +29,75 @@ pub struct File {
     pub name: String,
     /// Contents.
     pub text: String,
+}
+
+/// Everything that a back end is given.
+#[derive(Clone, Copy, Debug)]
+pub struct Controller<'a> {
+    /// What was asked for.
+    pub spec: &'a Spec,
+    /// The law, for the documentation in the emitted code.
+    pub law: &'a LinearLaw,
+    /// The optimised program.
+    pub program: &'a Program,
+}
+
+/// The files of a controller in `language`.
+pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
+    match language {
+        Language::C => c::files(controller),
+        Language::Rust => vec![rust::file(controller)],
+    }
+}
+
+/// The items of the Rust file on the types of the facade crate `ptc`.
+pub fn emit_items(controller: &Controller<'_>) -> String {
+    rust::items(controller)
+}
+
+/// A parameter as an emitted struct declares it.
+struct Declared {
+    name: &'static str,
+    /// Length of an array; none for a scalar.
+    length: Option<usize>,
+    meaning: &'static str,
+    unit: &'static str,
+    domain: &'static str,
+}
+
+/// The run-time parameters in the order of the emitted struct, arrays taken together.
+fn declared(spec: &Spec) -> Vec<Declared> {
+    let mut declared: Vec<Declared> = Vec::new();
+    for parameter in spec.run_time_parameters() {
+        let key = parameter.key();
+        let length = parameter.index().map(|index| index + 1);
+        match declared.last_mut() {
+            Some(last) if last.name == key => last.length = length,
+            _ => declared.push(Declared {
+                name: key,
+                length,
+                meaning: parameter.meaning(),
+                unit: parameter.unit(),
+                domain: parameter.domain().text(),
+            }),
+        }
+    }
+    declared
+}
+
+/// Template text without trailing spaces and with one newline at its end.
+fn tidy(text: &str) -> String {
+    let mut lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    while lines.last().is_some_and(|line| line.is_empty()) {
+        lines.pop();
+    }
+    lines.dedup_by(|a, b| a.is_empty() && b.is_empty());
+    let mut text = lines.join("\n");
+    text.push('\n');
+    text
+}
+
+/// `lines` joined, each after `indent`.
+fn indented(lines: &[String], indent: &str) -> String {
+    lines.iter().map(|line| format!("{indent}{line}\n")).collect()
 }

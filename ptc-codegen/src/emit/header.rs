@@ -1,0 +1,204 @@
+//! The head of an emitted file: how to make it again, and the mathematics in it.
+
+use super::{Controller, Language};
+use crate::algebra::{self, Poly};
+use crate::expansion;
+use crate::law::GainForm;
+use crate::program::{Stage, cost};
+use crate::spec::{Guard, Precision};
+
+/// Order up to which the head shows the closed forms in full; beyond it they fill pages.
+const SHOWN: usize = 6;
+
+/// Lines of the head, without comment signs.
+pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
+    let Controller { spec, .. } = controller;
+    let lang = match language {
+        Language::C => "c",
+        Language::Rust => "rust",
+    };
+    let mut lines = vec![
+        format!("Prescribed-time controller {}: order n = {}, mapping {}.", spec.name(), spec.n, spec.family.name()),
+        String::new(),
+        "DO NOT EDIT. Made by:".to_owned(),
+        format!("  ptc-codegen emit --lang {lang} {}", spec.command()),
+        format!("Version {}.", env!("CARGO_PKG_VERSION")),
+        String::new(),
+        "It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).".to_owned(),
+    ];
+    lines.extend(parameters(controller));
+    lines.extend(mapping(controller));
+    lines.extend(law(controller));
+    lines.extend(behaviour(controller));
+    lines.extend(count(controller));
+    lines.into_iter().flat_map(|line| wrap(&line)).collect()
+}
+
+fn parameters(controller: &Controller<'_>) -> Vec<String> {
+    let mut lines = vec![String::new(), "Parameters:".to_owned()];
+    let mut last = "";
+    for parameter in controller.spec.parameters() {
+        let key = parameter.key();
+        let about = format!("{} [{}], {}", parameter.meaning(), parameter.unit(), parameter.domain().text());
+        match controller.spec.fixed.get(&parameter) {
+            Some(value) => {
+                let index = parameter.index().map(|i| format!("[{i}]")).unwrap_or_default();
+                lines.push(format!("  {key}{index} = {value}, fixed: {about}"));
+            }
+            None if key == last => {}
+            None => lines.push(format!("  {key}: {about}")),
+        }
+        last = key;
+    }
+    lines
+}
+
+fn mapping(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec;
+    let info = spec.family.info();
+    let mut lines = vec![
+        String::new(),
+        "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):".to_owned(),
+        format!("  mu(t)     = {}", info.mu),
+        format!("  kappa(Dt) = {}", info.kappa),
+        format!("  atoms: {}", info.atoms),
+        "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
+        format!("  r_k = {}", info.r),
+    ];
+    let (ring, shown) = (spec.mapping(), spec.n.min(SHOWN));
+    for (index, r) in expansion::r(&ring, shown).iter().enumerate() {
+        lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
+    }
+    lines.push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
+    let table = if spec.family.is_iterated() {
+        expansion::bell::bell_table(shown)
+    } else {
+        expansion::table(&ring, shown)
+    };
+    for (i, row) in table.iter().enumerate() {
+        let columns = if i == shown { &row[..i] } else { &row[..] };
+        for (j, entry) in columns.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+            lines.push(format!("  B_{{{i},{j}}} = {}", algebra::text(entry)));
+        }
+    }
+    if shown < spec.n {
+        lines.push(format!(
+            "  (to order {shown}; all of them: ptc-codegen show matrix --n {} --mu {})",
+            spec.n,
+            spec.family.name()
+        ));
+    }
+    lines
+}
+
+fn law(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec;
+    let mut lines = vec![
+        String::new(),
+        "Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:".to_owned(),
+        "  u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j".to_owned(),
+    ];
+    match &controller.law.form {
+        GainForm::Rows { base_inverse, rows } => {
+            let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
+            lines.push(format!("  gain_j = {base}row_j"));
+            lines.push(format!("  K_i = k_i/({})^(n+1-i)", algebra::text(&controller.law.rate)));
+            for (j, row) in rows.iter().take(SHOWN).enumerate() {
+                lines.push(format!("  row_{} = {}", j + 1, algebra::text(row)));
+            }
+            lines.extend(definitions(rows));
+            if rows.len() > SHOWN {
+                lines.push(format!(
+                    "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
+                    spec.n,
+                    spec.family.name()
+                ));
+            }
+        }
+        GainForm::Series => {
+            lines.push("  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1".to_owned());
+            lines.push("  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned());
+            lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
+        }
+    }
+    lines
+}
+
+/// What the quantities in the rows mean, where they are no atoms.
+fn definitions(rows: &[Poly]) -> Option<String> {
+    use crate::algebra::Kind;
+    let named: Vec<&str> = [
+        (Kind::InverseTimeToGo, "inv_T = 1/T"),
+        (Kind::InversePowerRatio, "q = (T/tau)^-m"),
+        (Kind::OnePlusDecay, "one_plus_E = 1 + E"),
+        (Kind::OnePlusSquare, "one_plus_y2 = 1 + y^2"),
+    ]
+    .into_iter()
+    .filter(|(kind, _)| rows.iter().any(|row| row.symbols().iter().any(|s| s.kind == *kind)))
+    .map(|(_, text)| text)
+    .collect();
+    (!named.is_empty()).then(|| format!("  where {}", named.join(", ")))
+}
+
+fn behaviour(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec;
+    let guard = match spec.guard {
+        Guard::Full => "full: every input and pointer is checked.",
+        Guard::Result => "result: one test on u catches non-finite x and t; pointers and t >= t0 are trusted.",
+        Guard::None => "none: pointers, finite x and t, and t >= t0 are trusted.",
+    };
+    let precision = match spec.precision {
+        Precision::F64 => "f64 (IEEE 754 binary64)",
+        Precision::F32 => "f32 (IEEE 754 binary32)",
+    };
+    vec![
+        String::new(),
+        "From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.".to_owned(),
+        "|u| <= u_max always (status SATURATED where u was clipped).".to_owned(),
+        format!("Guard {guard}"),
+        format!("Precision {precision}. Equal bits everywhere need no fused multiply-add (-ffp-contract=off)."),
+    ]
+}
+
+fn count(controller: &Controller<'_>) -> Vec<String> {
+    let program = controller.program;
+    let step = cost::count(program, &[program.step], Stage::Tick);
+    let loops = if controller.spec.family.is_iterated() { ", one round of the iteration" } else { "" };
+    vec![
+        String::new(),
+        format!(
+            "Operations of one step: {} + or -, {} *, {} /, {} functions{loops}.",
+            step.add, step.mul, step.div, step.functions
+        ),
+    ]
+}
+
+/// A long line broken at spaces, continued with an indent.
+fn wrap(line: &str) -> Vec<String> {
+    const WIDTH: usize = 92;
+    let mut lines = Vec::new();
+    let mut rest = line.to_owned();
+    while rest.len() > WIDTH {
+        let indent = rest.len() - rest.trim_start().len();
+        let Some(cut) = rest[..WIDTH].rfind(' ').filter(|cut| *cut > indent) else { break };
+        lines.push(rest[..cut].to_owned());
+        rest = format!("      {}", rest[cut..].trim_start());
+    }
+    lines.push(rest);
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrap;
+
+    #[test]
+    fn wrapping_keeps_every_word() {
+        let line = format!("  r_9 = {}", "123*a^4*T - ".repeat(40));
+        let wrapped = wrap(&line);
+        assert!(wrapped.iter().all(|l| l.len() <= 92));
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&wrapped.join(" ")), words(&line));
+        assert_eq!(wrap(&"x".repeat(200)).len(), 1);
+    }
+}

@@ -1,0 +1,148 @@
+//! Which value lives where: the fields that `init` and `arm` leave, and the work of each function.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::program::{Input, Op, Program, Stage, Value};
+use crate::spec::Parameter;
+
+/// The emitted functions that compute something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Function {
+    /// Parameters to fields.
+    Init,
+    /// Start time to fields.
+    Arm,
+    /// Time and state to u.
+    Step,
+    /// Time to gains.
+    Tick,
+    /// Gains and state to u.
+    Axis,
+}
+
+/// A field of the controller.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Field {
+    /// The value it keeps.
+    pub(super) value: Value,
+    /// Its name.
+    pub(super) name: String,
+    /// Its meaning.
+    pub(super) meaning: String,
+    /// Whether `arm` sets it (else `init` does).
+    pub(super) armed: bool,
+}
+
+/// What one call computes together: the stages between two sets of fields.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Phase {
+    Init,
+    Arm,
+    Call,
+}
+
+impl Phase {
+    fn of(stage: Stage) -> Self {
+        match stage {
+            Stage::Generation | Stage::Init => Self::Init,
+            Stage::Arm => Self::Arm,
+            Stage::Tick | Stage::Step => Self::Call,
+        }
+    }
+}
+
+/// The layout of a program in an emitted file.
+pub(super) struct Plan<'a> {
+    /// The program.
+    pub(super) program: &'a Program,
+    /// The fields, in order of computation.
+    pub(super) fields: Vec<Field>,
+    names: BTreeMap<Value, String>,
+}
+
+impl<'a> Plan<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
+        for (index, definition) in program.values.iter().enumerate() {
+            let name = match (&definition.name, &definition.op) {
+                (Some((name, _)), _) => name.clone(),
+                (None, Op::Input(input)) => input_name(*input),
+                _ => continue,
+            };
+            plan.names.insert(Value(index), name);
+        }
+        let mut kept = BTreeSet::new();
+        kept.extend(program.limits.start_time);
+        kept.extend(program.limits.u_max);
+        for value in program.needed(&program.outputs()) {
+            let definition = program.get(value);
+            let phase = Phase::of(definition.stage);
+            let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
+            kept.extend(definition.op.operands().into_iter().filter(earlier));
+        }
+        let results = program.gains.iter().chain([&program.step, &program.axis]);
+        kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
+        let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
+        for value in kept {
+            plan.keep(value);
+        }
+        plan
+    }
+
+    fn keep(&mut self, value: Value) {
+        let definition = self.program.get(value);
+        let name = self.names.entry(value).or_insert_with(|| format!("f{}", value.0)).clone();
+        let meaning = match (&definition.name, &definition.op) {
+            (Some((_, meaning)), _) => meaning.clone(),
+            (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
+            _ => "known when the parameters are".to_owned(),
+        };
+        self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
+    }
+
+    /// Whether a value is written as a literal wherever it is used.
+    pub(super) fn is_literal(&self, value: Value) -> bool {
+        matches!(self.program.get(value).op, Op::Number(_))
+    }
+
+    /// Name of a value that has one.
+    pub(super) fn name(&self, value: Value) -> Option<&str> {
+        self.names.get(&value).map(String::as_str)
+    }
+
+    /// What `function` must compute.
+    pub(super) fn roots(&self, function: Function) -> Vec<Value> {
+        match function {
+            Function::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
+            Function::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
+            Function::Step => vec![self.program.step],
+            Function::Tick => self.program.gains.clone(),
+            Function::Axis => vec![self.program.axis],
+        }
+    }
+
+    /// Whether `function` reads `value` from a field instead of computing it.
+    pub(super) fn is_field(&self, function: Function, value: Value) -> bool {
+        let own = match function {
+            Function::Init => Phase::Init,
+            Function::Arm => Phase::Arm,
+            Function::Step | Function::Tick | Function::Axis => Phase::Call,
+        };
+        !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
+    }
+}
+
+/// Name of an input in every language.
+fn input_name(input: Input) -> String {
+    match input {
+        Input::Parameter(parameter) => match parameter {
+            Parameter::Gain(i) => format!("k{i}"),
+            Parameter::Rate(i) => format!("a{i}"),
+            parameter => parameter.key().to_owned(),
+        },
+        Input::StartTime => "t0".to_owned(),
+        Input::Time => "t".to_owned(),
+        Input::State(j) => format!("x{j}"),
+        Input::Gain(j) => format!("gain{j}"),
+    }
+}

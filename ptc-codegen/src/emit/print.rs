@@ -1,0 +1,258 @@
+//! From the values of one function to statements, for languages with C's expressions.
+
+use std::collections::BTreeMap;
+
+use super::plan::{Function, Plan};
+use crate::program::{Op, Root, Stage, Value, number};
+use crate::spec::Precision;
+
+/// What differs between the languages.
+pub(super) trait Syntax {
+    /// A literal.
+    fn literal(&self, text: &str) -> String;
+    /// A field of the controller.
+    fn field(&self, name: &str) -> String;
+    /// A call of a function of one or two numbers: `sqrt`, `exp`, `log`, `tan`, `pow`.
+    fn call(&self, function: &str, arguments: &[String]) -> String;
+    /// |a|.
+    fn abs(&self, a: &str) -> String;
+    /// The greater one of a and b.
+    fn max(&self, a: &str, b: &str) -> String;
+    /// Definition of a constant.
+    fn define(&self, name: &str, expression: &str) -> String;
+    /// Definition of a time-to-go that is held, and of the status.
+    fn hold(&self, name: &str, time_to_go: &str, eps: &str) -> Vec<String>;
+    /// The loop that finds a root; `body` computes one round.
+    fn root(&self, root: &RootText<'_>) -> Vec<String>;
+}
+
+/// The parts of a root-finding loop, as text.
+pub(super) struct RootText<'a> {
+    pub(super) unknown: &'a str,
+    pub(super) start: &'a str,
+    pub(super) low: &'a str,
+    pub(super) high: &'a str,
+    pub(super) body: &'a [String],
+    pub(super) residual: &'a str,
+    pub(super) next: &'a str,
+    pub(super) size: &'a str,
+    pub(super) tolerance: &'a str,
+    pub(super) half: &'a str,
+    pub(super) zero: &'a str,
+    pub(super) rounds: u32,
+}
+
+/// An expression under construction; a compound one needs parentheses as an operand.
+#[derive(Clone)]
+struct Expression {
+    text: String,
+    operator: Option<char>,
+}
+
+impl Expression {
+    fn atom(text: String) -> Self {
+        Self { text, operator: None }
+    }
+
+    fn operand(&self) -> String {
+        if self.operator.is_some() { format!("({})", self.text) } else { self.text.clone() }
+    }
+
+    /// As the left operand of `operator`: a + b + c and a * b * c associate to the left anyway.
+    fn left(&self, operator: char) -> String {
+        if self.operator == Some(operator) && matches!(operator, '+' | '*') {
+            self.text.clone()
+        } else {
+            self.operand()
+        }
+    }
+}
+
+/// Longest expression before it gets a name of its own.
+const WIDTH: usize = 64;
+
+/// The statements of one function and the expressions of its roots.
+pub(super) struct Body {
+    /// Statements, without indentation of their own.
+    pub(super) lines: Vec<String>,
+    /// One expression for each root, in order.
+    pub(super) roots: Vec<String>,
+}
+
+/// Prints what `function` computes.
+pub(super) fn print(plan: &Plan<'_>, function: Function, syntax: &dyn Syntax) -> Body {
+    let roots = plan.roots(function);
+    let mut printer = Printer {
+        plan,
+        function,
+        syntax,
+        uses: uses(plan, function, &roots),
+        known: BTreeMap::new(),
+        lines: Vec::new(),
+        temporaries: 0,
+    };
+    for value in plan.program.needed(&roots) {
+        if !plan.program.get(value).looped && printer.uses.contains_key(&value) {
+            printer.value(value);
+        }
+    }
+    let roots = roots.iter().map(|v| printer.expression(*v).text).collect();
+    Body { lines: printer.lines, roots }
+}
+
+/// How often each value is used in the function; values that only fields need are left out.
+fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value, usize> {
+    let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
+    for root in roots {
+        *uses.entry(*root).or_default() += 1;
+    }
+    for value in plan.program.needed(roots).into_iter().rev() {
+        if uses.contains_key(&value) && !plan.is_field(function, value) {
+            for operand in plan.program.get(value).op.operands() {
+                *uses.entry(operand).or_default() += 1;
+            }
+        }
+    }
+    uses
+}
+
+struct Printer<'a> {
+    plan: &'a Plan<'a>,
+    function: Function,
+    syntax: &'a dyn Syntax,
+    uses: BTreeMap<Value, usize>,
+    known: BTreeMap<Value, Expression>,
+    lines: Vec<String>,
+    temporaries: usize,
+}
+
+impl Printer<'_> {
+    fn expression(&self, value: Value) -> Expression {
+        self.known.get(&value).cloned().unwrap_or_else(|| Expression::atom(String::new()))
+    }
+
+    fn text(&self, value: Value) -> String {
+        self.expression(value).text
+    }
+
+    /// Computes a value: as a statement where it has a name or several users, else in place.
+    fn value(&mut self, value: Value) {
+        let definition = self.plan.program.get(value);
+        if self.plan.is_field(self.function, value) {
+            let field = self.syntax.field(self.plan.name(value).unwrap_or_default());
+            self.known.insert(value, Expression::atom(field));
+            return;
+        }
+        match &definition.op {
+            Op::Input(_) => {
+                let name = self.plan.name(value).unwrap_or_default().to_owned();
+                self.known.insert(value, Expression::atom(name));
+            }
+            Op::Hold(a, b) => {
+                let name = self.fresh(value);
+                let (time_to_go, eps) = (self.text(*a), self.text(*b));
+                self.lines.extend(self.syntax.hold(&name, &time_to_go, &eps));
+                self.known.insert(value, Expression::atom(name));
+            }
+            Op::Root(root) => self.root(value, root),
+            op => {
+                let expression = self.operation(op);
+                let shared = self.uses.get(&value).is_some_and(|uses| *uses > 1);
+                let named = definition.name.is_some() && definition.stage >= Stage::Init;
+                let literal = self.plan.is_literal(value);
+                if !literal && (shared || named || expression.text.len() > WIDTH) {
+                    let name = self.fresh(value);
+                    self.lines.push(self.syntax.define(&name, &expression.text));
+                    self.known.insert(value, Expression::atom(name));
+                } else {
+                    self.known.insert(value, expression);
+                }
+            }
+        }
+    }
+
+    fn fresh(&mut self, value: Value) -> String {
+        if let Some(name) = self.plan.name(value) {
+            return name.to_owned();
+        }
+        self.temporaries += 1;
+        format!("v{}", self.temporaries)
+    }
+
+    fn operation(&self, op: &Op) -> Expression {
+        let operand = |v: &Value| self.expression(*v).operand();
+        let binary = |operator: char, a: &Value, b: &Value| Expression {
+            text: format!("{} {operator} {}", self.expression(*a).left(operator), operand(b)),
+            operator: Some(operator),
+        };
+        let call = |function, arguments: &[Value]| {
+            let arguments: Vec<_> = arguments.iter().map(|v| self.text(*v)).collect();
+            Expression::atom(self.syntax.call(function, &arguments))
+        };
+        match op {
+            Op::Number(value) => self.number(number::round(value, self.precision())),
+            Op::Neg(a) => Expression { text: format!("-{}", operand(a)), operator: Some('-') },
+            Op::Add(a, b) => binary('+', a, b),
+            Op::Sub(a, b) => binary('-', a, b),
+            Op::Mul(a, b) => binary('*', a, b),
+            Op::Div(a, b) => binary('/', a, b),
+            Op::Max(a, b) => {
+                Expression { text: self.syntax.max(&operand(a), &operand(b)), operator: Some('?') }
+            }
+            Op::Abs(a) => Expression::atom(self.syntax.abs(&self.text(*a))),
+            Op::Sqrt(a) => call("sqrt", &[*a]),
+            Op::Exp(a) => call("exp", &[*a]),
+            Op::Ln(a) => call("log", &[*a]),
+            Op::Tan(a) => call("tan", &[*a]),
+            Op::Pow(a, b) => call("pow", &[*a, *b]),
+            // The pass `chains` has written powers out, and the caller handles the rest.
+            Op::Power(..) | Op::Input(_) | Op::Hold(..) | Op::Unknown | Op::Root(_) => {
+                Expression::atom(String::new())
+            }
+        }
+    }
+
+    fn precision(&self) -> Precision {
+        self.plan.program.precision
+    }
+
+    /// A literal; a negative one is an expression with a sign.
+    fn number(&self, value: f64) -> Expression {
+        let text = self.syntax.literal(&number::literal(value.abs(), self.precision()));
+        if value.is_sign_negative() {
+            Expression { text: format!("-{text}"), operator: Some('-') }
+        } else {
+            Expression::atom(text)
+        }
+    }
+
+    fn root(&mut self, value: Value, root: &Root) {
+        let unknown = self.plan.name(root.unknown).unwrap_or("y").to_owned();
+        self.known.insert(root.unknown, Expression::atom(unknown.clone()));
+        let outside = std::mem::take(&mut self.lines);
+        for inner in self.plan.program.needed(&[root.residual, root.next, root.size]) {
+            if self.plan.program.get(inner).looped && inner != root.unknown {
+                self.value(inner);
+            }
+        }
+        let body = std::mem::replace(&mut self.lines, outside);
+        let (half, zero) = (self.number(0.5).text, self.number(0.0).text);
+        let text = |v: Value| self.text(v);
+        let lines = self.syntax.root(&RootText {
+            unknown: &unknown,
+            start: &text(root.start),
+            low: &text(root.low),
+            high: &text(root.high),
+            body: &body,
+            residual: &text(root.residual),
+            next: &text(root.next),
+            size: &text(root.size),
+            tolerance: &text(root.tolerance),
+            half: &half,
+            zero: &zero,
+            rounds: root.rounds,
+        });
+        self.lines.extend(lines);
+        self.known.insert(value, Expression::atom(unknown));
+    }
+}

@@ -1,0 +1,109 @@
+//! Appending operations to a program under construction.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::{BigRational, Symbol, integer};
+use crate::program::passes::append;
+use crate::program::{Input, Limits, Op, Program, Value};
+use crate::spec::{Fixed, Parameter, Spec};
+
+/// A program under construction.
+pub(super) struct Builder<'a> {
+    pub(super) spec: &'a Spec,
+    program: Program,
+    pub(super) quantities: BTreeMap<Symbol, Value>,
+    pub(super) held: Option<Value>,
+}
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        let nothing = Value(0);
+        let program = Program {
+            precision: spec.precision,
+            values: Vec::new(),
+            limits: Limits { start_time: None, u_max: None },
+            step: nothing,
+            gains: Vec::new(),
+            axis: nothing,
+        };
+        Self { spec, program, quantities: BTreeMap::new(), held: None }
+    }
+
+    pub(super) fn finish(
+        self,
+        step: Value,
+        gains: Vec<Value>,
+        axis: Value,
+        limits: Limits,
+    ) -> Program {
+        Program { step, gains, axis, limits, ..self.program }
+    }
+
+    pub(super) fn push(&mut self, op: Op) -> Value {
+        append(&mut self.program, op, None)
+    }
+
+    /// Names a value, with its meaning for the reader of the emitted code.
+    pub(super) fn name(&mut self, value: Value, name: &str, meaning: &str) -> Value {
+        self.program.values[value.0].name = Some((name.to_owned(), meaning.to_owned()));
+        value
+    }
+
+    pub(super) fn number(&mut self, value: BigRational) -> Value {
+        self.push(Op::Number(value))
+    }
+
+    pub(super) fn integer(&mut self, value: i64) -> Value {
+        self.number(integer(value))
+    }
+
+    pub(super) fn add(&mut self, a: Value, b: Value) -> Value {
+        self.push(Op::Add(a, b))
+    }
+
+    pub(super) fn sub(&mut self, a: Value, b: Value) -> Value {
+        self.push(Op::Sub(a, b))
+    }
+
+    pub(super) fn mul(&mut self, a: Value, b: Value) -> Value {
+        self.push(Op::Mul(a, b))
+    }
+
+    pub(super) fn div(&mut self, a: Value, b: Value) -> Value {
+        self.push(Op::Div(a, b))
+    }
+
+    /// a + b, where an absent one adds nothing.
+    pub(super) fn sum(&mut self, a: Option<Value>, b: Option<Value>) -> Option<Value> {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.add(a, b)),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// base^exponent for exponent >= 1.
+    pub(super) fn power(&mut self, base: Value, exponent: u32) -> Value {
+        if exponent == 1 { base } else { self.push(Op::Power(base, exponent)) }
+    }
+
+    /// value * variable^exponent for exponent >= 0, the power in two halves: neither half leaves
+    /// the range before the result does, whatever `value` makes up for.
+    pub(super) fn shift(&mut self, value: Value, variable: Value, exponent: i32) -> Value {
+        let exponent = exponent.unsigned_abs();
+        let value = if exponent % 2 == 1 { self.mul(value, variable) } else { value };
+        if exponent < 2 {
+            return value;
+        }
+        let half = self.power(variable, exponent / 2);
+        let value = self.mul(value, half);
+        self.mul(value, half)
+    }
+
+    /// A parameter: the number it is fixed at, else a run-time input.
+    pub(super) fn parameter(&mut self, parameter: Parameter) -> Value {
+        match self.spec.fixed.get(&parameter).and_then(Fixed::number) {
+            Some(number) => self.number(number.clone()),
+            None => self.push(Op::Input(Input::Parameter(parameter))),
+        }
+    }
+}

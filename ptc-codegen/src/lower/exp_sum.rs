@@ -1,0 +1,207 @@
+//! exp_sum: mu = tau mean_i (1 - e^{-a_i t}), whose inverse is found at run time.
+
+use super::builder::Builder;
+use super::series::Taylor;
+use crate::algebra::{BigRational, integer};
+use crate::expansion::bell::factorials;
+use crate::program::{Op, Root, Value};
+use crate::spec::{Parameter, Precision};
+
+/// Bound on the rounds of the iteration. It converges in two or three; the bracket halves at
+/// worst, and the bound is what a certifier counts.
+const ROUNDS: u32 = 12;
+
+/// The Taylor series of mu at the stretched time of the current time-to-go.
+///
+/// The root y of m(y) = sum_i e^{-a_i y} = N T/tau is found by Halley's method on ln(m N^-1 tau/T),
+/// which decreases and is convex. With w = T/tau, L = -ln w and A = mean a_i:
+/// - Jensen gives m/N >= e^{-A y}, so y >= L/A; one term alone gives y >= (L - ln N)/min a_i;
+///   no term decays slower than min a_i, so y <= L/min a_i. The start is the better lower bound,
+///   from which ln(m/(N w)) <= ln N;
+/// - ln(m/(N w)) is replaced by 2(m - N w)/(m + N w): same sign, same root, equal to third order;
+/// - a step of size at most 1e-3/max a_i leaves a cubically small error (1e-9 relative), so the
+///   iteration ends there, and the modes are then moved onto the exact sum to first order. That
+///   correction also takes away the rounding of y, which far out would cost a_i y digits.
+pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
+    let rates: Vec<_> = (1..=b.spec.rates).map(|i| b.parameter(Parameter::Rate(i))).collect();
+    let count = i64::try_from(rates.len()).unwrap_or(i64::MAX);
+    let time_to_go = b.time_to_go();
+    let target = {
+        let (count, tau) = (b.integer(count), b.parameter(Parameter::Tau));
+        let scale = b.div(count, tau);
+        let scale = b.name(scale, "target_rate", "N/tau, N the number of rates");
+        let target = b.mul(time_to_go, scale);
+        b.name(target, "target", "N*T/tau, the value that sum_i exp(-a_i*y) must take")
+    };
+    let y = stretched_time(b, &rates, target);
+    let modes = corrected_modes(b, &rates, y, target);
+    series(b, &rates, &modes)
+}
+
+fn stretched_time(b: &mut Builder<'_>, rates: &[Value], target: Value) -> Value {
+    let count = b.integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
+    let one = b.integer(1);
+    let (mut sum, mut fastest) = (rates[0], rates[0]);
+    let mut slowest = b.div(one, rates[0]);
+    for rate in &rates[1..] {
+        sum = b.add(sum, *rate);
+        fastest = b.push(Op::Max(fastest, *rate));
+        let period = b.div(one, *rate);
+        slowest = b.push(Op::Max(slowest, period));
+    }
+    let mean_period = b.div(count, sum);
+    let mean_period = b.name(mean_period, "mean_period", "1/mean a_i");
+    let slowest = b.name(slowest, "slowest", "1/min a_i");
+    let logarithm = {
+        let share = b.div(target, count);
+        let ln = b.push(Op::Ln(share));
+        b.push(Op::Neg(ln))
+    };
+    let low = b.mul(logarithm, mean_period);
+    let high = b.mul(logarithm, slowest);
+    let log_count = b.number(ln_integer(rates.len()));
+    let alone = b.sub(logarithm, log_count);
+    let alone = b.mul(alone, slowest);
+    let start = b.push(Op::Max(low, alone));
+    let tolerance = {
+        let size = b.number(match b.spec.precision {
+            Precision::F64 => BigRational::new(1.into(), 1000.into()),
+            Precision::F32 => BigRational::new(3.into(), 100.into()),
+        });
+        let tolerance = b.div(size, fastest);
+        b.name(tolerance, "tolerance", "size of the last step of the iteration")
+    };
+    let unknown = b.push(Op::Unknown);
+    let unknown = b.name(unknown, "y", "stretched time since t0");
+    let modes = modes(b, rates, unknown);
+    let (sum, first, second) = moments(b, rates, &modes);
+    let (residual, next, size) = halley(b, unknown, target, sum, first, second);
+    let root = Root { unknown, start, low, high, residual, next, size, tolerance, rounds: ROUNDS };
+    b.push(Op::Root(root))
+}
+
+/// e_i = exp(-a_i y).
+fn modes(b: &mut Builder<'_>, rates: &[Value], y: Value) -> Vec<Value> {
+    rates
+        .iter()
+        .map(|rate| {
+            let phase = b.mul(*rate, y);
+            let phase = b.push(Op::Neg(phase));
+            b.push(Op::Exp(phase))
+        })
+        .collect()
+}
+
+/// sum e_i, sum a_i e_i, sum a_i^2 e_i.
+fn moments(b: &mut Builder<'_>, rates: &[Value], modes: &[Value]) -> (Value, Value, Value) {
+    let mut sums: [Option<Value>; 3] = [None; 3];
+    for (rate, mode) in rates.iter().zip(modes) {
+        let mut term = *mode;
+        for sum in &mut sums {
+            *sum = b.sum(*sum, Some(term));
+            term = b.mul(*rate, term);
+        }
+    }
+    let [sum, first, second] = sums.map(|s| s.unwrap_or(Value(0)));
+    (sum, first, second)
+}
+
+/// One step of Halley's method on h(y) = ln(m/target): h' = -m1/m, h'' = m2/m - (m1/m)^2, so
+/// step = h m/m1 (1 + h/2 (m2 m/m1^2 - 1)).
+fn halley(
+    b: &mut Builder<'_>,
+    y: Value,
+    target: Value,
+    sum: Value,
+    first: Value,
+    second: Value,
+) -> (Value, Value, Value) {
+    let (one, two) = (b.integer(1), b.integer(2));
+    let half = b.number(BigRational::new(1.into(), 2.into()));
+    let gap = b.sub(sum, target);
+    let gap = b.mul(two, gap);
+    let total = b.add(sum, target);
+    let residual = b.div(gap, total);
+    let inverse = b.div(one, first);
+    let newton = b.mul(sum, inverse);
+    let spread = b.mul(second, inverse);
+    let spread = b.mul(spread, newton);
+    let spread = b.sub(spread, one);
+    let half_residual = b.mul(half, residual);
+    let bend = b.mul(half_residual, spread);
+    let bend = b.add(one, bend);
+    let step = b.mul(residual, newton);
+    let step = b.mul(step, bend);
+    let next = b.add(y, step);
+    let size = b.push(Op::Abs(step));
+    (residual, next, size)
+}
+
+/// e_i - (a_i e_i) (m - target)/m1: the modes on the exact sum, to first order.
+fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value) -> Vec<Value> {
+    let modes = modes(b, rates, y);
+    let (sum, first, _) = moments(b, rates, &modes);
+    let gap = b.sub(sum, target);
+    let shift = b.div(gap, first);
+    rates
+        .iter()
+        .zip(modes)
+        .map(|(rate, mode)| {
+            let slope = b.mul(*rate, mode);
+            let change = b.mul(slope, shift);
+            b.sub(mode, change)
+        })
+        .collect()
+}
+
+/// r_l/l! = sum_i b_li e_i with b_li = (-1)^(l-1) tau a_i^l/(N l!): all terms of one sign.
+fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value]) -> Taylor {
+    let n = b.spec.n;
+    let factorial = factorials(n);
+    let count = integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
+    let mut terms = Vec::with_capacity(n);
+    for l in 1..=n {
+        let sign = integer(if l % 2 == 1 { 1 } else { -1 });
+        let divisor = sign / (BigRational::from_integer(factorial[l].clone()) * &count);
+        let mut sum = None;
+        for (i, (rate, mode)) in rates.iter().zip(modes).enumerate() {
+            let power = b.power(*rate, u32::try_from(l).unwrap_or(u32::MAX));
+            let factor = b.number(divisor.clone());
+            let scaled = b.mul(factor, power);
+            let tau = b.parameter(Parameter::Tau);
+            let weight = b.mul(scaled, tau);
+            let index = i + 1;
+            let weight = b.name(
+                weight,
+                &format!("b{l}_{index}"),
+                &format!("weight of exp(-a{index}*y) in r{l}/{l}!"),
+            );
+            let term = b.mul(weight, *mode);
+            sum = b.sum(sum, Some(term));
+        }
+        terms.extend(sum);
+    }
+    let one = b.integer(1);
+    let inverse = b.div(one, terms[0]);
+    let inverse = b.name(inverse, "inv_r1", "1/r1 = kappa'");
+    let tail = terms[1..]
+        .iter()
+        .enumerate()
+        .map(|(i, term)| {
+            let l = i + 2;
+            let ratio = b.mul(*term, inverse);
+            b.name(ratio, &format!("p{l}"), &format!("r{l}/(r1*{l}!)"))
+        })
+        .collect();
+    Taylor { base_inverse: inverse, tail }
+}
+
+/// ln(count) to the precision of a double: a start of the iteration needs no more.
+fn ln_integer(count: usize) -> BigRational {
+    #[allow(clippy::cast_precision_loss)]
+    let ln = (count as f64).ln();
+    // Rounded to 2^-20, so that the host's library decides no bit of the output.
+    let scaled = (ln * 1_048_576.0).floor();
+    BigRational::from_float(scaled).unwrap_or_default()
+        / BigRational::from_integer(1_048_576.into())
+}

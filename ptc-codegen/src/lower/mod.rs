@@ -1,0 +1,187 @@
+//! From the law to a staged program.
+//!
+//! Here the closed forms become operations: coefficients in `init` ([`coefficient`]), quantities of
+//! time in `tick` ([`quantity`]), and the state enters last. Everything that may change rounding
+//! happens here or earlier; the passes after it keep every bit.
+
+mod builder;
+mod coefficient;
+mod exp_sum;
+mod quantity;
+mod series;
+
+use builder::Builder;
+
+use crate::algebra::Poly;
+use crate::law::{GainForm, LinearLaw};
+use crate::program::{Input, Limits, Op, Program, Value};
+use crate::spec::{Fixed, Guard, Parameter, Spec};
+
+/// The program of `law` for `spec`.
+pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
+    let mut b = Builder::new(spec);
+    let rows = match &law.form {
+        GainForm::Rows { base_inverse, rows } => {
+            let scaled = coefficient::scaled_gains(&mut b, &law.rate);
+            let rows: Vec<_> = rows
+                .iter()
+                .enumerate()
+                .map(|(j, row)| lower_row(&mut b, j, row, &scaled))
+                .collect();
+            let base = base_inverse.map(|symbol| Base { symbol });
+            Rows { base: base.map(|base| base.value(&mut b, spec.n)), rows }
+        }
+        GainForm::Series => {
+            let taylor = exp_sum::taylor(&mut b);
+            Rows {
+                base: Some(Factor::Multiply(taylor.base_inverse)),
+                rows: series::rows(&mut b, &taylor),
+            }
+        }
+    };
+    let step = rows.step(&mut b);
+    let gains = rows.gains(&mut b);
+    let axis = axis(&mut b);
+    let start_time = (spec.guard == Guard::Full).then(|| {
+        let start = b.push(Op::Input(Input::StartTime));
+        b.name(start, "t0", "start time")
+    });
+    let u_max = match spec.fixed.get(&Parameter::UMax) {
+        Some(Fixed::Infinite) => None,
+        _ => Some(b.parameter(Parameter::UMax)),
+    };
+    b.finish(step, gains, axis, Limits { start_time, u_max })
+}
+
+/// A base whose inverse is a tick quantity.
+struct Base {
+    symbol: crate::algebra::Symbol,
+}
+
+/// Multiplication by 1/base.
+#[derive(Clone, Copy)]
+enum Factor {
+    /// By a value.
+    Multiply(Value),
+    /// By the inverse of a value, where that inverse has no other use.
+    Divide(Value),
+}
+
+impl Base {
+    /// For n = 1 the factor 1/T of the exp family is used once, and one division does it.
+    fn value(&self, b: &mut Builder<'_>, n: usize) -> Factor {
+        if n == 1
+            && self.symbol.kind == crate::algebra::Kind::InverseTimeToGo
+            && !b.has_quantity(self.symbol)
+        {
+            Factor::Divide(b.time_to_go())
+        } else {
+            Factor::Multiply(b.quantity(self.symbol))
+        }
+    }
+}
+
+/// gain_j = base_inverse^(n+1-j) rows[j - 1].
+struct Rows {
+    base: Option<Factor>,
+    rows: Vec<Option<Value>>,
+}
+
+impl Rows {
+    /// u by Horner's rule in 1/base over the rows: the state enters in 2n operations.
+    fn step(&self, b: &mut Builder<'_>) -> Value {
+        let mut sum: Option<Value> = None;
+        for (j, row) in self.rows.iter().enumerate() {
+            if j > 0 {
+                sum = sum.map(|s| self.times_base(b, s));
+            }
+            let x = b.push(Op::Input(Input::State(j + 1)));
+            let product = row.map(|row| b.mul(row, x));
+            sum = b.sum(sum, product);
+        }
+        let sum = sum.unwrap_or_else(|| b.integer(0));
+        self.times_base(b, sum)
+    }
+
+    fn times_base(&self, b: &mut Builder<'_>, value: Value) -> Value {
+        match self.base {
+            None => value,
+            Some(Factor::Multiply(inverse)) => b.mul(value, inverse),
+            Some(Factor::Divide(base)) => b.div(value, base),
+        }
+    }
+
+    /// The gains by themselves, for several axes that share one deadline.
+    fn gains(&self, b: &mut Builder<'_>) -> Vec<Value> {
+        let mut power: Option<Value> = None;
+        let mut gains = Vec::with_capacity(self.rows.len());
+        for row in self.rows.iter().rev() {
+            let row = row.unwrap_or_else(|| b.integer(0));
+            gains.push(match self.base {
+                None => row,
+                Some(Factor::Divide(base)) => b.div(row, base),
+                Some(Factor::Multiply(inverse)) => {
+                    let raised = power.map_or(inverse, |power| b.mul(power, inverse));
+                    power = Some(raised);
+                    b.mul(row, raised)
+                }
+            });
+        }
+        gains.reverse();
+        gains
+    }
+}
+
+/// u = sum_j gain_j x_j.
+fn axis(b: &mut Builder<'_>) -> Value {
+    let mut sum = None;
+    for j in 1..=b.spec.n {
+        let gain = b.push(Op::Input(Input::Gain(j)));
+        let x = b.push(Op::Input(Input::State(j)));
+        let product = b.mul(gain, x);
+        sum = b.sum(sum, Some(product));
+    }
+    sum.unwrap_or_else(|| b.integer(0))
+}
+
+/// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.
+fn lower_row(
+    b: &mut Builder<'_>,
+    j: usize,
+    row: &Poly,
+    scaled: &[coefficient::ScaledGain],
+) -> Option<Value> {
+    let row = coefficient::with_fixed(b.spec, row, scaled);
+    let quantity = row.symbols().into_iter().find(|s| !coefficient::is_known_at_init(*s));
+    let Some(symbol) = quantity else {
+        return coefficient::lower(
+            b,
+            &row,
+            scaled,
+            &format!("c{}", j + 1),
+            &format!("coefficient of x{}", j + 1),
+        );
+    };
+    let by_exponent = row.collect(symbol);
+    let variable = b.quantity(symbol);
+    let mut sum: Option<(Value, i32)> = None;
+    for (exponent, poly) in by_exponent.into_iter().rev() {
+        let name = format!("c{}_{exponent}", j + 1);
+        let meaning =
+            format!("coefficient of {}^{exponent} in the gain of x{}", symbol.text(), j + 1);
+        let Some(coefficient) = coefficient::lower(b, &poly, scaled, &name, &meaning) else {
+            continue;
+        };
+        sum = Some(match sum {
+            None => (coefficient, exponent),
+            Some((sum, previous)) => {
+                let shifted = b.shift(sum, variable, previous - exponent);
+                (b.add(shifted, coefficient), exponent)
+            }
+        });
+    }
+    sum.map(|(sum, lowest)| {
+        let row = b.shift(sum, variable, lowest);
+        b.name(row, &format!("row{}", j + 1), &format!("gain of x{} without its power of the base", j + 1))
+    })
+}

@@ -1,0 +1,315 @@
+//! The staged program: straight-line values, each computed once, as early as it can be known.
+//!
+//! Invariants, checked by [`Program::check`] between passes:
+//! - operands stand before their users, so index order is an order of computation;
+//! - a value's stage is the latest of its operands' stages, and never earlier;
+//! - a value that depends on an [`Op::Unknown`] is used only by such values and by the
+//!   [`Op::Root`] that solves for it;
+//! - names are unique.
+//!
+//! Passes keep every bit: the interpreter gives the same results before and after each of them.
+
+pub mod cost;
+pub mod interpret;
+pub mod number;
+pub mod passes;
+
+use crate::algebra::BigRational;
+use crate::spec::{Parameter, Precision};
+
+/// Index of a value in its program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Value(pub usize);
+
+/// When a value becomes known: its binding time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// When the code is generated.
+    Generation,
+    /// When the parameters are given.
+    Init,
+    /// When the start time is given.
+    Arm,
+    /// When time is given.
+    Tick,
+    /// When the state is given.
+    Step,
+}
+
+/// What comes from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Input {
+    /// A run-time parameter.
+    Parameter(Parameter),
+    /// The start time given to `arm`.
+    StartTime,
+    /// Time t.
+    Time,
+    /// State x_j, from 1.
+    State(usize),
+    /// Feedback gain of x_j, from 1, as `tick` left it.
+    Gain(usize),
+}
+
+impl Input {
+    /// When the input becomes known.
+    pub fn stage(self) -> Stage {
+        match self {
+            Self::Parameter(_) => Stage::Init,
+            Self::StartTime => Stage::Arm,
+            Self::Time => Stage::Tick,
+            Self::State(_) | Self::Gain(_) => Stage::Step,
+        }
+    }
+}
+
+/// A bracketed iteration for the root y of a decreasing residual: from `start`, each round takes
+/// the root to lie right of y where `residual > 0`, steps to `next`, falls back to the middle of
+/// the bracket when `next` leaves it, and ends once the step's `size` is at most `tolerance`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Root {
+    /// The unknown y, an [`Op::Unknown`].
+    pub unknown: Value,
+    /// First y.
+    pub start: Value,
+    /// Lower end of the bracket.
+    pub low: Value,
+    /// Upper end of the bracket.
+    pub high: Value,
+    /// Residual at y.
+    pub residual: Value,
+    /// Proposed next y.
+    pub next: Value,
+    /// Size of the proposed step.
+    pub size: Value,
+    /// Size at which the iteration ends.
+    pub tolerance: Value,
+    /// Bound on the number of rounds.
+    pub rounds: u32,
+}
+
+impl Root {
+    /// Operands in the order of the fields.
+    pub fn operands(&self) -> [Value; 8] {
+        let Self { unknown, start, low, high, residual, next, size, tolerance, .. } = *self;
+        [unknown, start, low, high, residual, next, size, tolerance]
+    }
+}
+
+/// An operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// An exact number, rounded once to the program's precision.
+    Number(BigRational),
+    /// A value from outside.
+    Input(Input),
+    /// -a.
+    Neg(Value),
+    /// a + b.
+    Add(Value, Value),
+    /// a - b.
+    Sub(Value, Value),
+    /// a * b.
+    Mul(Value, Value),
+    /// a / b.
+    Div(Value, Value),
+    /// a^k, k >= 2: the multiplication chain of the binary digits of k, squares first.
+    Power(Value, u32),
+    /// The greater one; a where they are equal. Never used on NaN.
+    Max(Value, Value),
+    /// |a|.
+    Abs(Value),
+    /// sqrt(a).
+    Sqrt(Value),
+    /// e^a.
+    Exp(Value),
+    /// ln(a).
+    Ln(Value),
+    /// tan(a).
+    Tan(Value),
+    /// a^b for a > 0.
+    Pow(Value, Value),
+    /// Time-to-go a held at b: b where a <= b, else a (a NaN stays). Reports the hold.
+    Hold(Value, Value),
+    /// The unknown of a [`Root`].
+    Unknown,
+    /// The root.
+    Root(Root),
+}
+
+impl Op {
+    /// The values it uses.
+    pub fn operands(&self) -> Vec<Value> {
+        match self {
+            Self::Number(_) | Self::Input(_) | Self::Unknown => Vec::new(),
+            Self::Neg(a)
+            | Self::Power(a, _)
+            | Self::Abs(a)
+            | Self::Sqrt(a)
+            | Self::Exp(a)
+            | Self::Ln(a)
+            | Self::Tan(a) => vec![*a],
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Max(a, b)
+            | Self::Pow(a, b)
+            | Self::Hold(a, b) => vec![*a, *b],
+            Self::Root(root) => root.operands().to_vec(),
+        }
+    }
+
+    /// The same operation on other values.
+    pub fn map(&self, mut to: impl FnMut(Value) -> Value) -> Self {
+        match self {
+            Self::Number(_) | Self::Input(_) | Self::Unknown => self.clone(),
+            Self::Neg(a) => Self::Neg(to(*a)),
+            Self::Power(a, k) => Self::Power(to(*a), *k),
+            Self::Abs(a) => Self::Abs(to(*a)),
+            Self::Sqrt(a) => Self::Sqrt(to(*a)),
+            Self::Exp(a) => Self::Exp(to(*a)),
+            Self::Ln(a) => Self::Ln(to(*a)),
+            Self::Tan(a) => Self::Tan(to(*a)),
+            Self::Add(a, b) => Self::Add(to(*a), to(*b)),
+            Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
+            Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),
+            Self::Div(a, b) => Self::Div(to(*a), to(*b)),
+            Self::Max(a, b) => Self::Max(to(*a), to(*b)),
+            Self::Pow(a, b) => Self::Pow(to(*a), to(*b)),
+            Self::Hold(a, b) => Self::Hold(to(*a), to(*b)),
+            Self::Root(r) => Self::Root(Root {
+                unknown: to(r.unknown),
+                start: to(r.start),
+                low: to(r.low),
+                high: to(r.high),
+                residual: to(r.residual),
+                next: to(r.next),
+                size: to(r.size),
+                tolerance: to(r.tolerance),
+                rounds: r.rounds,
+            }),
+        }
+    }
+}
+
+/// A value: its operation, when it is known, and its name in emitted code if it has one.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The operation.
+    pub op: Op,
+    /// When it is known.
+    pub stage: Stage,
+    /// Name and meaning, for values that readers know by name.
+    pub name: Option<(String, String)>,
+    /// Whether it depends on the unknown of a [`Root`], and so belongs to its loop.
+    pub looped: bool,
+}
+
+/// A controller as values and the roles that some of them play.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// Precision in which every operation rounds.
+    pub precision: Precision,
+    /// All values, operands before users.
+    pub values: Vec<Definition>,
+    /// Parameters that `step` itself compares with; each a value of stage init or earlier.
+    pub limits: Limits,
+    /// u of one call of `step`, before it is clipped.
+    pub step: Value,
+    /// Feedback gains of x_1..x_n, for `tick`.
+    pub gains: Vec<Value>,
+    /// u from the gains that `tick` left, before it is clipped.
+    pub axis: Value,
+}
+
+/// Values that the frame of the emitted functions uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Start time, kept by `arm` where `step` checks t against it.
+    pub start_time: Option<Value>,
+    /// Bound of |u|; none for infinity.
+    pub u_max: Option<Value>,
+}
+
+impl Program {
+    /// The definition of `value`.
+    pub fn get(&self, value: Value) -> &Definition {
+        &self.values[value.0]
+    }
+
+    /// Every value that something outside the program reads.
+    pub fn outputs(&self) -> Vec<Value> {
+        let mut outputs = vec![self.step, self.axis];
+        outputs.extend(&self.gains);
+        outputs.extend(self.limits.start_time);
+        outputs.extend(self.limits.u_max);
+        outputs
+    }
+
+    /// The values needed for `roots`, in order of computation.
+    pub fn needed(&self, roots: &[Value]) -> Vec<Value> {
+        let mut wanted = vec![false; self.values.len()];
+        for root in roots {
+            wanted[root.0] = true;
+        }
+        for index in (0..self.values.len()).rev() {
+            if wanted[index] {
+                for operand in self.values[index].op.operands() {
+                    wanted[operand.0] = true;
+                }
+            }
+        }
+        (0..self.values.len()).filter(|i| wanted[*i]).map(Value).collect()
+    }
+
+    /// The stage at which `op` is known, from its operands.
+    pub fn stage_of(&self, op: &Op) -> Stage {
+        match op {
+            Op::Number(_) => Stage::Generation,
+            Op::Input(input) => input.stage(),
+            Op::Unknown => Stage::Tick,
+            _ => {
+                op.operands().iter().map(|v| self.get(*v).stage).max().unwrap_or(Stage::Generation)
+            }
+        }
+    }
+
+    /// Whether `op` belongs to the loop of a root.
+    pub fn looped(&self, op: &Op) -> bool {
+        match op {
+            Op::Unknown => true,
+            Op::Root(_) => false,
+            _ => op.operands().iter().any(|v| self.get(*v).looped),
+        }
+    }
+
+    /// Checks the invariants of the module's doc.
+    ///
+    /// # Errors
+    /// The first one that does not hold.
+    pub fn check(&self) -> Result<(), String> {
+        let mut names = std::collections::BTreeSet::new();
+        for (index, definition) in self.values.iter().enumerate() {
+            let operands = definition.op.operands();
+            if operands.iter().any(|v| v.0 >= index) {
+                return Err(format!("value {index} uses a later value"));
+            }
+            if definition.stage != self.stage_of(&definition.op) {
+                return Err(format!("value {index} has the wrong stage"));
+            }
+            if definition.looped != self.looped(&definition.op) {
+                return Err(format!("value {index} is on the wrong side of its loop"));
+            }
+            if let Some((name, _)) = &definition.name
+                && !names.insert(name)
+            {
+                return Err(format!("the name {name} is given twice"));
+            }
+        }
+        match self.outputs().iter().find(|v| v.0 >= self.values.len() || self.get(**v).looped) {
+            Some(value) => Err(format!("output {} is no value outside a loop", value.0)),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Rounding exact numbers to the precision of a program, once and correctly.
+
+use num_traits::{FromPrimitive, ToPrimitive, Zero};
+
+use crate::algebra::BigRational;
+use crate::spec::Precision;
+
+/// `value` rounded to nearest in `precision`, as a double (which holds every float exactly).
+pub fn round(value: &BigRational, precision: Precision) -> f64 {
+    let nearest = value.to_f64().unwrap_or(f64::NAN);
+    match precision {
+        Precision::F64 => nearest,
+        Precision::F32 => round_to_single(value, nearest),
+    }
+}
+
+/// The float nearest to `value`. Rounding the double again may go wrong where the double lies on
+/// the midpoint of two floats, and only there; the exact value then decides.
+#[allow(clippy::cast_possible_truncation)]
+fn round_to_single(value: &BigRational, nearest: f64) -> f64 {
+    let single = nearest as f32;
+    let exact = |x: f64| BigRational::from_f64(x).unwrap_or_else(BigRational::zero);
+    let distance = |x: f32| {
+        let d = exact(f64::from(x)) - value;
+        if d < BigRational::zero() { -d } else { d }
+    };
+    if !single.is_finite() {
+        return f64::from(single);
+    }
+    let neighbours = [single.next_down(), single.next_up()];
+    let closer =
+        neighbours.into_iter().filter(|x| x.is_finite()).find(|x| distance(*x) < distance(single));
+    f64::from(closer.unwrap_or(single))
+}
+
+/// The result of one operation on doubles, rounded to `precision`. For + - * / and sqrt a second
+/// rounding from double to float is innocuous (53 >= 2 * 24 + 2), so it equals the float operation.
+#[allow(clippy::cast_possible_truncation)]
+pub fn settle(result: f64, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => result,
+        Precision::F32 => f64::from(result as f32),
+    }
+}
+
+/// The exact value of a finite double.
+pub fn exact(value: f64) -> Option<BigRational> {
+    BigRational::from_f64(value)
+}
+
+/// The shortest decimal literal that reads back as `value`, with a point or an exponent, without
+/// a suffix.
+#[allow(clippy::cast_possible_truncation)]
+pub fn literal(value: f64, precision: Precision) -> String {
+    match precision {
+        Precision::F64 => format!("{value:?}"),
+        Precision::F32 => format!("{:?}", value as f32),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{BigInt, integer};
+
+    #[test]
+    fn rounds_once() {
+        let tenth = integer(1) / BigInt::from(10);
+        assert_eq!(round(&tenth, Precision::F64).to_bits(), 0.1f64.to_bits());
+        assert_eq!(round(&tenth, Precision::F32).to_bits(), f64::from(0.1f32).to_bits());
+        // 1 + 2^-24 + 2^-60 lies above the midpoint of two floats, and its double lies on it.
+        let bit = |e: usize| integer(1) / num_traits::pow(BigInt::from(2), e);
+        let above = integer(1) + bit(24) + bit(60);
+        assert_eq!(round(&above, Precision::F32), f64::from(1.0f32.next_up()));
+    }
+
+    #[test]
+    fn literals_round_trip() {
+        for value in [0.1, 1.0, 6.02e23, 1e-300, f64::MIN_POSITIVE, 123_456_789.0, 1e16] {
+            assert_eq!(literal(value, Precision::F64).parse(), Ok(value));
+        }
+        assert_eq!(literal(f64::from(0.1f32), Precision::F32), "0.1");
+        assert_eq!(literal(1.0, Precision::F64), "1.0");
+    }
+}

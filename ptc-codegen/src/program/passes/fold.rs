@@ -1,0 +1,56 @@
+//! fold: computes what is known at generation, in the precision of the program.
+
+use num_traits::{One, Zero};
+
+use super::{append, rebuild};
+use crate::program::{Definition, Op, Program, Value, interpret, number};
+
+/// Replaces operations on numbers by the number they give at run time, bit for bit, and removes
+/// multiplications and divisions by 1, which change no bit. Operations whose result is no finite
+/// number are left for run time, where they are reported; transcendental functions are left too,
+/// since the target's library may round them otherwise.
+pub(super) fn run(program: Program) -> Program {
+    rebuild(&program, |new, definition| fold(new, definition))
+}
+
+fn fold(new: &mut Program, definition: Definition) -> Value {
+    if let Some(operand) = neutral(new, &definition.op) {
+        return operand;
+    }
+    let op = computed(new, &definition.op).unwrap_or(definition.op);
+    append(new, op, definition.name)
+}
+
+fn constant<'a>(program: &'a Program, value: Value) -> Option<&'a crate::algebra::BigRational> {
+    match &program.get(value).op {
+        Op::Number(number) => Some(number),
+        _ => None,
+    }
+}
+
+/// The operand that `op` returns unchanged.
+fn neutral(program: &Program, op: &Op) -> Option<Value> {
+    let is_one = |v: Value| constant(program, v).is_some_and(One::is_one);
+    match op {
+        Op::Mul(a, b) | Op::Div(a, b) if is_one(*b) => Some(*a),
+        Op::Mul(a, b) if is_one(*a) => Some(*b),
+        _ => None,
+    }
+}
+
+fn computed(program: &Program, op: &Op) -> Option<Op> {
+    if matches!(
+        op,
+        Op::Number(_) | Op::Input(_) | Op::Exp(_) | Op::Ln(_) | Op::Tan(_) | Op::Pow(..)
+    ) {
+        return None;
+    }
+    let numbers: Option<Vec<f64>> = op
+        .operands()
+        .iter()
+        .map(|v| constant(program, *v).map(|n| number::round(n, program.precision)))
+        .collect();
+    let result = interpret::apply(op, &numbers.filter(|n| !n.is_empty())?, program.precision)?;
+    // A zero may carry a sign that a rational cannot hold.
+    number::exact(result).filter(|value| !value.is_zero()).map(Op::Number)
+}

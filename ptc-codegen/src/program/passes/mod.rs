@@ -1,0 +1,69 @@
+//! The passes: named, in one visible list, each keeping every bit.
+
+mod chains;
+mod fold;
+mod prune;
+mod share;
+
+use super::{Definition, Op, Program, Value};
+
+/// A pass over a program.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// Name, for `emit --dump`.
+    pub name: &'static str,
+    /// What it does.
+    pub doc: &'static str,
+    run: fn(Program) -> Program,
+}
+
+/// All passes, in the order in which they run.
+pub static PASSES: [Pass; 5] = [
+    Pass { name: "fold", doc: "computes what is known at generation", run: fold::run },
+    Pass { name: "chains", doc: "writes powers as multiplication chains", run: chains::run },
+    Pass { name: "refold", doc: "computes powers of what is known at generation", run: fold::run },
+    Pass { name: "share", doc: "keeps one of several equal values", run: share::run },
+    Pass { name: "prune", doc: "drops values that nothing uses", run: prune::run },
+];
+
+/// Runs all passes; `watch` sees the program after each. The invariants are checked in between.
+///
+/// # Panics
+/// When a pass breaks an invariant of the program, which is a defect of this crate.
+pub fn optimise(mut program: Program, watch: &mut dyn FnMut(&Pass, &Program)) -> Program {
+    for pass in &PASSES {
+        program = (pass.run)(program);
+        debug_assert_eq!(program.check(), Ok(()), "after the pass {}", pass.name);
+        watch(pass, &program);
+    }
+    program
+}
+
+/// Rebuilds a program value by value: `rewrite` sees each operation with its operands already
+/// mapped, and returns the value that stands for it.
+fn rebuild(
+    program: &Program,
+    mut rewrite: impl FnMut(&mut Program, Definition) -> Value,
+) -> Program {
+    let mut new = Program { values: Vec::with_capacity(program.values.len()), ..program.clone() };
+    let mut map: Vec<Value> = Vec::with_capacity(program.values.len());
+    for definition in &program.values {
+        let op = definition.op.map(|v| map[v.0]);
+        let value = rewrite(&mut new, Definition { op, ..definition.clone() });
+        map.push(value);
+    }
+    let to = |v: Value| map[v.0];
+    new.step = to(program.step);
+    new.axis = to(program.axis);
+    new.gains = program.gains.iter().copied().map(to).collect();
+    new.limits.start_time = program.limits.start_time.map(to);
+    new.limits.u_max = program.limits.u_max.map(to);
+    new
+}
+
+/// Appends an operation, with its stage and side of the loop.
+pub(crate) fn append(program: &mut Program, op: Op, name: Option<(String, String)>) -> Value {
+    let (stage, looped) = (program.stage_of(&op), program.looped(&op));
+    program.values.push(Definition { op, stage, name, looped });
+    Value(program.values.len() - 1)
+}
