@@ -53,8 +53,9 @@ mod tests {
 
     #[test]
     fn corrected_entries_of_the_published_tables() {
-        assert_eq!(text(&big_r(2, 2)), "3*s2^2");
-        assert_eq!(text(&r(3)[2]), "3*s1^-5*s2^2 - s1^-4*s3");
+        assert_eq!(text(&big_r(2, 2)), "3*s''^2");
+        assert_eq!(text(&r(3)[2]), "3*s'^-5*s''^2 - s'^-4*s^(3)");
+        assert_eq!(text(&big_r(4, 2)), "15*s''*s^(4) + 10*(s^(3))^2");
         assert_eq!(big_r(0, 0), Poly::one());
     }
 
