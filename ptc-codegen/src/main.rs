@@ -1,2 +1,7 @@
-//! wip
-fn main() {}
+//! The command line of the generator: `emit`, `show` and `list`.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run()
+}
