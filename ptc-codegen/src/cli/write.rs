@@ -19,8 +19,8 @@ pub(crate) fn to_stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes the files into `folder` and tells what was done, one line a file. Either all of them
-/// are written in full, beside the old ones, and then take their places, or none does.
+/// Writes the files into `folder` and tells what was done, one line a file. All of them are written
+/// in full beside the old ones before the first takes its place.
 pub(crate) fn files(folder: &Path, files: &[File]) -> Result<String, Failure> {
     fs::create_dir_all(folder).map_err(|error| failed("cannot make the folder", folder, &error))?;
     let mut pending = Vec::new();
@@ -55,7 +55,7 @@ impl Temporary {
     fn new(folder: &Path, file: &File) -> io::Result<Self> {
         let path = folder.join(format!(".{}.{}.tmp", file.name, std::process::id()));
         let temporary = Self(path);
-        let mut writer = fs::File::create(&temporary.0)?;
+        let mut writer = fs::OpenOptions::new().write(true).create_new(true).open(&temporary.0)?;
         writer.write_all(file.text.as_bytes())?;
         writer.flush()?;
         Ok(temporary)

@@ -24,15 +24,15 @@ pub(super) fn write(
             sheet.heading.extend(tick.into_iter().filter_map(definition).map(str::to_owned));
             sheet.blocks.push(factored(n, *base_inverse));
             let gains = scaled_gains(law).iter().map(&fix).collect();
-            sheet.forms(Forms::counted("K", "i", gains));
-            let mut rows = Forms::counted("row", "j", rows);
+            sheet.forms(Forms::counted("K", &["i"], gains));
+            let mut rows = Forms::counted("row", &["j"], rows);
             rows.latex = r"\mathrm{row}";
             sheet.forms(rows);
         }
         GainForm::Series => {
             sheet.blocks.push(series(n));
             let r = expansion::r(mapping, n).iter().map(&fix).collect();
-            sheet.forms(Forms::counted("r", "k", r));
+            sheet.forms(Forms::counted("r", &["k"], r));
         }
     }
 }

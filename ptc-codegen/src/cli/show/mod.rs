@@ -149,7 +149,7 @@ fn of_family(subject: Subject, spec: &Spec) -> Sheet {
 }
 
 fn small_r(r: Vec<Poly>) -> Forms {
-    Forms::counted("r", "k", r)
+    Forms::counted("r", &["k"], r)
 }
 
 fn big_r(key: &'static str, layout: Layout, n: usize) -> Forms {
@@ -178,7 +178,7 @@ fn matrix(sheet: &mut Sheet, mut table: Vec<Vec<Poly>>) {
         forms: entries(table, 1),
         layout: Layout::Matrix { order: n },
     });
-    let mut row = Forms::counted("b", "j", last);
+    let mut row = Forms::counted("b", &["j"], last);
     row.latex = r"\mathbf{b}";
     row.layout = Layout::Matrix { order: n };
     sheet.forms(row);

@@ -66,17 +66,17 @@ impl Sheet {
 
 impl Forms {
     /// A list of forms counted from 1.
-    pub(super) fn counted(stem: &'static str, index: &'static str, polys: Vec<Poly>) -> Self {
+    pub(super) fn counted(
+        stem: &'static str,
+        index: &'static [&'static str; 1],
+        polys: Vec<Poly>,
+    ) -> Self {
         let form = |(i, poly)| Form { index: vec![i + 1], poly };
         Self {
             key: stem,
             stem,
             latex: stem,
-            index: match index {
-                "i" => &["i"],
-                "j" => &["j"],
-                _ => &["k"],
-            },
+            index,
             forms: polys.into_iter().enumerate().map(form).collect(),
             layout: Layout::List,
         }
