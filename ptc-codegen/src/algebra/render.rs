@@ -16,7 +16,11 @@ pub fn text(poly: &Poly) -> String {
     render(
         poly,
         &Notation {
-            power: |s, e| if e == 1 { s.text() } else { format!("{}^{e}", s.text()) },
+            power: |s, e| match (e, s.text()) {
+                (1, name) => name,
+                (_, name) if name.contains('^') => format!("({name})^{e}"),
+                (_, name) => format!("{name}^{e}"),
+            },
             product: "*",
             fraction: |numerator, denominator| format!("{numerator}/{denominator}"),
         },
@@ -30,7 +34,9 @@ pub fn latex(poly: &Poly) -> String {
         &Notation {
             power: |s, e| match (e, s.latex()) {
                 (1, name) => name,
-                (_, name) if name.contains(['\'', '^']) => format!("\\left({name}\\right)^{{{e}}}"),
+                (_, name) if name.contains(['\'', '^']) && !name.starts_with('(') => {
+                    format!("\\left({name}\\right)^{{{e}}}")
+                }
                 (_, name) => format!("{name}^{{{e}}}"),
             },
             product: " ",

@@ -69,8 +69,16 @@ impl Symbol {
         Self { kind, index: u16::try_from(index).unwrap_or(u16::MAX) }
     }
 
-    /// Spelling in plain text; also the stem of identifiers in emitted code.
+    /// Spelling in plain text; also the stem of identifiers in emitted code, where derivatives of
+    /// the abstract mapping, the only spelling that is no identifier, never occur.
     pub fn text(self) -> String {
+        if self.kind == Kind::Derivative {
+            return match self.index {
+                1 => "s'".to_owned(),
+                2 => "s''".to_owned(),
+                index => format!("s^({index})"),
+            };
+        }
         let stem = match self.kind {
             Kind::Pi => "pi",
             Kind::Tau => "tau",

@@ -45,6 +45,31 @@ pub fn r(n: usize) -> Vec<Poly> {
         .collect()
 }
 
+/// The partial Bell polynomials B_{i,j}(r_1, ..., r_{i-j+1}) of the abstract mapping s, 0 <= j <=
+/// i <= n: `table(n)[i][j]`. Lagrange inversion carries the published sum, its case j = 1, to all:
+/// B_{i,j} = s'^-i sum_{m=0..i-j} (-1)^m C(i+m-1, j-1) s'^-m R_{i-j,m}.
+pub fn table(n: usize) -> Vec<Vec<Poly>> {
+    let factorial = factorials(2 * n);
+    let parts: Vec<Vec<_>> = (0..n).map(|k| (0..=k).map(|m| big_r(k, m)).collect()).collect();
+    let entry = |i: usize, j: usize| {
+        if j == 0 {
+            return if i == 0 { Poly::one() } else { Poly::zero() };
+        }
+        let terms = parts[i - j].iter().enumerate().flat_map(|(m, part)| {
+            let top = i + m - 1;
+            let choose = &factorial[top] / (&factorial[j - 1] * &factorial[top - (j - 1)]);
+            let factor = BigRational::from_integer(if m % 2 == 0 { choose } else { -choose });
+            let power = i32::try_from(i + m).unwrap_or(i32::MAX);
+            let quotient = Monomial::power(Symbol::indexed(Kind::Derivative, 1), -power);
+            let term =
+                move |(rest, c): (&Monomial, &BigRational)| (rest.times(&quotient), c * &factor);
+            part.terms().map(term).collect::<Vec<_>>()
+        });
+        terms.collect()
+    };
+    (0..=n).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,8 +78,9 @@ mod tests {
 
     #[test]
     fn corrected_entries_of_the_published_tables() {
-        assert_eq!(text(&big_r(2, 2)), "3*s2^2");
-        assert_eq!(text(&r(3)[2]), "3*s1^-5*s2^2 - s1^-4*s3");
+        assert_eq!(text(&big_r(2, 2)), "3*s''^2");
+        assert_eq!(text(&r(3)[2]), "3*s'^-5*s''^2 - s'^-4*s^(3)");
+        assert_eq!(text(&big_r(4, 2)), "15*s''*s^(4) + 10*(s^(3))^2");
         assert_eq!(big_r(0, 0), Poly::one());
     }
 
@@ -62,5 +88,11 @@ mod tests {
     fn the_sum_equals_the_stretched_time_derivative() {
         let n = 16;
         assert_eq!(r(n), super::super::r(&Mapping::symbolic(n), n));
+    }
+
+    #[test]
+    fn lagrange_inversion_equals_the_stretched_time_derivative() {
+        let n = 10;
+        assert_eq!(table(n), super::super::table(&Mapping::symbolic(n), n));
     }
 }

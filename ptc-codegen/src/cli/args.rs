@@ -1,0 +1,217 @@
+//! The grammar of the command line. Flags of a spec are plain text here: what their values mean,
+//! and what is wrong with them, the library says; their help comes from its table of keys.
+
+use std::path::PathBuf;
+
+use clap::{Arg, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
+use ptc_codegen::emit::Language;
+use ptc_codegen::spec::{KEYS, KeyInfo};
+
+use super::report::quoted;
+use super::source::{Source, flag};
+
+/// Generates prescribed-time controllers: closed forms for an order and a time mapping, as source
+/// code in C or Rust.
+#[derive(Debug, Parser)]
+#[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = EXAMPLES)]
+pub(crate) struct CommandLine {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  ptc-codegen list                                    the families of time mappings
+  ptc-codegen emit --lang c --n 3 --mu exp -o out     out/ptc_exp3.h and out/ptc_exp3.c
+  ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
+
+Exit codes: 0 done, 1 --check found drift, 2 bad input or a place that cannot be written.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Generate the source of a controller
+    #[command(
+        after_help = EMIT_EXAMPLES,
+        override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]"
+    )]
+    Emit(Emit),
+    /// Print the expansions behind a controller
+    #[command(
+        after_help = SHOW_EXAMPLES,
+        override_usage = "ptc-codegen show <SUBJECT> --n <N> [--mu <MU>] [--format <FORMAT>]"
+    )]
+    Show(Show),
+    /// Print the families of time mappings and their parameters
+    List(List),
+}
+
+const EMIT_EXAMPLES: &str = "\
+Every parameter is set at run time unless it is fixed here; a fixed one is folded into the code.
+
+Examples:
+  ptc-codegen emit --lang c --n 3 --mu exp -o out
+      everything set at run time; writes out/ptc_exp3.h and out/ptc_exp3.c
+  ptc-codegen emit --lang rust --n 2 --mu \"power(m=2)\" --gains 6,5 --tau 2 --name roll -o src
+      m, the gains and tau are fixed; writes src/roll.rs
+  ptc-codegen emit --lang c --n 2 --mu \"exp_sum(rates=[0.5,1.5])\" --u-max inf -o -
+      fixed rates, no clipping; prints header and source
+  ptc-codegen emit --lang c --n 3 --mu exp -o out --check
+      writes nothing; exit code 1 if the files in out are not what would be written";
+
+#[derive(Debug, Args)]
+pub(crate) struct Emit {
+    /// Language of the source: c is a header and a source file (C99), rust is one no_std file
+    #[arg(long, value_enum, value_name = "LANGUAGE")]
+    pub(crate) lang: Lang,
+    #[command(flatten)]
+    pub(crate) spec: SpecFlags,
+    /// Folder to write to, made if it is missing; `-` prints to the standard output
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    pub(crate) out: PathBuf,
+    /// Write nothing; exit with 1 if the files in DIR are not what would be written
+    #[arg(long)]
+    pub(crate) check: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Lang {
+    C,
+    Rust,
+}
+
+impl From<Lang> for Language {
+    fn from(lang: Lang) -> Self {
+        match lang {
+            Lang::C => Self::C,
+            Lang::Rust => Self::Rust,
+        }
+    }
+}
+
+/// The flags of a spec, one for each key of the library's table.
+#[derive(Debug)]
+pub(crate) struct SpecFlags(pub(crate) Source);
+
+impl FromArgMatches for SpecFlags {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut flags = Self(Source::default());
+        flags.update_from_arg_matches(matches)?;
+        Ok(flags)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        for info in &KEYS {
+            if let Some(text) = matches.get_one::<String>(info.key) {
+                self.0.give(info.key, text);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Args for SpecFlags {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        command.args(KEYS.iter().map(|info| {
+            Arg::new(info.key)
+                .long(flag(info.key).trim_start_matches('-').to_owned())
+                .value_name(info.key.to_uppercase())
+                .allow_hyphen_values(true)
+                .help(help(info.key))
+        }))
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        Self::augment_args(command)
+    }
+}
+
+/// The help of a key's flag.
+fn help(key: &str) -> String {
+    KeyInfo::find(key)
+        .map(|info| {
+            let (first, rest) = info.meaning.split_at(1);
+            let (legal, example) = (info.legal, quoted(info.example));
+            format!("{}{rest} [legal: {legal}] [example: {example}]", first.to_uppercase())
+        })
+        .unwrap_or_default()
+}
+
+const SHOW_EXAMPLES: &str = "\
+Without --mu the mapping s = kappa is abstract and its derivatives s', s'', s^(3), ... stay symbols
+(n up to 30; law up to 16). With --mu the forms are those of a family (n up to 16).
+
+JSON: each form is a list of terms, {\"coefficient\":\"-3/2\",\"exponents\":{\"T\":2}}, its coefficient
+exact. Exponents are keyed by the order of the derivative of s, by k for r_k in the abstract
+B_{i,j}, and by the symbol's text for all others. The subjects give
+  r       {\"r\":[{\"k\":1,\"terms\":[...]},...]}
+  R       {\"R\":[{\"k\":0,\"m\":0,\"terms\":[...]},...]}
+  bell    {\"B\":[{\"i\":0,\"j\":0,\"terms\":[...]},...]}
+  matrix  {\"BB\":[{\"i\":1,\"j\":1,\"terms\":[...]},...],\"b\":[{\"j\":1,\"terms\":[...]},...]}
+  law     {\"law\":\"...\",\"K\":[{\"i\":1,\"terms\":[...]},...],\"row\":[{\"j\":1,\"terms\":[...]},...]};
+          for exp_sum {\"law\":\"...\",\"r\":[{\"k\":1,\"terms\":[...]},...]}
+  tables  {\"A1\":[{\"k\":0,\"m\":0,\"terms\":[...]},...],\"A2\":[{\"k\":1,\"terms\":[...]},...]}
+
+LaTeX is a fragment for a document that uses the package amsmath.
+
+Examples:
+  ptc-codegen show r --n 4
+  ptc-codegen show bell --n 3 --mu \"exp(a=1)\"
+  ptc-codegen show tables --n 5 --format latex
+  ptc-codegen show r --n 8 --format json";
+
+#[derive(Debug, Args)]
+pub(crate) struct Show {
+    /// What to print
+    #[arg(value_enum)]
+    pub(crate) subject: Subject,
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        help = "Order of the chain of integrators"
+    )]
+    pub(crate) n: Option<String>,
+    #[arg(long, value_name = "MU", allow_hyphen_values = true, help = help("mu"))]
+    pub(crate) mu: Option<String>,
+    /// Notation
+    #[arg(long, value_enum, default_value = "text")]
+    pub(crate) format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Subject {
+    /// r_1..r_n, the derivatives of mu at the stretched time
+    #[value(name = "r")]
+    SmallR,
+    /// R_{k,m} for 0 <= m <= k < n, in the derivatives of the abstract mapping
+    #[value(name = "R")]
+    BigR,
+    /// The partial Bell polynomials B_{i,j} for 0 <= j <= i <= n
+    Bell,
+    /// The matrix BB_n and the row b_n
+    Matrix,
+    /// The linear law
+    Law,
+    /// R_{k,m} and r_k as two tables, for the abstract mapping
+    Tables,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Format {
+    Text,
+    Latex,
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct List {
+    /// Notation
+    #[arg(long, value_enum, default_value = "text")]
+    pub(crate) format: ListFormat,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum ListFormat {
+    Text,
+    Json,
+}

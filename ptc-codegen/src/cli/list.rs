@@ -1,0 +1,101 @@
+//! `list`: the families of time mappings and the parameters of a controller.
+
+use std::fmt::Write;
+
+use ptc_codegen::mapping::{FAMILIES, FamilyInfo};
+use ptc_codegen::spec::{Parameter, Spec};
+use serde_json::{Value, json};
+
+use super::args::ListFormat;
+
+/// What a user is told about a parameter.
+struct Line {
+    key: String,
+    unit: &'static str,
+    domain: &'static str,
+    meaning: &'static str,
+}
+
+/// Runs `list`.
+pub(crate) fn list(format: ListFormat) -> String {
+    match format {
+        ListFormat::Text => text(),
+        ListFormat::Json => format!("{}\n", json()),
+    }
+}
+
+/// The parameters of a controller of `info`'s family: its own, and those that all have.
+fn parameters(info: &FamilyInfo) -> (Vec<Line>, Vec<Line>) {
+    let (own, common) = Spec::new(1, info.family)
+        .parameters()
+        .into_iter()
+        .filter(|p| p.index().unwrap_or(0) == 0)
+        .partition::<Vec<_>, _>(|p| info.parameters.iter().any(|own| own.key == p.key()));
+    let line = |p: Parameter| Line {
+        key: p.key().to_owned(),
+        unit: p.unit(),
+        domain: p.domain().text(),
+        // The family's own words, where it has some.
+        meaning: info
+            .parameters
+            .iter()
+            .find(|own| own.key == p.key())
+            .map_or(p.meaning(), |own| own.meaning),
+    };
+    (own.into_iter().map(line).collect(), common.into_iter().map(line).collect())
+}
+
+fn text() -> String {
+    let mut out = String::from(
+        "Families of time mappings: t is the stretched time since t0, Dt the time since t0,\n\
+         T = tau - Dt the time-to-go.\n",
+    );
+    for info in &FAMILIES {
+        let _ = write!(
+            out,
+            "\n{}\n  mu(t)      = {}\n  kappa(Dt)  = {}\n  r_k        = {}\n  atoms:       {}\n  \
+             decay rate of mu': {}\n  parameters:\n",
+            info.name, info.mu, info.kappa, info.r, info.atoms, info.decay_rate
+        );
+        table(&mut out, &parameters(info).0);
+    }
+    out.push_str("\nParameters of every controller\n");
+    if let Some(info) = FAMILIES.first() {
+        table(&mut out, &parameters(info).1);
+    }
+    out
+}
+
+fn table(out: &mut String, lines: &[Line]) {
+    for Line { key, unit, domain, meaning } in lines {
+        let unit = format!("[{unit}]");
+        let _ = writeln!(out, "    {key:<6} {unit:<12} {domain:<21} {meaning}");
+    }
+}
+
+fn json() -> Value {
+    let lines = |lines: Vec<Line>| -> Vec<Value> {
+        lines
+            .iter()
+            .map(
+                |l| json!({"key": l.key, "unit": l.unit, "domain": l.domain, "meaning": l.meaning}),
+            )
+            .collect()
+    };
+    let families: Vec<_> = FAMILIES
+        .iter()
+        .map(|info| {
+            json!({
+                "name": info.name,
+                "mu": info.mu,
+                "kappa": info.kappa,
+                "r": info.r,
+                "atoms": info.atoms,
+                "decay_rate": info.decay_rate,
+                "parameters": lines(parameters(info).0),
+            })
+        })
+        .collect();
+    let common = FAMILIES.first().map(|info| lines(parameters(info).1)).unwrap_or_default();
+    json!({"families": families, "parameters": common})
+}

@@ -1,0 +1,37 @@
+//! The command line: flags in, files or text out; every mistake goes to the standard error.
+//!
+//! Exit codes: 0 done, 1 `--check` found drift, 2 bad input or a place that cannot be written.
+
+mod args;
+mod emit;
+mod list;
+mod report;
+mod show;
+mod source;
+mod write;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Command, CommandLine};
+use report::Failure;
+
+/// Runs the command that the process was started with.
+pub(crate) fn run() -> ExitCode {
+    match execute(CommandLine::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            report::print(&failure.notices);
+            ExitCode::from(failure.exit)
+        }
+    }
+}
+
+fn execute(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Emit(request) => emit::emit(&request),
+        Command::Show(request) => write::to_stdout(&show::show(&request)?),
+        Command::List(request) => write::to_stdout(&list::list(request.format)),
+    }
+}

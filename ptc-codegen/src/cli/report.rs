@@ -1,0 +1,109 @@
+//! What is told on the standard error.
+
+use std::io::{IsTerminal, Write};
+use std::ops::Range;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+
+/// Why the command did not succeed.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// The exit code.
+    pub(crate) exit: u8,
+    /// All that is to be told.
+    pub(crate) notices: Vec<Notice>,
+}
+
+impl Failure {
+    /// The input is wrong.
+    pub(crate) fn bad_input(notices: Vec<Notice>) -> Self {
+        Self { exit: 2, notices }
+    }
+
+    /// `--check` found files that are not what would be written.
+    pub(crate) fn drift(notices: Vec<Notice>) -> Self {
+        Self { exit: 1, notices }
+    }
+
+    /// One thing went wrong that no flag's value is to blame for.
+    pub(crate) fn because(title: String, help: &str) -> Self {
+        Self { exit: 2, notices: vec![Notice { help: Some(help.to_owned()), ..Notice::of(title) }] }
+    }
+}
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Notice {
+    /// Stable short name.
+    pub(crate) code: Option<&'static str>,
+    /// What is wrong.
+    pub(crate) title: String,
+    /// The place in the command line.
+    pub(crate) quote: Option<Quote>,
+    /// Details.
+    pub(crate) notes: Vec<String>,
+    /// What is legal, and the likely fix.
+    pub(crate) help: Option<String>,
+}
+
+impl Notice {
+    /// A notice that is a title only.
+    pub(crate) fn of(title: String) -> Self {
+        Self { title, ..Self::default() }
+    }
+}
+
+/// A flag's value with a part underlined.
+#[derive(Clone, Debug)]
+pub(crate) struct Quote {
+    /// The flag, with its dashes.
+    pub(crate) flag: String,
+    /// Its value.
+    pub(crate) text: String,
+    /// The underlined bytes of the value.
+    pub(crate) range: Range<usize>,
+    /// What is said at the line.
+    pub(crate) label: &'static str,
+}
+
+/// Prints the notices.
+pub(crate) fn print(notices: &[Notice]) {
+    let mut stderr = std::io::stderr().lock();
+    let plain = !stderr.is_terminal()
+        || std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+        || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+    let renderer = if plain { Renderer::plain() } else { Renderer::styled() };
+    for notice in notices {
+        // Where the standard error is closed there is nobody left to tell.
+        let _ = writeln!(stderr, "{}\n", renderer.render(&[group(notice)]));
+    }
+}
+
+fn group(notice: &Notice) -> Group<'_> {
+    let mut title = Level::ERROR.primary_title(notice.title.as_str());
+    if let Some(code) = notice.code {
+        title = title.id(code);
+    }
+    let mut group = Group::with_title(title);
+    if let Some(quote) = &notice.quote {
+        let before = quote.flag.len() + 2;
+        let span = before + quote.range.start..before + quote.range.end;
+        // A value is told on one line, whatever it holds; the bytes keep their places.
+        let text = quote.text.replace(|c: char| c.is_ascii_control(), " ");
+        let source = format!("{} \"{text}\"", quote.flag);
+        group = group.element(
+            Snippet::source(source)
+                .line_numbering(false)
+                .annotation(AnnotationKind::Primary.span(span).label(quote.label)),
+        );
+    }
+    let notes = notice.notes.iter().map(|note| Level::NOTE.message(note.as_str()));
+    let help = notice.help.iter().map(|help| Level::HELP.message(help.as_str()));
+    group.elements(notes.chain(help))
+}
+
+/// A value as it is typed in a shell.
+pub(crate) fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "_-.,".contains(c);
+    if text.chars().all(plain) { text.to_owned() } else { format!("\"{text}\"") }
+}

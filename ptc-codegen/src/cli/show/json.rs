@@ -1,0 +1,46 @@
+//! A sheet in JSON; the help of `show` tells its shape.
+
+use ptc_codegen::algebra::{Kind, Poly, Symbol};
+use serde_json::{Map, Value, json};
+
+use super::sheet::{Block, Forms, Sheet};
+
+pub(super) fn render(sheet: &Sheet) -> String {
+    let object: Map<String, Value> = sheet
+        .blocks
+        .iter()
+        .map(|block| match block {
+            Block::Words { key, text, .. } => ((*key).to_owned(), json!(text)),
+            Block::Forms(forms) => (forms.key.to_owned(), list(forms)),
+        })
+        .collect();
+    format!("{}\n", Value::Object(object))
+}
+
+fn list(forms: &Forms) -> Value {
+    let form = |form: &super::sheet::Form| {
+        let index = forms.index.iter().zip(&form.index).map(|(k, v)| ((*k).to_owned(), json!(v)));
+        let mut object: Map<String, Value> = index.collect();
+        object.insert("terms".to_owned(), terms(&form.poly));
+        Value::Object(object)
+    };
+    forms.forms.iter().map(form).collect()
+}
+
+fn terms(poly: &Poly) -> Value {
+    poly.terms()
+        .map(|(monomial, coefficient)| {
+            let exponents: Map<String, Value> =
+                monomial.factors().iter().map(|(s, e)| (key(*s), json!(e))).collect();
+            json!({"coefficient": coefficient.to_string(), "exponents": exponents})
+        })
+        .collect()
+}
+
+fn key(symbol: Symbol) -> String {
+    match symbol.kind {
+        // An order says all where there is but one abstract sequence.
+        Kind::Derivative | Kind::R => symbol.index.to_string(),
+        _ => symbol.text(),
+    }
+}

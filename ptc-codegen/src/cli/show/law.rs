@@ -1,0 +1,96 @@
+//! `show law`: the linear law with the gains as they are computed.
+
+use ptc_codegen::algebra::{Kind, Poly, Symbol};
+use ptc_codegen::expansion;
+use ptc_codegen::law::{GainForm, LinearLaw};
+use ptc_codegen::mapping::Mapping;
+
+use super::sheet::{Block, Forms, Sheet};
+
+/// Writes the law; `fix` puts in the parameters whose values are known.
+pub(super) fn write(
+    sheet: &mut Sheet,
+    law: &LinearLaw,
+    mapping: &Mapping,
+    fix: impl Fn(&Poly) -> Poly,
+) {
+    let n = law.n;
+    sheet.heading.push("pi0 = -(k1*xi_1 + ... + kn*xi_n), g = 1".to_owned());
+    match &law.form {
+        GainForm::Rows { base_inverse, rows } => {
+            let rows: Vec<Poly> = rows.iter().map(&fix).collect();
+            let tick = rows.iter().flat_map(Poly::symbols).chain(*base_inverse);
+            let tick: std::collections::BTreeSet<Symbol> = tick.collect();
+            sheet.heading.extend(tick.into_iter().filter_map(definition).map(str::to_owned));
+            sheet.blocks.push(factored(n, *base_inverse));
+            let gains = scaled_gains(law).iter().map(&fix).collect();
+            sheet.forms(Forms::counted("K", &["i"], gains));
+            let mut rows = Forms::counted("row", &["j"], rows);
+            rows.latex = r"\mathrm{row}";
+            sheet.forms(rows);
+        }
+        GainForm::Series => {
+            sheet.blocks.push(series(n));
+            let r = expansion::r(mapping, n).iter().map(&fix).collect();
+            sheet.forms(Forms::counted("r", &["k"], r));
+        }
+    }
+}
+
+/// K_i = k_i rate^-(n+1-i).
+fn scaled_gains(law: &LinearLaw) -> Vec<Poly> {
+    // The rate of a mapping is a single term, so it has an inverse.
+    let inverse = law.rate.inverse().unwrap_or_default();
+    let power = |i: usize| inverse.pow(u32::try_from(law.n + 1 - i).unwrap_or(u32::MAX));
+    (1..=law.n).map(|i| Poly::symbol(Symbol::indexed(Kind::Gain, i)).times(&power(i))).collect()
+}
+
+fn factored(n: usize, base_inverse: Option<Symbol>) -> Block {
+    let next = n + 1;
+    let (text, latex) = match base_inverse {
+        Some(symbol) => (
+            format!("{}^({next}-j) * row_j", symbol.text()),
+            format!(r"\left({}\right)^{{{next}-j}} \mathrm{{row}}_j", symbol.latex()),
+        ),
+        None => ("row_j".to_owned(), r"\mathrm{row}_j".to_owned()),
+    };
+    Block::Words {
+        key: "law",
+        text: format!("u = sum_{{j=1..{n}}} gain_j x_j, gain_j = {text}"),
+        latex: format!(
+            r"u = \sum_{{j=1}}^{{{n}}} \mathrm{{gain}}_j x_j, \quad \mathrm{{gain}}_j = {latex}"
+        ),
+    }
+}
+
+fn series(n: usize) -> Block {
+    let next = n + 1;
+    Block::Words {
+        key: "law",
+        text: format!(
+            "u = sum_{{j=1..{n}}} gain_j x_j,\n\
+             gain_j = -r1^-({next}-j) / (j-1)! * sum_{{i=j..{next}}} k_i (i-1)! [z^(i-1)] p(z)^(j-1), k{next} = 1,\n\
+             where [z^i] takes the coefficient of z^i, and\n\
+             p(z) = sum_{{l=1..{n}}} r_l/(r1 l!) z^l is the normalised Taylor series of mu"
+        ),
+        latex: format!(
+            r"\begin{{aligned}}
+    u &= \sum_{{j=1}}^{{{n}}} \mathrm{{gain}}_j x_j, \\
+    \mathrm{{gain}}_j &= -\frac{{r_1^{{-({next}-j)}}}}{{(j-1)!}} \sum_{{i=j}}^{{{next}}} k_i (i-1)! [z^{{i-1}}] p(z)^{{j-1}}, \quad k_{{{next}}} = 1, \\
+    p(z) &= \sum_{{l=1}}^{{{n}}} \frac{{r_l}}{{r_1 l!}} z^l
+  \end{{aligned}}"
+        ),
+    }
+}
+
+/// What a tick quantity is.
+fn definition(symbol: Symbol) -> Option<&'static str> {
+    match symbol.kind {
+        Kind::InverseTimeToGo => Some("inv_T = 1/T, T = time-to-go"),
+        Kind::InversePowerRatio => Some("q = (T/tau)^-m"),
+        Kind::OnePlusDecay => Some("one_plus_E = 1 + E"),
+        Kind::OnePlusSquare => Some("one_plus_y2 = 1 + y^2"),
+        Kind::Secant => Some("sec = sqrt(1 + y^2)/tau"),
+        _ => None,
+    }
+}

@@ -1,0 +1,205 @@
+//! `show`: the expansions behind a controller, in text, LaTeX or JSON.
+
+mod json;
+mod latex;
+mod law;
+mod sheet;
+mod text;
+
+use num_traits::ToPrimitive;
+use ptc_codegen::algebra::Poly;
+use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::expansion::{self, bell::bell_table, letter};
+use ptc_codegen::law::LinearLaw;
+use ptc_codegen::mapping::Mapping;
+use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value};
+
+use super::args::{Format, Show, Subject};
+use super::report::Failure;
+use super::source::Source;
+use sheet::{Block, Form, Forms, Layout, Sheet};
+
+/// Largest order of the abstract expansions: r_30 has 4565 terms.
+const MAX_ABSTRACT_ORDER: usize = 30;
+
+/// Runs `show`.
+pub(crate) fn show(request: &Show) -> Result<String, Failure> {
+    let sheet = match ask(request)? {
+        Asked::Abstract(n) => of_abstract(request.subject, n),
+        Asked::Family(spec) => of_family(request.subject, &spec),
+    };
+    Ok(match request.format {
+        Format::Text => text::render(&sheet),
+        Format::Latex => latex::render(&sheet),
+        Format::Json => json::render(&sheet),
+    })
+}
+
+/// What the expansions are of.
+enum Asked {
+    /// The abstract mapping, at an order.
+    Abstract(usize),
+    /// A family, at an order, perhaps with parameters fixed.
+    Family(Box<Spec>),
+}
+
+fn ask(request: &Show) -> Result<Asked, Failure> {
+    let mut source = Source::default();
+    for (key, value) in [("n", &request.n), ("mu", &request.mu)] {
+        if let Some(text) = value {
+            source.give(key, text);
+        }
+    }
+    let flags = source.parse();
+    if request.mu.is_none() {
+        let most = if request.subject == Subject::Law { MAX_ORDER } else { MAX_ABSTRACT_ORDER };
+        let node = flags.entries.first().map(|entry| &entry.value);
+        let order = node.and_then(|node| order(node, most));
+        let given = node.zip(request.n.as_deref());
+        let found = if order.is_some() { Vec::new() } else { vec![no_order(given, most)] };
+        return flags.finish(order, found).map(Asked::Abstract);
+    }
+    if matches!(request.subject, Subject::BigR | Subject::Tables) {
+        return flags.finish(None, vec![only_abstract()]);
+    }
+    flags.read().map(|spec| Asked::Family(Box::new(spec)))
+}
+
+fn order(node: &Node, most: usize) -> Option<usize> {
+    let Value::Number(Fixed::Number { value, .. }) = &node.value else { return None };
+    let order = value.is_integer().then(|| value.to_usize()).flatten()?;
+    (1..=most).contains(&order).then_some(order)
+}
+
+fn no_order(given: Option<(&Node, &str)>, most: usize) -> Diagnostic {
+    let example = KeyInfo::find("n").map_or("", |info| info.example);
+    let (code, message) = match given {
+        Some((_, text)) => {
+            let start: String = text.chars().take(40).collect();
+            ("bad-value", format!("n = `{start}` is no order that can be shown"))
+        }
+        None => ("missing-key", "`n` is missing".to_owned()),
+    };
+    Diagnostic {
+        code,
+        key: "n".to_owned(),
+        place: given.map(|(node, _)| node.place),
+        message,
+        help: format!("n is an integer 1..={most} here, for example --n {example}"),
+    }
+}
+
+fn only_abstract() -> Diagnostic {
+    Diagnostic {
+        code: "bad-value",
+        key: "mu".to_owned(),
+        place: None,
+        message: "R_{k,m} holds the derivatives of an abstract mapping, not of a family".to_owned(),
+        help: "leave `--mu` out, or ask for `show r`, which is written for a family too".to_owned(),
+    }
+}
+
+fn of_abstract(subject: Subject, n: usize) -> Sheet {
+    let mut sheet = Sheet::new("s = kappa(Dt), an abstract time mapping, and its derivatives");
+    match subject {
+        Subject::SmallR => sheet.forms(small_r(letter::r(n))),
+        Subject::BigR => sheet.forms(big_r("R", Layout::List, n)),
+        Subject::Bell => {
+            sheet.heading = vec!["B_{i,j}(r_1, r_2, ...) with r1, r2, ... = r_1, r_2, ...".into()];
+            sheet.forms(bell(bell_table(n)));
+        }
+        Subject::Matrix => matrix(&mut sheet, letter::table(n)),
+        Subject::Law => {
+            let mapping = Mapping::symbolic(n);
+            law::write(&mut sheet, &LinearLaw::new(n, &mapping), &mapping, |poly| poly.clone());
+        }
+        Subject::Tables => tables(&mut sheet, n),
+    }
+    sheet
+}
+
+fn of_family(subject: Subject, spec: &Spec) -> Sheet {
+    let info = spec.family.info();
+    let mut sheet = Sheet::new(&format!("{}: mu(t) = {}", info.name, info.mu));
+    sheet.heading.push(format!("where {}", info.atoms));
+    for (parameter, value) in &spec.fixed {
+        let index = parameter.index().map_or(String::new(), |i| (i + 1).to_string());
+        // The rates are written a1, a2, ... as they are in the formulas.
+        let key = if matches!(parameter, Parameter::Rate(_)) { "a" } else { parameter.key() };
+        sheet.heading.push(format!("with {key}{index} = {value}"));
+    }
+    let fixed = |poly: &Poly| {
+        poly.substitute(|symbol| {
+            let value = spec.fixed.get(&Parameter::of_symbol(symbol)?)?.number()?;
+            Some(Poly::constant(value.clone()))
+        })
+    };
+    let fix_all = |polys: Vec<Poly>| polys.iter().map(fixed).collect::<Vec<_>>();
+    let mapping = spec.mapping();
+    let table = || expansion::table(&mapping, spec.n).into_iter().map(fix_all).collect::<Vec<_>>();
+    match subject {
+        Subject::Bell => sheet.forms(bell(table())),
+        Subject::Matrix => matrix(&mut sheet, table()),
+        Subject::Law => law::write(&mut sheet, &LinearLaw::new(spec.n, &mapping), &mapping, fixed),
+        Subject::SmallR | Subject::BigR | Subject::Tables => {
+            sheet.forms(small_r(fix_all(expansion::r(&mapping, spec.n))));
+        }
+    }
+    sheet
+}
+
+fn small_r(r: Vec<Poly>) -> Forms {
+    Forms::counted("r", &["k"], r)
+}
+
+fn big_r(key: &'static str, layout: Layout, n: usize) -> Forms {
+    let index = (0..n).flat_map(|k| (0..=k).map(move |m| (k, m)));
+    let forms = index.map(|(k, m)| Form { index: vec![k, m], poly: letter::big_r(k, m) });
+    let forms = forms.collect();
+    Forms { key, stem: "R", latex: "R", index: &["k", "m"], forms, layout }
+}
+
+fn bell(table: Vec<Vec<Poly>>) -> Forms {
+    let forms = entries(table, 0);
+    Forms { key: "B", stem: "B", latex: "B", index: &["i", "j"], forms, layout: Layout::List }
+}
+
+/// BB_n and b_n from the B_{i,j} up to n.
+fn matrix(sheet: &mut Sheet, mut table: Vec<Vec<Poly>>) {
+    let mut last = table.pop().unwrap_or_default();
+    let n = table.len();
+    last.truncate(n);
+    table.iter_mut().for_each(|row| row.resize(n, Poly::zero()));
+    sheet.forms(Forms {
+        key: "BB",
+        stem: "BB",
+        latex: r"\mathbf{B}",
+        index: &["i", "j"],
+        forms: entries(table, 1),
+        layout: Layout::Matrix { order: n },
+    });
+    let mut row = Forms::counted("b", &["j"], last);
+    row.latex = r"\mathbf{b}";
+    row.layout = Layout::Matrix { order: n };
+    sheet.forms(row);
+}
+
+/// The entries with their two indices, counted from `first`.
+fn entries(table: Vec<Vec<Poly>>, first: usize) -> Vec<Form> {
+    let row = |(i, row): (usize, Vec<Poly>)| {
+        let entry = move |(j, poly)| Form { index: vec![i + first, j + first], poly };
+        row.into_iter().enumerate().map(entry)
+    };
+    table.into_iter().enumerate().flat_map(row).collect()
+}
+
+fn tables(sheet: &mut Sheet, n: usize) {
+    let caption = "Table A1: R_{k,m}";
+    sheet.forms(big_r("A1", Layout::Table { caption, latex: "Table A1: $R_{k,m}$" }, n));
+    let caption = "Table A2: r_k, with r_{k+1} = s'^-(k+1) sum_{m=0..k} (-1)^m s'^-m R_{k,m}";
+    let latex =
+        r"Table A2: $r_k$, with $r_{k+1} = (s')^{-(k+1)} \sum_{m=0}^{k} (-1)^m (s')^{-m} R_{k,m}$";
+    let mut r = small_r(letter::r(n));
+    (r.key, r.layout) = ("A2", Layout::Table { caption, latex });
+    sheet.blocks.push(Block::Forms(r));
+}

@@ -1,0 +1,117 @@
+//! What `show` prints, before it has a notation.
+
+use ptc_codegen::algebra::{Poly, text};
+
+/// The answer to one request.
+pub(super) struct Sheet {
+    /// What the forms are of.
+    pub(super) heading: Vec<String>,
+    /// The parts, in order.
+    pub(super) blocks: Vec<Block>,
+}
+
+/// A part of a sheet.
+pub(super) enum Block {
+    /// Closed forms.
+    Forms(Forms),
+    /// A formula that is the same for all orders, in text and in LaTeX.
+    Words { key: &'static str, text: String, latex: String },
+}
+
+/// Closed forms of one name, told apart by one index or two.
+pub(super) struct Forms {
+    /// Key in JSON.
+    pub(super) key: &'static str,
+    /// Name in text.
+    pub(super) stem: &'static str,
+    /// Name in LaTeX.
+    pub(super) latex: &'static str,
+    /// Names of the indices.
+    pub(super) index: &'static [&'static str],
+    /// The forms, row by row.
+    pub(super) forms: Vec<Form>,
+    /// How they are laid out.
+    pub(super) layout: Layout,
+}
+
+/// One closed form.
+pub(super) struct Form {
+    /// Its indices.
+    pub(super) index: Vec<usize>,
+    /// The form.
+    pub(super) poly: Poly,
+}
+
+/// A layout; what is too wide for a grid is written as a list.
+#[derive(Clone, Copy)]
+pub(super) enum Layout {
+    /// One form a line, with its name.
+    List,
+    /// A matrix or a row.
+    Matrix { order: usize },
+    /// A table with its caption.
+    Table { caption: &'static str, latex: &'static str },
+}
+
+impl Sheet {
+    pub(super) fn new(heading: &str) -> Self {
+        Self { heading: vec![heading.to_owned()], blocks: Vec::new() }
+    }
+
+    /// Adds closed forms.
+    pub(super) fn forms(&mut self, forms: Forms) {
+        self.blocks.push(Block::Forms(forms));
+    }
+}
+
+impl Forms {
+    /// A list of forms counted from 1.
+    pub(super) fn counted(
+        stem: &'static str,
+        index: &'static [&'static str; 1],
+        polys: Vec<Poly>,
+    ) -> Self {
+        let form = |(i, poly)| Form { index: vec![i + 1], poly };
+        Self {
+            key: stem,
+            stem,
+            latex: stem,
+            index,
+            forms: polys.into_iter().enumerate().map(form).collect(),
+            layout: Layout::List,
+        }
+    }
+
+    /// The forms as the rows of a grid, where it has a width that can be read.
+    pub(super) fn grid(&self) -> Option<Vec<Vec<&Poly>>> {
+        const MOST_TERMS: usize = 8;
+        const MOST_COLUMNS: usize = 10;
+        const MOST_CHARACTERS: usize = 140;
+        if self.forms.iter().any(|form| form.poly.len() > MOST_TERMS) {
+            return None;
+        }
+        let rows: Vec<Vec<&Poly>> = match self.index {
+            [_, _] => self
+                .forms
+                .chunk_by(|a, b| a.index[0] == b.index[0])
+                .map(|row| row.iter().map(|form| &form.poly).collect())
+                .collect(),
+            _ => vec![self.forms.iter().map(|form| &form.poly).collect()],
+        };
+        let widths = widths(&texts(&rows));
+        let width = widths.iter().map(|w| w + 2).sum::<usize>();
+        (widths.len() <= MOST_COLUMNS && width <= MOST_CHARACTERS).then_some(rows)
+    }
+}
+
+/// The cells of a grid in text.
+pub(super) fn texts(rows: &[Vec<&Poly>]) -> Vec<Vec<String>> {
+    rows.iter().map(|row| row.iter().map(|poly| text(poly)).collect()).collect()
+}
+
+/// The width of each column.
+pub(super) fn widths(rows: &[Vec<String>]) -> Vec<usize> {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column| rows.iter().filter_map(|row| row.get(column)).map(String::len).max();
+    (0..columns).map(|column| width(column).unwrap_or(0)).collect()
+}

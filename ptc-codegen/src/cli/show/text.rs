@@ -1,0 +1,68 @@
+//! A sheet in plain text.
+
+use ptc_codegen::algebra::{Poly, text};
+
+use super::sheet::{Block, Form, Forms, Layout, Sheet, texts, widths};
+
+pub(super) fn render(sheet: &Sheet) -> String {
+    let mut parts = Vec::new();
+    if !sheet.heading.is_empty() {
+        parts.push(sheet.heading.iter().map(|line| format!("# {line}\n")).collect());
+    }
+    parts.extend(sheet.blocks.iter().map(|block| match block {
+        Block::Words { text, .. } => format!("{text}\n"),
+        Block::Forms(forms) => part(forms),
+    }));
+    parts.join("\n")
+}
+
+fn part(forms: &Forms) -> String {
+    match (forms.layout, forms.grid(), forms.index) {
+        (Layout::Matrix { order }, Some(rows), _) => {
+            let cells = texts(&rows);
+            let head = format!("{}_{order} =", forms.stem);
+            let lines = aligned(&cells).into_iter().map(|line| format!("  [ {line} ]\n"));
+            format!("{head}\n{}", lines.collect::<String>())
+        }
+        (Layout::Table { caption, .. }, Some(rows), [row, column]) => {
+            format!("{caption}\n\n{}", table(row, column, &rows))
+        }
+        (Layout::Table { caption, .. }, _, _) => format!("{caption}\n\n{}", list(forms)),
+        _ => list(forms),
+    }
+}
+
+fn list(forms: &Forms) -> String {
+    let name = |form: &Form| match form.index.as_slice() {
+        // As the symbols are spelled inside the forms.
+        [index] => format!("{}{index}", forms.stem),
+        several => {
+            let several: Vec<_> = several.iter().map(ToString::to_string).collect();
+            format!("{}_{{{}}}", forms.stem, several.join(","))
+        }
+    };
+    let width = forms.forms.iter().map(|form| name(form).len()).max().unwrap_or(0);
+    let line = |form| format!("{:width$} = {}\n", name(form), text(&form.poly));
+    forms.forms.iter().map(line).collect()
+}
+
+/// Rows and columns counted from 0, with a head.
+fn table(row: &str, column: &str, rows: &[Vec<&Poly>]) -> String {
+    let mut cells = texts(rows);
+    for (index, line) in cells.iter_mut().enumerate() {
+        line.insert(0, format!("{row} = {index}"));
+    }
+    let columns = cells.iter().map(Vec::len).max().unwrap_or(1);
+    let head = (1..columns).map(|index| format!("{column} = {}", index - 1));
+    cells.insert(0, std::iter::once(String::new()).chain(head).collect());
+    aligned(&cells).iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+fn aligned(cells: &[Vec<String>]) -> Vec<String> {
+    let widths = widths(cells);
+    let line = |row: &Vec<String>| {
+        let padded = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        padded.collect::<Vec<_>>().join("  ")
+    };
+    cells.iter().map(line).collect()
+}
