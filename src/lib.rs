@@ -30,8 +30,7 @@
 //! Where a family calls `sqrt`, `exp`, `ln`, `tan` or `pow`, they come from one of
 //!
 //! - `std` (default): the standard library;
-//! - `libm`: the crate `libm`, for targets without `std`. It wins where both are on, and gives
-//!   the same bits on every target.
+//! - `libm`: the crate `libm`, for targets without `std`. It wins where both are on.
 //!
 //! The families `exp`, `rational` and `tanh` call none of them in `step`. A controller that calls
 //! none at all compiles without either feature.

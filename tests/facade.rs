@@ -102,3 +102,14 @@ fn functions_are_those_of_the_field() {
     assert!((math::f32::exp(1.0) - core::f32::consts::E).abs() < 1e-6);
     assert!((math::f32::ln(10.0) - core::f32::consts::LN_10).abs() < 1e-6);
 }
+
+/// The docs of the macro tell every key and every family there is.
+#[test]
+fn the_docs_of_the_macro_are_whole() {
+    let docs = include_str!("../src/lib.rs");
+    let rows = docs.lines().filter_map(|line| line.strip_prefix("/// | `"));
+    let told: Vec<_> = rows.filter_map(|row| row.split('`').next()).collect();
+    assert_eq!(told, ptc_codegen::spec::KEYS.map(|info| info.key));
+    let families = ptc_codegen::mapping::FAMILIES.each_ref().map(|f| format!("`{}`", f.name));
+    assert!(docs.contains(&families.join(", ")), "{families:?}");
+}

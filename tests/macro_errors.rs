@@ -7,3 +7,9 @@
 fn mistakes_are_told_at_their_token() {
     trybuild::TestCases::new().compile_fail("tests/compile_fail/*.rs");
 }
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+#[test]
+fn a_missing_function_names_the_feature() {
+    trybuild::TestCases::new().compile_fail("tests/compile_fail_bare/*.rs");
+}

@@ -67,7 +67,7 @@ impl Input {
             // An empty range stands behind the last token.
             let last = tokens.last().unwrap_or(equals).span;
             let first = touched.next().map_or(last, |(_, token)| token.span);
-            let last = touched.last().map_or(first, |(_, token)| token.span);
+            let last = touched.next_back().map_or(first, |(_, token)| token.span);
             self.spans.push((first, last));
             Place(self.spans.len() - 1)
         };
