@@ -1,1 +1,143 @@
-//! wip
+//! Prescribed-time controllers: a chain of integrators is brought to rest at a time you choose.
+//!
+//! The plant is `x1' = x2, ..., xn' = u`. [`ptc_controller!`] writes a controller for one order n
+//! and one mapping of time, specialised when your crate is compiled; this crate holds the types
+//! that all such controllers share. Nothing allocates, nothing panics, and no `std` is needed.
+//!
+//! ```
+//! use ptc::{Controller, Status};
+//!
+//! ptc::ptc_controller!(n = 3, mu = exp);
+//!
+//! # fn main() -> Result<(), ptc::Error> {
+//! let mut controller = PtcExp3::new(PtcExp3Params {
+//!     tau: 2.0,             // at rest 2 s after the start
+//!     t0: 0.0,              // the start
+//!     eps: 1e-3,            // gains are held for the last millisecond
+//!     u_max: f64::INFINITY, // no clipping
+//!     a: 1.0,               // rate of stretched time
+//!     k: [24.0, 26.0, 9.0], // poles -2, -3, -4 in stretched time
+//! })?;
+//! let control = controller.step(0.5, &[1.0, 0.0, 0.0])?;
+//! assert_eq!(control.status, Status::Ok);
+//! controller.arm(10.0)?; // the same manoeuvre again, from t = 10 s
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Features
+//!
+//! Where a family calls `sqrt`, `exp`, `ln`, `tan` or `pow`, they come from one of
+//!
+//! - `std` (default): the standard library;
+//! - `libm`: the crate `libm`, for targets without `std`. It wins where both are on.
+//!
+//! The families `exp`, `rational` and `tanh` call none of them in `step`. A controller that calls
+//! none at all compiles without either feature.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(all(feature = "std", not(feature = "libm")))]
+extern crate std;
+
+mod control;
+mod controller;
+mod error;
+#[doc(hidden)]
+pub mod math;
+
+pub use control::{Control, Status};
+pub use controller::Controller;
+pub use error::Error;
+
+/// Writes a prescribed-time controller: its type, its parameters and its methods.
+///
+/// The arguments are `key = value`, separated by commas, in any order.
+///
+/// | key | meaning | value | default |
+/// | --- | --- | --- | --- |
+/// | `n` | order of the chain of integrators | an integer 1..=16 | must be given |
+/// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])` | must be given |
+/// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
+/// | `precision` | floating-point type | `f64` or `f32` | `f64` |
+/// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
+/// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i | a list of n finite numbers: `[6, 11, 6]` | run time |
+/// | `tau` | prescribed settling time in s | a number > 0 | run time |
+/// | `t0` | start time in s | a finite number | run time |
+/// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
+/// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
+///
+/// What is left to run time is a field of the parameters; what is given here is folded into the
+/// code and is none.
+///
+/// # What it expands to
+///
+/// `ptc_controller!(n = 3, mu = exp)` gives
+///
+/// ```
+/// # mod shape {
+/// # use ptc::{Control, Controller, Error};
+/// pub struct PtcExp3Params {
+///     pub tau: f64,
+///     pub t0: f64,
+///     pub eps: f64,
+///     pub u_max: f64,
+///     pub a: f64,      // `m` follows under `power`; `rates: [f64; N]` in its place under `exp_sum`
+///     pub k: [f64; 3],
+/// }
+///
+/// #[derive(Clone, Debug)]
+/// pub struct PtcExp3 { /* coefficients, formed once by `new` */ }
+///
+/// impl PtcExp3 {
+///     /// `Error::Param`: a parameter is outside its domain.
+///     pub fn new(params: PtcExp3Params) -> Result<Self, Error>
+/// # { unimplemented!() }
+///     /// Starts again at `t0`. `Error::Param`: `t0` is not finite.
+///     pub fn arm(&mut self, t0: f64) -> Result<(), Error>
+/// # { unimplemented!() }
+///     /// u for the state `x` at time `t`.
+///     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control, Error>
+/// # { unimplemented!() }
+/// }
+///
+/// impl Controller<3> for PtcExp3 { /* the same */
+/// # type Real = f64;
+/// # fn arm(&mut self, t0: f64) -> Result<(), Error> { unimplemented!() }
+/// # fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control, Error> { unimplemented!() }
+/// }
+/// # }
+/// ```
+///
+/// # Examples
+///
+/// Every parameter fixed but the settling time, the start and the bound, in single precision:
+///
+/// ```
+/// ptc::ptc_controller!(
+///     n = 2,
+///     mu = exp(a = 1),
+///     name = roll_axis,
+///     precision = f32,
+///     gains = [6, 5],
+///     eps = 1e-2,
+/// );
+///
+/// # fn main() -> Result<(), ptc::Error> {
+/// let roll = RollAxis::new(RollAxisParams { tau: 1.0, t0: 0.0, u_max: 20.0 })?;
+/// let u: f32 = roll.step(0.0, &[1.0, 0.0])?.u;
+/// # assert!((u + 6.0).abs() < 1e-5);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+///
+/// Every mistake in the arguments is a compile error at the token that is wrong; all of them are
+/// told at once, with what is legal.
+///
+/// ```compile_fail
+/// ptc::ptc_controller!(n = 3, mu = exponential); // did you mean `exp`?
+/// ```
+pub use ptc_macros::ptc_controller;

@@ -213,6 +213,10 @@ impl Parser<'_> {
             if !items.is_empty() && !self.eat(',') {
                 return Err((self.here(), if close == ')' { "`,` or `)`" } else { "`,` or `]`" }));
             }
+            // A comma may end the list, as where each item has its own line.
+            if !items.is_empty() && self.eat(close) {
+                break;
+            }
             items.push(item(self)?);
         }
         self.depth -= 1;
@@ -257,9 +261,15 @@ impl Parser<'_> {
         }
     }
 
-    /// The next character's range.
+    /// The range of the next word, number or other character.
     fn here(&self) -> Range<usize> {
-        let width = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
+        let rest = &self.text[self.at..];
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && !matches!(c, '_' | '.'));
+        let width = match end {
+            Some(0) => rest.chars().next().map_or(0, char::len_utf8),
+            Some(width) => width,
+            None => rest.len(),
+        };
         self.at..self.at + width
     }
 }

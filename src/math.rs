@@ -1,0 +1,57 @@
+//! The functions that generated code calls, from `libm` if that feature is on, else from `std`.
+
+/// Writes one module for one type: each name with what it is called in `std` and in `libm`.
+macro_rules! functions {
+    ($real:ident: $($name:ident($($x:ident),+) = $std:ident | $libm:ident;)+) => {
+        pub mod $real {
+            #![allow(missing_docs)]
+            $(
+                #[cfg(feature = "libm")]
+                #[inline]
+                pub fn $name($($x: $real),+) -> $real {
+                    libm::$libm($($x),+)
+                }
+
+                #[cfg(all(feature = "std", not(feature = "libm")))]
+                #[inline]
+                pub fn $name($($x: $real),+) -> $real {
+                    $real::$std($($x),+)
+                }
+
+                // Absent, it would leave a caller with "cannot find function"; the bound that
+                // nothing meets lets the compiler name the feature instead.
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                pub fn $name<R: super::Functions>($($x: R),+) -> R {
+                    R::missing([$($x),+])
+                }
+            )+
+        }
+    };
+}
+
+functions! { f64:
+    sqrt(x) = sqrt | sqrt;
+    exp(x) = exp | exp;
+    ln(x) = ln | log;
+    tan(x) = tan | tan;
+    pow(x, y) = powf | pow;
+}
+
+functions! { f32:
+    sqrt(x) = sqrt | sqrtf;
+    exp(x) = exp | expf;
+    ln(x) = ln | logf;
+    tan(x) = tan | tanf;
+    pow(x, y) = powf | powf;
+}
+
+/// Implemented for nothing: there are no functions without a feature.
+#[cfg(not(any(feature = "std", feature = "libm")))]
+#[diagnostic::on_unimplemented(
+    message = "this controller calls sqrt, exp, ln, tan or pow: enable the feature `std` or `libm` of the crate `ptc`",
+    label = "its mapping needs a mathematical function"
+)]
+pub trait Functions: Sized {
+    #[doc(hidden)]
+    fn missing<const N: usize>(x: [Self; N]) -> Self;
+}
