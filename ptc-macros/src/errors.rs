@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::mapping::FAMILIES;
-use ptc_codegen::spec::{Spec, Value};
+use ptc_codegen::spec::{self, Spec, Value};
 
 use crate::input::Input;
 
@@ -83,15 +83,5 @@ fn type_name(input: &Input) -> Option<String> {
         }
         _ => return None,
     };
-    Some(camel_case(&name))
-}
-
-/// `roll_axis` as `RollAxis`.
-fn camel_case(name: &str) -> String {
-    let capital = |word: &str| {
-        let mut letters = word.chars();
-        let first = letters.next().map(|c| c.to_ascii_uppercase());
-        first.into_iter().chain(letters).collect::<String>()
-    };
-    name.split('_').map(capital).collect()
+    Some(spec::type_name(&name))
 }

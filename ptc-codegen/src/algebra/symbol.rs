@@ -45,8 +45,12 @@ pub enum Kind {
     OnePlusDecay,
     /// 1 + y^2, the inverse of V.
     OnePlusSquare,
-    /// sqrt(1 + y^2)/tau of the algebraic family.
+    /// sqrt(1 + y^2) = 1/h of the algebraic family.
     Secant,
+    /// (pi/(2 tau)) cot(th) of the tan family, which is 1/T at the deadline.
+    CotangentRate,
+    /// (pi/(2 tau)) (1 + y^2) = kappa'/a of the tan family.
+    Slope,
 }
 
 /// A symbol: a kind and, for indexed ones, its index (1-based; 0 where there is none).
@@ -102,6 +106,8 @@ impl Symbol {
             Kind::OnePlusDecay => "one_plus_E",
             Kind::OnePlusSquare => "one_plus_y2",
             Kind::Secant => "sec",
+            Kind::CotangentRate => "cot_rate",
+            Kind::Slope => "slope",
         };
         if self.index == 0 { stem.to_owned() } else { format!("{stem}{}", self.index) }
     }
@@ -120,12 +126,28 @@ impl Symbol {
             Kind::InverseTimeToGo => "T^{-1}".to_owned(),
             Kind::OnePlusDecay => "(1+E)".to_owned(),
             Kind::OnePlusSquare => "(1+y^2)".to_owned(),
-            Kind::Secant => r"\sigma".to_owned(),
+            Kind::Secant => r"h^{-1}".to_owned(),
+            Kind::CotangentRate => r"\tfrac{\pi}{2\tau}y".to_owned(),
+            Kind::Slope => r"\tfrac{\kappa'}{a}".to_owned(),
             _ if index == 0 => self.text(),
             _ => {
                 let stem = Symbol::plain(self.kind).text();
                 format!("{stem}_{{{index}}}")
             }
+        }
+    }
+
+    /// What a quantity is that is computed in place of the atoms; none for every other symbol.
+    pub fn definition(self) -> Option<&'static str> {
+        match self.kind {
+            Kind::InverseTimeToGo => Some("1/T"),
+            Kind::InversePowerRatio => Some("(T/tau)^-m"),
+            Kind::OnePlusDecay => Some("1 + E"),
+            Kind::OnePlusSquare => Some("1 + y^2"),
+            Kind::Secant => Some("sqrt(1 + y^2)"),
+            Kind::CotangentRate => Some("(pi/(2*tau))*y = (pi/(2*tau))*cot(th)"),
+            Kind::Slope => Some("(pi/(2*tau))*(1 + y^2) = kappa'/a"),
+            _ => None,
         }
     }
 }

@@ -35,7 +35,12 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         .collect()
 }
 
-fn source<'a>(controller: &Controller<'a>, plan: &'a Plan<'a>, name: &'a str, real: &'static str) -> Source<'a> {
+fn source<'a>(
+    controller: &Controller<'a>,
+    plan: &'a Plan<'a>,
+    name: &'a str,
+    real: &'static str,
+) -> Source<'a> {
     let spec = controller.spec;
     let syntax = C { spec, real, owner: "self" };
     let built = C { spec, real, owner: "built" };
@@ -55,7 +60,8 @@ fn source<'a>(controller: &Controller<'a>, plan: &'a Plan<'a>, name: &'a str, re
         fields.zip(roots).map(one).collect::<Vec<_>>()
     };
     let finite = |armed: bool, owner: &str| {
-        let fields = plan.fields.iter().filter(|f| f.armed == armed && !controller.is_given(f.value));
+        let fields =
+            plan.fields.iter().filter(|f| f.armed == armed && !controller.is_given(f.value));
         let tests: Vec<_> = fields.map(|f| format!("isfinite({owner}.{})", f.name)).collect();
         if tests.is_empty() { "1".to_owned() } else { tests.join(&format!("\n{}&& ", depth(4))) }
     };
@@ -72,14 +78,22 @@ fn source<'a>(controller: &Controller<'a>, plan: &'a Plan<'a>, name: &'a str, re
         .into_iter()
         .map(|line| line.replacen("self.", "self->", 1))
         .collect();
-    let states = (1..=spec.n).map(|j| format!("const {real} x{j} = x[{}];", j - 1)).collect::<Vec<_>>();
-    let gains_in =
-        (1..=spec.n).map(|j| format!("const {real} gain{j} = gains->gain[{}];", j - 1)).collect::<Vec<_>>();
-    let gains_out: Vec<_> =
-        tick.roots.iter().enumerate().map(|(j, root)| format!("gains->gain[{j}] = {root};")).collect();
+    let states =
+        (1..=spec.n).map(|j| format!("const {real} x{j} = x[{}];", j - 1)).collect::<Vec<_>>();
+    let gains_in = (1..=spec.n)
+        .map(|j| format!("const {real} gain{j} = gains->gain[{}];", j - 1))
+        .collect::<Vec<_>>();
+    let gains_out: Vec<_> = tick
+        .roots
+        .iter()
+        .enumerate()
+        .map(|(j, root)| format!("gains->gain[{j}] = {root};"))
+        .collect();
     let u_max = controller.program.limits.u_max;
     let limit = u_max.map(|value| match spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
-        Some(number) => syntax.literal(&number::literal(number::round(number, spec.precision), spec.precision)),
+        Some(number) => {
+            syntax.literal(&number::literal(number::round(number, spec.precision), spec.precision))
+        }
         None => format!("self->{}", plan.name(value).unwrap_or_default()),
     });
     let run_time_limit = limit.as_ref().is_some_and(|limit| limit.starts_with("self"));

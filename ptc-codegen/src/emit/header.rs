@@ -1,7 +1,9 @@
 //! The head of an emitted file: how to make it again, and the mathematics in it.
 
+use std::collections::BTreeSet;
+
 use super::{Controller, Language};
-use crate::algebra::{self, Poly};
+use crate::algebra::{self, Poly, Symbol};
 use crate::expansion;
 use crate::law::GainForm;
 use crate::program::{Stage, cost};
@@ -18,13 +20,19 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
         Language::Rust => "rust",
     };
     let mut lines = vec![
-        format!("Prescribed-time controller {}: order n = {}, mapping {}.", spec.name(), spec.n, spec.family.name()),
+        format!(
+            "Prescribed-time controller {}: order n = {}, mapping {}.",
+            spec.name(),
+            spec.n,
+            spec.family.name()
+        ),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
         format!("  ptc-codegen emit --lang {lang} {}", spec.command()),
         format!("Version {}.", env!("CARGO_PKG_VERSION")),
         String::new(),
-        "It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).".to_owned(),
+        "It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...)."
+            .to_owned(),
     ];
     lines.extend(parameters(controller));
     lines.extend(mapping(controller));
@@ -39,7 +47,12 @@ fn parameters(controller: &Controller<'_>) -> Vec<String> {
     let mut last = "";
     for parameter in controller.spec.parameters() {
         let key = parameter.key();
-        let about = format!("{} [{}], {}", parameter.meaning(), parameter.unit(), parameter.domain().text());
+        let about = format!(
+            "{} [{}], {}",
+            parameter.meaning(),
+            parameter.unit(),
+            parameter.domain().text()
+        );
         match controller.spec.fixed.get(&parameter) {
             Some(value) => {
                 let index = parameter.index().map(|i| format!("[{i}]")).unwrap_or_default();
@@ -58,7 +71,8 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
     let info = spec.family.info();
     let mut lines = vec![
         String::new(),
-        "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):".to_owned(),
+        "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):"
+            .to_owned(),
         format!("  mu(t)     = {}", info.mu),
         format!("  kappa(Dt) = {}", info.kappa),
         format!("  atoms: {}", info.atoms),
@@ -69,7 +83,8 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
     for (index, r) in expansion::r(&ring, shown).iter().enumerate() {
         lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
     }
-    lines.push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
+    lines
+        .push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
     let table = if spec.family.is_iterated() {
         expansion::bell::bell_table(shown)
     } else {
@@ -106,7 +121,7 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
             for (j, row) in rows.iter().take(SHOWN).enumerate() {
                 lines.push(format!("  row_{} = {}", j + 1, algebra::text(row)));
             }
-            lines.extend(definitions(rows));
+            lines.extend(definitions(*base_inverse, rows));
             if rows.len() > SHOWN {
                 lines.push(format!(
                     "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
@@ -117,7 +132,9 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
         }
         GainForm::Series => {
             lines.push("  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1".to_owned());
-            lines.push("  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned());
+            lines.push(
+                "  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned(),
+            );
             lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
         }
     }
@@ -125,26 +142,19 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
 }
 
 /// What the quantities in the rows mean, where they are no atoms.
-fn definitions(rows: &[Poly]) -> Option<String> {
-    use crate::algebra::Kind;
-    let named: Vec<&str> = [
-        (Kind::InverseTimeToGo, "inv_T = 1/T"),
-        (Kind::InversePowerRatio, "q = (T/tau)^-m"),
-        (Kind::OnePlusDecay, "one_plus_E = 1 + E"),
-        (Kind::OnePlusSquare, "one_plus_y2 = 1 + y^2"),
-    ]
-    .into_iter()
-    .filter(|(kind, _)| rows.iter().any(|row| row.symbols().iter().any(|s| s.kind == *kind)))
-    .map(|(_, text)| text)
-    .collect();
-    (!named.is_empty()).then(|| format!("  where {}", named.join(", ")))
+fn definitions(base_inverse: Option<Symbol>, rows: &[Poly]) -> Vec<String> {
+    let used: BTreeSet<Symbol> = rows.iter().flat_map(Poly::symbols).chain(base_inverse).collect();
+    let told = |s: Symbol| Some(format!("  {} = {}", s.text(), s.definition()?));
+    used.into_iter().filter_map(told).collect()
 }
 
 fn behaviour(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec;
     let guard = match spec.guard {
         Guard::Full => "full: every input and pointer is checked.",
-        Guard::Result => "result: one test on u catches non-finite x and t; pointers and t >= t0 are trusted.",
+        Guard::Result => {
+            "result: one test on u catches non-finite x and t; pointers and t >= t0 are trusted."
+        }
         Guard::None => "none: pointers, finite x and t, and t >= t0 are trusted.",
     };
     let precision = match spec.precision {
@@ -153,17 +163,21 @@ fn behaviour(controller: &Controller<'_>) -> Vec<String> {
     };
     vec![
         String::new(),
-        "From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.".to_owned(),
+        "From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid."
+            .to_owned(),
         "|u| <= u_max always (status SATURATED where u was clipped).".to_owned(),
         format!("Guard {guard}"),
-        format!("Precision {precision}. Equal bits everywhere need no fused multiply-add (-ffp-contract=off)."),
+        format!(
+            "Precision {precision}. Equal bits everywhere need no fused multiply-add (-ffp-contract=off)."
+        ),
     ]
 }
 
 fn count(controller: &Controller<'_>) -> Vec<String> {
     let program = controller.program;
     let step = cost::count(program, &[program.step], Stage::Tick);
-    let loops = if controller.spec.family.is_iterated() { ", one round of the iteration" } else { "" };
+    let loops =
+        if controller.spec.family.is_iterated() { ", one round of the iteration" } else { "" };
     vec![
         String::new(),
         format!(

@@ -12,7 +12,7 @@ pub(super) trait Syntax {
     fn literal(&self, text: &str) -> String;
     /// A field of the controller.
     fn field(&self, name: &str) -> String;
-    /// A call of a function of one or two numbers: `sqrt`, `exp`, `log`, `tan`, `pow`.
+    /// A call of a function of one or two numbers: `sqrt`, `exp`, `log`, `pow`.
     fn call(&self, function: &str, arguments: &[String]) -> String;
     /// |a|.
     fn abs(&self, a: &str) -> String;
@@ -108,8 +108,11 @@ fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value,
     }
     for value in plan.program.needed(roots).into_iter().rev() {
         if uses.contains_key(&value) && !plan.is_field(function, value) {
-            for operand in plan.program.get(value).op.operands() {
-                *uses.entry(operand).or_default() += 1;
+            let op = &plan.program.get(value).op;
+            // The greater of two values is written with each of them twice.
+            let times = if matches!(op, Op::Max(..)) { 2 } else { 1 };
+            for operand in op.operands() {
+                *uses.entry(operand).or_default() += times;
             }
         }
     }
@@ -203,7 +206,6 @@ impl Printer<'_> {
             Op::Sqrt(a) => call("sqrt", &[*a]),
             Op::Exp(a) => call("exp", &[*a]),
             Op::Ln(a) => call("log", &[*a]),
-            Op::Tan(a) => call("tan", &[*a]),
             Op::Pow(a, b) => call("pow", &[*a, *b]),
             // The pass `chains` has written powers out, and the caller handles the rest.
             Op::Power(..) | Op::Input(_) | Op::Hold(..) | Op::Unknown | Op::Root(_) => {

@@ -12,7 +12,9 @@ pub(super) struct Builder<'a> {
     pub(super) spec: &'a Spec,
     program: Program,
     pub(super) quantities: BTreeMap<Symbol, Value>,
+    pub(super) squares: BTreeMap<Symbol, Value>,
     pub(super) held: Option<Value>,
+    pub(super) tangent_parts: Option<(Value, Value)>,
 }
 
 impl<'a> Builder<'a> {
@@ -26,7 +28,14 @@ impl<'a> Builder<'a> {
             gains: Vec::new(),
             axis: nothing,
         };
-        Self { spec, program, quantities: BTreeMap::new(), held: None }
+        Self {
+            spec,
+            program,
+            quantities: BTreeMap::new(),
+            squares: BTreeMap::new(),
+            held: None,
+            tangent_parts: None,
+        }
     }
 
     pub(super) fn finish(

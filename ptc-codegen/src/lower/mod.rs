@@ -6,13 +6,16 @@
 
 mod builder;
 mod coefficient;
+mod cotangent;
 mod exp_sum;
 mod quantity;
 mod series;
 
+use std::collections::BTreeMap;
+
 use builder::Builder;
 
-use crate::algebra::Poly;
+use crate::algebra::{Kind, Poly, Symbol};
 use crate::law::{GainForm, LinearLaw};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Guard, Parameter, Spec};
@@ -55,7 +58,7 @@ pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
 
 /// A base whose inverse is a tick quantity.
 struct Base {
-    symbol: crate::algebra::Symbol,
+    symbol: Symbol,
 }
 
 /// Multiplication by 1/base.
@@ -70,10 +73,7 @@ enum Factor {
 impl Base {
     /// For n = 1 the factor 1/T of the exp family is used once, and one division does it.
     fn value(&self, b: &mut Builder<'_>, n: usize) -> Factor {
-        if n == 1
-            && self.symbol.kind == crate::algebra::Kind::InverseTimeToGo
-            && !b.has_quantity(self.symbol)
-        {
+        if n == 1 && self.symbol.kind == Kind::InverseTimeToGo && !b.has_quantity(self.symbol) {
             Factor::Divide(b.time_to_go())
         } else {
             Factor::Multiply(b.quantity(self.symbol))
@@ -162,26 +162,47 @@ fn lower_row(
             &format!("coefficient of x{}", j + 1),
         );
     };
-    let by_exponent = row.collect(symbol);
-    let variable = b.quantity(symbol);
-    let mut sum: Option<(Value, i32)> = None;
-    for (exponent, poly) in by_exponent.into_iter().rev() {
+    let mut coefficients = BTreeMap::new();
+    for (exponent, poly) in row.collect(symbol) {
         let name = format!("c{}_{exponent}", j + 1);
         let meaning =
             format!("coefficient of {}^{exponent} in the gain of x{}", symbol.text(), j + 1);
-        let Some(coefficient) = coefficient::lower(b, &poly, scaled, &name, &meaning) else {
-            continue;
-        };
+        let value = coefficient::lower(b, &poly, scaled, &name, &meaning);
+        coefficients.extend(value.map(|value| (exponent, value)));
+    }
+    let variable = b.quantity(symbol);
+    let row = match b.square(symbol) {
+        None => horner(b, &coefficients, variable),
+        Some(square) => {
+            let part = |parity| {
+                let part = coefficients.iter().filter(|(e, _)| **e % 2 == parity);
+                part.map(|(e, value)| (e / 2, *value)).collect::<BTreeMap<_, _>>()
+            };
+            let (even, odd) = (part(0), part(1));
+            let odd = horner(b, &odd, square).map(|odd| b.mul(odd, variable));
+            let even = horner(b, &even, square);
+            b.sum(even, odd)
+        }
+    }?;
+    let meaning = format!("gain of x{} without its power of the base", j + 1);
+    Some(b.name(row, &format!("row{}", j + 1), &meaning))
+}
+
+/// sum of coefficient * variable^exponent by Horner's rule; `None` for no term.
+fn horner(
+    b: &mut Builder<'_>,
+    coefficients: &BTreeMap<i32, Value>,
+    variable: Value,
+) -> Option<Value> {
+    let mut sum: Option<(Value, i32)> = None;
+    for (exponent, coefficient) in coefficients.iter().rev() {
         sum = Some(match sum {
-            None => (coefficient, exponent),
+            None => (*coefficient, *exponent),
             Some((sum, previous)) => {
                 let shifted = b.shift(sum, variable, previous - exponent);
-                (b.add(shifted, coefficient), exponent)
+                (b.add(shifted, *coefficient), *exponent)
             }
         });
     }
-    sum.map(|(sum, lowest)| {
-        let row = b.shift(sum, variable, lowest);
-        b.name(row, &format!("row{}", j + 1), &format!("gain of x{} without its power of the base", j + 1))
-    })
+    sum.map(|(sum, lowest)| b.shift(sum, variable, lowest))
 }

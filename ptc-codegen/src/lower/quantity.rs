@@ -53,22 +53,18 @@ impl Builder<'_> {
             Kind::InversePowerRatio => self.inverse_power_ratio(),
             Kind::Decay => self.decay(),
             Kind::Secant => self.secant(),
-            Kind::StretchedAngle if self.spec.family == Family::Tan => self.cotangent(),
-            Kind::StretchedAngle => self.slope(),
-            Kind::OnePlusDecay => self.one_plus(Kind::Decay, 1),
-            Kind::OnePlusSquare => self.one_plus(Kind::StretchedAngle, 2),
+            Kind::CotangentRate => self.cotangent_rate(),
+            Kind::Slope => self.slope(),
+            Kind::StretchedAngle => self.algebraic_angle(),
+            Kind::OnePlusDecay => self.one_plus_decay(),
+            Kind::OnePlusSquare => self.one_plus_square(),
             // The law leaves only the quantities above in its rows.
             _ => self.time_to_go(),
         };
-        let meaning = match symbol.kind {
-            Kind::InverseTimeToGo => "1/T",
-            Kind::InversePowerRatio => "(T/tau)^-m",
+        let meaning = symbol.definition().unwrap_or(match symbol.kind {
             Kind::Decay => "exp(-2*a*t) = T/(2*tau - T)",
-            Kind::Secant => "1/sqrt(T*(2*tau - T)) = sqrt(1 + y^2)/tau",
-            Kind::StretchedAngle => "a*t, t the stretched time since t0",
-            Kind::OnePlusDecay => "1 + E",
-            _ => "1 + y^2",
-        };
+            _ => "a*t, t the stretched time since t0",
+        });
         let value = self.name(value, &symbol.text(), meaning);
         self.quantities.insert(symbol, value);
         value
@@ -128,40 +124,127 @@ impl Builder<'_> {
         self.push(Op::Pow(ratio, exponent))
     }
 
-    /// y = cot(th), th = pi T/(2 tau): T keeps its digits, so y does, up to the deadline.
-    fn cotangent(&mut self) -> Value {
-        let half_pi = super::coefficient::pi() / BigInt::from(2);
-        let half_pi = self.number(half_pi);
-        let tau = self.parameter(Parameter::Tau);
-        let scale = self.div(half_pi, tau);
-        let scale = self.name(scale, "angle_rate", "pi/(2*tau)");
-        let time_to_go = self.time_to_go();
-        let angle = self.mul(time_to_go, scale);
-        let (one, tangent) = (self.integer(1), self.push(Op::Tan(angle)));
-        self.div(one, tangent)
+    /// 1/T^2 and th cot(th), th = pi T/(2 tau), whose products make up the tan family:
+    /// (pi/(2 tau)) cot(th) = T (1/T^2) th cot(th), and its square is (1/T^2) (th cot(th))^2.
+    ///
+    /// th cot(th) is 1 at the deadline and smooth, so a polynomial in (T/tau)^2 gives it, and 1/T^2
+    /// carries the digits there with two roundings, where 1/tan(th)^2 has nine. No library function
+    /// is called, so every machine computes the same bits.
+    fn tangent_parts(&mut self) -> (Value, Value) {
+        if let Some(parts) = self.tangent_parts {
+            return parts;
+        }
+        let (one, time_to_go, share) = (self.integer(1), self.time_to_go(), self.share());
+        let square = self.mul(time_to_go, time_to_go);
+        let inverse = self.div(one, square);
+        let inverse = self.name(inverse, "inv_T_squared", "1/T^2");
+        let square = self.mul(share, share);
+        let mut shape = one;
+        for (index, coefficient) in
+            super::cotangent::coefficients(self.spec.precision).into_iter().rev().enumerate()
+        {
+            let coefficient = self.number(coefficient);
+            shape = if index == 0 {
+                coefficient
+            } else {
+                let shifted = self.mul(shape, square);
+                self.add(shifted, coefficient)
+            };
+        }
+        let shape = self.name(shape, "th_cot_th", "th*cot(th), th = pi*T/(2*tau)");
+        self.tangent_parts = Some((inverse, shape));
+        (inverse, shape)
     }
 
-    /// 1/sqrt(T (2 tau - T)).
-    fn secant(&mut self) -> Value {
+    fn cotangent_rate(&mut self) -> Value {
+        let (inverse, shape) = self.tangent_parts();
         let time_to_go = self.time_to_go();
-        let rest = self.rest();
-        let product = self.mul(time_to_go, rest);
-        let (one, root) = (self.integer(1), self.push(Op::Sqrt(product)));
-        self.div(one, root)
+        let inverse = self.mul(time_to_go, inverse);
+        self.mul(inverse, shape)
     }
 
-    /// y = (tau - T)/sqrt(T (2 tau - T)).
+    /// kappa'/a = pi/(2 tau) + (2 tau/pi) cot_rate^2.
     fn slope(&mut self) -> Value {
-        let (tau, time_to_go) = (self.parameter(Parameter::Tau), self.time_to_go());
-        let elapsed = self.sub(tau, time_to_go);
+        let half_pi = super::coefficient::pi() / BigInt::from(2);
+        let tau = self.parameter(Parameter::Tau);
+        let (quarter, inverse) = (self.number(half_pi.clone()), self.number(half_pi.recip()));
+        let first = self.div(quarter, tau);
+        let first = self.name(first, "angle_rate", "pi/(2*tau)");
+        let scale = self.mul(inverse, tau);
+        let scale = self.name(scale, "inv_angle_rate", "2*tau/pi");
+        let square = self.square(Symbol::plain(Kind::CotangentRate));
+        let scaled = square.map(|square| self.mul(scale, square));
+        self.sum(Some(first), scaled).unwrap_or(first)
+    }
+
+    /// 1 + y^2 = tau^2/(T (2 tau - T)) as (tau/2)/T + (tau/2)/(2 tau - T): the first has one
+    /// rounding and leads near the deadline, where the product form has four.
+    fn one_plus_square(&mut self) -> Value {
+        let (time_to_go, tau) = (self.time_to_go(), self.parameter(Parameter::Tau));
+        let rest = self.rest();
+        let half = self.number(BigRational::new(1.into(), 2.into()));
+        let half_tau = self.mul(half, tau);
+        let half_tau = self.name(half_tau, "half_tau", "tau/2");
+        let (near, far) = (self.div(half_tau, time_to_go), self.div(half_tau, rest));
+        self.add(near, far)
+    }
+
+    /// 1 - T/tau, the elapsed share of tau.
+    fn elapsed_share(&mut self) -> Value {
+        let one = self.integer(1);
+        let share = self.share();
+        self.sub(one, share)
+    }
+
+    /// T/tau.
+    fn share(&mut self) -> Value {
+        let (time_to_go, tau) = (self.time_to_go(), self.parameter(Parameter::Tau));
+        let one = self.integer(1);
+        let inverse_tau = self.div(one, tau);
+        let inverse_tau = self.name(inverse_tau, "inv_tau", "1/tau");
+        self.mul(time_to_go, inverse_tau)
+    }
+
+    /// sqrt(1 + y^2).
+    fn secant(&mut self) -> Value {
+        let square = self.quantity(Symbol::plain(Kind::OnePlusSquare));
+        self.push(Op::Sqrt(square))
+    }
+
+    /// y = (1 - T/tau) sqrt(1 + y^2).
+    fn algebraic_angle(&mut self) -> Value {
+        let elapsed = self.elapsed_share();
         let secant = self.quantity(Symbol::plain(Kind::Secant));
         self.mul(elapsed, secant)
     }
 
-    fn one_plus(&mut self, kind: Kind, power: u32) -> Value {
-        let variable = self.quantity(Symbol::plain(kind));
-        let power = self.power(variable, power);
-        let one = self.integer(1);
-        self.add(one, power)
+    /// The square of a quantity in which rows are evaluated by their even and odd parts; none
+    /// for one in which they are not.
+    pub(super) fn square(&mut self, symbol: Symbol) -> Option<Value> {
+        if let Some(square) = self.squares.get(&symbol) {
+            return Some(*square);
+        }
+        let square = match symbol.kind {
+            Kind::CotangentRate => {
+                let (inverse, shape) = self.tangent_parts();
+                let shape_squared = self.mul(shape, shape);
+                self.mul(inverse, shape_squared)
+            }
+            Kind::StretchedAngle => {
+                let (one, sum) =
+                    (self.integer(1), self.quantity(Symbol::plain(Kind::OnePlusSquare)));
+                self.sub(sum, one)
+            }
+            _ => return None,
+        };
+        let name = format!("{}_squared", symbol.text());
+        let square = self.name(square, &name, &format!("{}^2", symbol.text()));
+        self.squares.insert(symbol, square);
+        Some(square)
+    }
+
+    fn one_plus_decay(&mut self) -> Value {
+        let (one, decay) = (self.integer(1), self.quantity(Symbol::plain(Kind::Decay)));
+        self.add(one, decay)
     }
 }

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use crate::algebra::BigRational;
 use crate::expansion::bell::factorials;
-use crate::program::{Op, Value};
+use crate::program::Value;
 use crate::spec::Parameter;
 
 /// The normalised Taylor series p(z) = z + sum_{l>=2} c_l z^l of mu at stretched time.
@@ -22,15 +22,14 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
     let weights: Vec<Value> = (0..n)
         .map(|i| {
             let gain = b.parameter(Parameter::Gain(i + 1));
-            let factor = b.number(BigRational::from_integer(factorial[i].clone()));
+            let factor = b.number(BigRational::from_integer(-factorial[i].clone()));
             let weight = b.mul(factor, gain);
-            b.name(weight, &format!("w{}", i + 1), &format!("weighted gain {i}!*k{}", i + 1))
+            b.name(weight, &format!("w{}", i + 1), &format!("weighted gain -{i}!*k{}", i + 1))
         })
         .collect();
-    let last = b.number(BigRational::from_integer(factorial[n].clone()));
+    let last = b.number(BigRational::from_integer(-factorial[n].clone()));
     let weight = |i: usize| weights.get(i).copied().unwrap_or(last);
-    let first = b.push(Op::Neg(weights[0]));
-    let mut rows = vec![Some(first)];
+    let mut rows = vec![Some(weight(0))];
     // power[d] = [z^(j+d)] p^j for d >= 1; [z^j] p^j = 1.
     let mut power: Vec<Value> = Vec::new();
     for j in 1..n {
@@ -41,7 +40,7 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
             let term = b.mul(weight(j + d + 1), *coefficient);
             sum = b.add(sum, term);
         }
-        let scale = b.number(-BigRational::new(1.into(), factorial[j].clone()));
+        let scale = b.number(BigRational::new(1.into(), factorial[j].clone()));
         let row = b.mul(sum, scale);
         let meaning = format!("gain of x{} without its power of 1/r1", j + 1);
         rows.push(Some(b.name(row, &format!("row{}", j + 1), &meaning)));

@@ -182,7 +182,7 @@ fn inverse_time_to_go() -> Reciprocal {
     Reciprocal {
         atom: plain(Kind::TimeToGo),
         power: 1,
-        by: plain(Kind::InverseTimeToGo),
+        by: Poly::symbol(plain(Kind::InverseTimeToGo)),
         expansion: None,
     }
 }
@@ -194,6 +194,7 @@ fn exp() -> Mapping {
         derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
         r1,
         reciprocals: vec![inverse_time_to_go()],
+        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
         base: term(1, &[(Kind::TimeToGo, 1)]),
         base_inverse: Some(plain(Kind::InverseTimeToGo)),
@@ -207,6 +208,7 @@ fn rational() -> Mapping {
         derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
         r1,
         reciprocals: vec![inverse_time_to_go()],
+        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1), (Kind::Tau, -1)]),
         base: term(1, &[(Kind::TimeToGo, 1)]),
         base_inverse: Some(plain(Kind::InverseTimeToGo)),
@@ -230,10 +232,11 @@ fn power() -> Mapping {
             Reciprocal {
                 atom: plain(Kind::PowerRatio),
                 power: 1,
-                by: plain(Kind::InversePowerRatio),
+                by: Poly::symbol(plain(Kind::InversePowerRatio)),
                 expansion: None,
             },
         ],
+        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
         base: term(1, &[(Kind::TimeToGo, 1)]),
         base_inverse: Some(plain(Kind::InverseTimeToGo)),
@@ -252,7 +255,13 @@ fn tan() -> Mapping {
                 term(-2, &[(Kind::A, 1), (Kind::StretchedAngle, 1), (Kind::Lorentz, 2)]),
             ),
         ],
-        reciprocals: vec![one_plus_square(Kind::Lorentz, 1)],
+        reciprocals: vec![Reciprocal {
+            atom: plain(Kind::Lorentz),
+            power: 1,
+            by: term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::Slope, 1)]),
+            expansion: Some(one_plus_square()),
+        }],
+        evaluated: vec![(y, term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::CotangentRate, 1)]))],
         rate: term(1, &[(Kind::A, 1)]),
         base: term(2, &[(Kind::Tau, 1), (Kind::Pi, -1)]),
         base_inverse: None,
@@ -277,10 +286,11 @@ fn tanh() -> Mapping {
             Reciprocal {
                 atom: plain(Kind::Logistic),
                 power: 1,
-                by: plain(Kind::OnePlusDecay),
+                by: Poly::symbol(plain(Kind::OnePlusDecay)),
                 expansion: Some(Poly::one().plus(&Poly::symbol(plain(Kind::Decay)))),
             },
         ],
+        evaluated: Vec::new(),
         rate: term(2, &[(Kind::A, 1)]),
         base: term(1, &[(Kind::TimeToGo, 1)]),
         base_inverse: Some(plain(Kind::InverseTimeToGo)),
@@ -298,20 +308,22 @@ fn algebraic() -> Mapping {
                 term(-1, &[(Kind::A, 1), (Kind::StretchedAngle, 1), (Kind::Cosine, 3)]),
             ),
         ],
-        reciprocals: vec![one_plus_square(Kind::Cosine, 2)],
+        reciprocals: vec![Reciprocal {
+            atom: plain(Kind::Cosine),
+            power: 2,
+            by: Poly::symbol(plain(Kind::OnePlusSquare)),
+            expansion: Some(one_plus_square()),
+        }],
+        evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: term(1, &[(Kind::Tau, 1), (Kind::Cosine, 1)]),
+        base: term(1, &[(Kind::Cosine, 1)]),
         base_inverse: Some(plain(Kind::Secant)),
     }
 }
 
-fn one_plus_square(atom: Kind, power: i32) -> Reciprocal {
-    Reciprocal {
-        atom: plain(atom),
-        power,
-        by: plain(Kind::OnePlusSquare),
-        expansion: Some(Poly::one().plus(&Poly::symbol(plain(Kind::StretchedAngle)).pow(2))),
-    }
+/// 1 + y^2.
+fn one_plus_square() -> Poly {
+    Poly::one().plus(&Poly::symbol(plain(Kind::StretchedAngle)).pow(2))
 }
 
 /// With e_i = e^{-a_i t}: r_1 = (tau/N) sum a_i e_i, D e_i = -a_i e_i.
@@ -330,6 +342,7 @@ fn exp_sum(rates: usize) -> Mapping {
             .map(|i| (mode(i), rate(i).times(&Poly::symbol(mode(i))).scaled(&integer(-1))))
             .collect(),
         reciprocals: Vec::new(),
+        evaluated: Vec::new(),
         rate: Poly::one(),
     }
 }

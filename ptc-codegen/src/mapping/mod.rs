@@ -10,16 +10,16 @@ pub use families::{FAMILIES, Family, FamilyInfo, ParameterInfo};
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 
-/// How a negative power of an atom is evaluated: `atom^-power = by`, which is also `expansion`
-/// where that is a polynomial in another atom.
+/// How a negative power of an atom is evaluated: `atom^-power = by`, a single term, which is also
+/// `expansion` where that is a polynomial in another atom.
 #[derive(Clone, Debug)]
 pub struct Reciprocal {
     /// The atom.
     pub atom: Symbol,
     /// The power of it that has a name.
     pub power: i32,
-    /// Name of `atom^-power`.
-    pub by: Symbol,
+    /// `atom^-power` in a quantity that is computed.
+    pub by: Poly,
     /// `atom^-power` as a polynomial in the other atoms.
     pub expansion: Option<Poly>,
 }
@@ -33,6 +33,8 @@ pub struct Mapping {
     pub derivations: Vec<(Symbol, Poly)>,
     /// Names for negative powers of atoms.
     pub reciprocals: Vec<Reciprocal>,
+    /// Atoms that are evaluated as a single term in another quantity.
+    pub evaluated: Vec<(Symbol, Poly)>,
     /// The rate of stretched time, a single term: B_{i,j} is rate^i times something free of it.
     pub rate: Poly,
     /// The single term `base` for which B_{i,j}/base^j holds no time but in the evaluated atoms.
@@ -75,6 +77,7 @@ impl Mapping {
             r1,
             derivations,
             reciprocals: Vec::new(),
+            evaluated: Vec::new(),
             rate: Poly::one(),
         }
     }

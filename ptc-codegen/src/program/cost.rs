@@ -11,7 +11,7 @@ pub struct Cost {
     pub mul: usize,
     /// Divisions.
     pub div: usize,
-    /// Calls of sqrt, exp, log, tan, pow; those in a loop are counted once a round.
+    /// Calls of sqrt, exp, log, pow; those in a loop are counted once a round.
     pub functions: usize,
 }
 
@@ -28,7 +28,7 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
             Op::Mul(..) => cost.mul += 1,
             Op::Power(_, k) => cost.mul += (k.ilog2() + k.count_ones() - 1) as usize,
             Op::Div(..) => cost.div += 1,
-            Op::Sqrt(_) | Op::Exp(_) | Op::Ln(_) | Op::Tan(_) | Op::Pow(..) => cost.functions += 1,
+            Op::Sqrt(_) | Op::Exp(_) | Op::Ln(_) | Op::Pow(..) => cost.functions += 1,
             _ => {}
         }
     }

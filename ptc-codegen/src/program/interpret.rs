@@ -117,7 +117,6 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
         // A float function of the platform may differ from the rounded double one in the last bit.
         (Op::Exp(_), [a]) => function(*a, f64::exp, f32::exp, precision),
         (Op::Ln(_), [a]) => function(*a, f64::ln, f32::ln, precision),
-        (Op::Tan(_), [a]) => function(*a, f64::tan, f32::tan, precision),
         #[allow(clippy::cast_possible_truncation)]
         (Op::Pow(..), [a, b]) => match precision {
             Precision::F64 => a.powf(*b),

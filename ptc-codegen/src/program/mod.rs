@@ -125,8 +125,6 @@ pub enum Op {
     Exp(Value),
     /// ln(a).
     Ln(Value),
-    /// tan(a).
-    Tan(Value),
     /// a^b for a > 0.
     Pow(Value, Value),
     /// Time-to-go a held at b: b where a <= b, else a (a NaN stays). Reports the hold.
@@ -147,8 +145,7 @@ impl Op {
             | Self::Abs(a)
             | Self::Sqrt(a)
             | Self::Exp(a)
-            | Self::Ln(a)
-            | Self::Tan(a) => vec![*a],
+            | Self::Ln(a) => vec![*a],
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -170,7 +167,6 @@ impl Op {
             Self::Sqrt(a) => Self::Sqrt(to(*a)),
             Self::Exp(a) => Self::Exp(to(*a)),
             Self::Ln(a) => Self::Ln(to(*a)),
-            Self::Tan(a) => Self::Tan(to(*a)),
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
             Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),

@@ -80,6 +80,11 @@ impl Spec {
         self.name.clone().unwrap_or_else(|| format!("ptc_{}{}", self.family.name(), self.n))
     }
 
+    /// Name of the controller's type in Rust: `ptc_exp3` -> `PtcExp3`.
+    pub fn type_name(&self) -> String {
+        type_name(&self.name())
+    }
+
     /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
     pub fn parameters(&self) -> Vec<Parameter> {
         let mut all = vec![Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
@@ -161,4 +166,13 @@ impl Spec {
             format!("\"{name}({})\"", arguments.join(","))
         }
     }
+}
+
+/// The name of the Rust type for a controller's name.
+pub fn type_name(name: &str) -> String {
+    let capitalised = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str())
+    };
+    name.split('_').filter_map(capitalised).collect()
 }

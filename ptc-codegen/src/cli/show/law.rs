@@ -21,7 +21,8 @@ pub(super) fn write(
             let rows: Vec<Poly> = rows.iter().map(&fix).collect();
             let tick = rows.iter().flat_map(Poly::symbols).chain(*base_inverse);
             let tick: std::collections::BTreeSet<Symbol> = tick.collect();
-            sheet.heading.extend(tick.into_iter().filter_map(definition).map(str::to_owned));
+            let told = |s: Symbol| Some(format!("{} = {}", s.text(), s.definition()?));
+            sheet.heading.extend(tick.into_iter().filter_map(told));
             sheet.blocks.push(factored(n, *base_inverse));
             let gains = scaled_gains(law).iter().map(&fix).collect();
             sheet.forms(Forms::counted("K", &["i"], gains));
@@ -80,17 +81,5 @@ fn series(n: usize) -> Block {
     p(z) &= \sum_{{l=1}}^{{{n}}} \frac{{r_l}}{{r_1 l!}} z^l
   \end{{aligned}}"
         ),
-    }
-}
-
-/// What a tick quantity is.
-fn definition(symbol: Symbol) -> Option<&'static str> {
-    match symbol.kind {
-        Kind::InverseTimeToGo => Some("inv_T = 1/T, T = time-to-go"),
-        Kind::InversePowerRatio => Some("q = (T/tau)^-m"),
-        Kind::OnePlusDecay => Some("one_plus_E = 1 + E"),
-        Kind::OnePlusSquare => Some("one_plus_y2 = 1 + y^2"),
-        Kind::Secant => Some("sec = sqrt(1 + y^2)/tau"),
-        _ => None,
     }
 }

@@ -6,7 +6,7 @@ use super::{append, rebuild};
 use crate::program::{Definition, Op, Program, Value, interpret, number};
 
 /// Replaces operations on numbers by the number they give at run time, bit for bit, and removes
-/// multiplications and divisions by 1, which change no bit. Operations whose result is no finite
+/// multiplications and divisions by 1 and writes products with -1 as negations, which changes no bit. Operations whose result is no finite
 /// number are left for run time, where they are reported; transcendental functions are left too,
 /// since the target's library may round them otherwise.
 pub(super) fn run(program: Program) -> Program {
@@ -14,6 +14,7 @@ pub(super) fn run(program: Program) -> Program {
 }
 
 fn fold(new: &mut Program, definition: Definition) -> Value {
+    let definition = Definition { op: negated(new, definition.op), ..definition };
     if let Some(operand) = neutral(new, &definition.op) {
         return operand;
     }
@@ -28,6 +29,16 @@ fn constant<'a>(program: &'a Program, value: Value) -> Option<&'a crate::algebra
     }
 }
 
+/// A product with -1 as a negation, which gives the same bits.
+fn negated(program: &Program, op: Op) -> Op {
+    let minus_one = |v: Value| constant(program, v).is_some_and(|n| (-n).is_one());
+    match op {
+        Op::Mul(a, b) if minus_one(a) => Op::Neg(b),
+        Op::Mul(a, b) if minus_one(b) => Op::Neg(a),
+        op => op,
+    }
+}
+
 /// The operand that `op` returns unchanged.
 fn neutral(program: &Program, op: &Op) -> Option<Value> {
     let is_one = |v: Value| constant(program, v).is_some_and(One::is_one);
@@ -39,10 +50,7 @@ fn neutral(program: &Program, op: &Op) -> Option<Value> {
 }
 
 fn computed(program: &Program, op: &Op) -> Option<Op> {
-    if matches!(
-        op,
-        Op::Number(_) | Op::Input(_) | Op::Exp(_) | Op::Ln(_) | Op::Tan(_) | Op::Pow(..)
-    ) {
+    if matches!(op, Op::Number(_) | Op::Input(_) | Op::Exp(_) | Op::Ln(_) | Op::Pow(..)) {
         return None;
     }
     let numbers: Option<Vec<f64>> = op
