@@ -13,7 +13,9 @@ pub(super) struct Builder<'a> {
     program: Program,
     pub(super) quantities: BTreeMap<Symbol, Value>,
     pub(super) squares: BTreeMap<Symbol, Value>,
-    pub(super) held: Option<Value>,
+    pub(super) late: Option<Value>,
+    pub(super) hold_from: Option<Value>,
+    pub(super) time_to_go: Option<Value>,
     pub(super) tangent_parts: Option<(Value, Value)>,
 }
 
@@ -23,7 +25,13 @@ impl<'a> Builder<'a> {
         let program = Program {
             precision: spec.precision,
             values: Vec::new(),
-            limits: Limits { start_time: None, u_max: None },
+            limits: Limits {
+                start_time: None,
+                u_max: None,
+                late: nothing,
+                hold_from: nothing,
+                eps: nothing,
+            },
             step: nothing,
             gains: Vec::new(),
             axis: nothing,
@@ -33,7 +41,9 @@ impl<'a> Builder<'a> {
             program,
             quantities: BTreeMap::new(),
             squares: BTreeMap::new(),
-            held: None,
+            late: None,
+            hold_from: None,
+            time_to_go: None,
             tangent_parts: None,
         }
     }
