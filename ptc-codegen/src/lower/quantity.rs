@@ -15,9 +15,6 @@ impl Builder<'_> {
     /// Near the deadline `t - deadline` is exact (Sterbenz: the two are within a factor of 2), so
     /// -T has one rounding for any t0, where tau - (t - t0) loses as many digits as t0/T has.
     pub(super) fn late(&mut self) -> Value {
-        if let Some(late) = self.late {
-            return late;
-        }
         let start = self.push(Op::Input(Input::StartTime));
         let tau = self.parameter(Parameter::Tau);
         let high = self.add(start, tau);
@@ -34,34 +31,21 @@ impl Builder<'_> {
         let past = self.name(past, "past", "time past the deadline, negative before it");
         let hold_from = self.hold_from();
         let late = self.push(Op::Min(past, hold_from));
-        let late = self.name(late, "late", "-T: time past the deadline, held at -eps");
-        self.late = Some(late);
-        late
+        self.name(late, "late", "-T: time past the deadline, held at -eps")
     }
 
     /// -eps, where the hold begins.
     pub(super) fn hold_from(&mut self) -> Value {
-        if let Some(hold_from) = self.hold_from {
-            return hold_from;
-        }
         let eps = self.parameter(Parameter::Eps);
         let hold_from = self.push(Op::Neg(eps));
-        let hold_from =
-            self.name(hold_from, "hold_from", "-eps: later than this the gains are held");
-        self.hold_from = Some(hold_from);
-        hold_from
+        self.name(hold_from, "hold_from", "-eps: later than this the gains are held")
     }
 
     /// Time-to-go T, held at eps.
     pub(super) fn time_to_go(&mut self) -> Value {
-        if let Some(time_to_go) = self.time_to_go {
-            return time_to_go;
-        }
         let late = self.late();
         let time_to_go = self.push(Op::Neg(late));
-        let time_to_go = self.name(time_to_go, "T", "time-to-go, held at eps");
-        self.time_to_go = Some(time_to_go);
-        time_to_go
+        self.name(time_to_go, "T", "time-to-go, held at eps")
     }
 
     /// Whether a quantity has been computed.
@@ -158,9 +142,6 @@ impl Builder<'_> {
     /// carries the digits there with two roundings, where 1/tan(th)^2 has nine. No library function
     /// is called, so every machine computes the same bits.
     fn tangent_parts(&mut self) -> (Value, Value) {
-        if let Some(parts) = self.tangent_parts {
-            return parts;
-        }
         let (one, late, share) = (self.integer(1), self.late(), self.late_share());
         let square = self.mul(late, late);
         let inverse = self.div(one, square);
@@ -179,7 +160,6 @@ impl Builder<'_> {
             };
         }
         let shape = self.name(shape, "th_cot_th", "th*cot(th), th = pi*T/(2*tau)");
-        self.tangent_parts = Some((inverse, shape));
         (inverse, shape)
     }
 
@@ -242,9 +222,6 @@ impl Builder<'_> {
     /// The square of a quantity in which rows are evaluated by their even and odd parts; none
     /// for one in which they are not.
     pub(super) fn square(&mut self, symbol: Symbol) -> Option<Value> {
-        if let Some(square) = self.squares.get(&symbol) {
-            return Some(*square);
-        }
         let square = match symbol.kind {
             Kind::CotangentRate => {
                 let (inverse, shape) = self.tangent_parts();
@@ -259,9 +236,7 @@ impl Builder<'_> {
             _ => return None,
         };
         let name = format!("{}_squared", symbol.text());
-        let square = self.name(square, &name, &format!("{}^2", symbol.text()));
-        self.squares.insert(symbol, square);
-        Some(square)
+        Some(self.name(square, &name, &format!("{}^2", symbol.text())))
     }
 
     fn one_plus_decay(&mut self) -> Value {
