@@ -10,6 +10,7 @@
 //! Passes keep every bit: the interpreter gives the same results before and after each of them.
 
 pub mod cost;
+pub mod dump;
 pub mod interpret;
 pub mod number;
 pub mod passes;

@@ -4,6 +4,8 @@ mod chains;
 mod fold;
 mod prune;
 mod share;
+#[cfg(test)]
+mod tests;
 
 use super::{Definition, Op, Program, Value};
 
