@@ -28,4 +28,4 @@ pub(crate) const TRAJECTORY: f64 = 1e-13;
 
 /// A trajectory of RK4 with a few thousand steps, relative to its largest |x_i|: the steps' own
 /// error, not that of the law.
-pub(crate) const SIMULATION: f64 = 1e-8;
+pub(crate) const SIMULATION: f64 = 1e-9;
