@@ -133,7 +133,11 @@ pub(crate) fn in_rust(folder: &Path, specs: &[Spec]) -> Vec<Program> {
     let paths = in_pairs(&batches, |batch| {
         let path = folder.join(format!("rust{}", batch[0]));
         fs::write(path.with_extension("rs"), program(folder, specs, batch)).expect("a program");
-        run(rustc().arg("-O").arg(path.with_extension("rs")).arg("-o").arg(&path));
+        run(rustc()
+            .args(["-O", "-Ccodegen-units=1"])
+            .arg(path.with_extension("rs"))
+            .arg("-o")
+            .arg(&path));
         path
     });
     let program = |(index, spec): (usize, &Spec)| {
