@@ -1,0 +1,123 @@
+/*
+ * Prescribed-time controller ptc_algebraic2: order n = 2, mapping algebraic.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu algebraic
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*a*t/sqrt(1 + (a*t)^2)
+ *   kappa(Dt) = y/a, y = (tau - T)/sqrt(T*(2*tau - T))
+ *   atoms: y = a*t, h = 1/sqrt(1 + y^2)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = tau a^k v^(1 + k/2) Q_k(s), s = 1 - T/tau, v = 1 - s^2, Q_1 = 1, Q_{k+1} = v Q_k' -
+ *       (k+2) s Q_k
+ *   r_1 = tau*a*h^3
+ *   r_2 = -3*tau*a^2*y*h^5
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = tau*a*h^3
+ *   B_{2,1} = -3*tau*a^2*y*h^5
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = sec^(n+1-j) row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -tau^-2*K1*one_plus_y2^2
+ *   row_2 = -tau^-1*K2 - tau^-1*K2*y^2 + 3*tau^-1*y
+ *   one_plus_y2 = 1 + y^2
+ *   sec = sqrt(1 + y^2)
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 9 + or -, 10 *, 2 /, 1 functions.
+ */
+#ifndef PTC_ALGEBRAIC2_H
+#define PTC_ALGEBRAIC2_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_algebraic2_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_algebraic2_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_algebraic2 {
+    double tau; /* prescribed settling time */
+    double c1_2; /* coefficient of one_plus_y2^2 in the gain of x1 */
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double f24; /* known when the parameters are */
+    double half_tau; /* tau/2 */
+    double c2_0; /* coefficient of y^0 in the gain of x2 */
+    double c2_1; /* coefficient of y^1 in the gain of x2 */
+    double inv_tau; /* 1/tau */
+    double u_max; /* bound of |u| */
+} ptc_algebraic2;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
+typedef struct ptc_algebraic2_gains {
+    double gain[2];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_algebraic2_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_algebraic2_arm(ptc_algebraic2 *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const double x[2], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebraic2_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_algebraic2_axis(const ptc_algebraic2_gains *gains, const double x[2], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,318 @@
+/* Prescribed-time controller ptc_algebraic5: see ptc_algebraic5.h. DO NOT EDIT. */
+#include "ptc_algebraic5.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double k3 = params->k[2];
+        const double k4 = params->k[3];
+        const double k5 = params->k[4];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && isfinite(k3)
+            && isfinite(k4)
+            && isfinite(k5)) {
+            ptc_algebraic5 built;
+
+            const double v1 = a * a;
+            const double v2 = v1 * v1;
+            const double K1 = k1 / (a * v2);
+            const double K2 = k2 / v2;
+            const double K3 = k3 / (a * v1);
+            const double K4 = k4 / v1;
+            const double K5 = k5 / a;
+            const double v3 = tau * tau;
+            const double v4 = v3 * v3;
+            const double c1_5 = (-K1) / (tau * v4);
+            const double half_tau = 0.5 * tau;
+            const double v5 = -K2;
+            const double c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
+            const double v6 = 3.0 * K3;
+            const double c2_1 = (v6 - (45.0 * K5)) / v4;
+            const double v7 = -(4.0 * K2);
+            const double c2_2 = ((v7 - (6.0 * K4)) + 540.0) / v4;
+            const double v8 = 9.0 * K3;
+            const double c2_3 = (v8 + (15.0 * K5)) / v4;
+            const double c2_4 = (((-(6.0 * K2)) - (21.0 * K4)) - 360.0) / v4;
+            const double c2_5 = (v8 + (60.0 * K5)) / v4;
+            const double c2_6 = (v7 - (12.0 * K4)) / v4;
+            const double c2_7 = v6 / v4;
+            const double c2_8 = v5 / v4;
+            const double inv_tau = 1.0 / tau;
+            const double v9 = -K3;
+            const double v10 = tau * v3;
+            const double c3_0 = (v9 + (12.0 * K5)) / v10;
+            const double v11 = 9.0 * K4;
+            const double c3_1 = (v11 - 315.0) / v10;
+            const double v12 = -v6;
+            const double c3_2 = (v12 - (63.0 * K5)) / v10;
+            const double c3_3 = ((18.0 * K4) + 660.0) / v10;
+            const double c3_4 = (v12 - (75.0 * K5)) / v10;
+            const double c3_5 = v11 / v10;
+            const double c3_6 = v9 / v10;
+            const double v13 = -K4;
+            const double c4_0 = (v13 + 30.0) / v3;
+            const double c4_1 = (18.0 * K5) / v3;
+            const double c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
+            const double c4_4 = v13 / v3;
+            const double c5_0 = (-K5) / tau;
+            const double c5_1 = 30.0 / tau;
+            built.tau = tau;
+            built.c1_5 = c1_5;
+            built.eps = eps;
+            built.f35 = 2.0 * tau;
+            built.half_tau = half_tau;
+            built.c2_0 = c2_0;
+            built.c2_1 = c2_1;
+            built.c2_2 = c2_2;
+            built.c2_3 = c2_3;
+            built.c2_4 = c2_4;
+            built.c2_5 = c2_5;
+            built.c2_6 = c2_6;
+            built.c2_7 = c2_7;
+            built.c2_8 = c2_8;
+            built.inv_tau = inv_tau;
+            built.c3_0 = c3_0;
+            built.c3_1 = c3_1;
+            built.c3_2 = c3_2;
+            built.c3_3 = c3_3;
+            built.c3_4 = c3_4;
+            built.c3_5 = c3_5;
+            built.c3_6 = c3_6;
+            built.c4_0 = c4_0;
+            built.c4_1 = c4_1;
+            built.c4_2 = c4_2;
+            built.c4_4 = c4_4;
+            built.c5_0 = c5_0;
+            built.c5_1 = c5_1;
+            built.u_max = u_max;
+
+            if (isfinite(built.c1_5)
+                && isfinite(built.f35)
+                && isfinite(built.half_tau)
+                && isfinite(built.c2_0)
+                && isfinite(built.c2_1)
+                && isfinite(built.c2_2)
+                && isfinite(built.c2_3)
+                && isfinite(built.c2_4)
+                && isfinite(built.c2_5)
+                && isfinite(built.c2_6)
+                && isfinite(built.c2_7)
+                && isfinite(built.c2_8)
+                && isfinite(built.inv_tau)
+                && isfinite(built.c3_0)
+                && isfinite(built.c3_1)
+                && isfinite(built.c3_2)
+                && isfinite(built.c3_3)
+                && isfinite(built.c3_4)
+                && isfinite(built.c3_5)
+                && isfinite(built.c3_6)
+                && isfinite(built.c4_0)
+                && isfinite(built.c4_1)
+                && isfinite(built.c4_2)
+                && isfinite(built.c4_4)
+                && isfinite(built.c5_0)
+                && isfinite(built.c5_1)) {
+                status = ptc_algebraic5_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_algebraic5_arm(ptc_algebraic5 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const double x[5], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+        const double x5 = x[4];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)
+            && isfinite(x5)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f35 - T));
+            const double v1 = one_plus_y2 * one_plus_y2;
+            const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
+            const double sec = sqrt(one_plus_y2);
+            const double y = (1.0 - (T * self->inv_tau)) * sec;
+            const double y_squared = one_plus_y2 - 1.0;
+            const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
+            const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
+            const double row2 = (((v3 * y_squared) + self->c2_2) * y_squared) + self->c2_0 + (((v2 * y_squared) + self->c2_1) * y);
+            const double v4 = (((self->c3_5 * y_squared) + self->c3_3) * y_squared) + self->c3_1;
+            const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
+            const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
+            const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
+            const double row4 = v6 + (((self->c4_1 * y_squared) + self->c4_1) * y);
+            const double row5 = (self->c5_0 * y_squared) + self->c5_0 + (self->c5_1 * y);
+            const double v7 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
+
+            double v = ((v7 * sec) + (row5 * x5)) * sec;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebraic5_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f35 - T));
+        const double v1 = one_plus_y2 * one_plus_y2;
+        const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
+        const double sec = sqrt(one_plus_y2);
+        const double y = (1.0 - (T * self->inv_tau)) * sec;
+        const double y_squared = one_plus_y2 - 1.0;
+        const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
+        const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
+        const double row2 = (((v3 * y_squared) + self->c2_2) * y_squared) + self->c2_0 + (((v2 * y_squared) + self->c2_1) * y);
+        const double v4 = (((self->c3_5 * y_squared) + self->c3_3) * y_squared) + self->c3_1;
+        const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
+        const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
+        const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
+        const double row4 = v6 + (((self->c4_1 * y_squared) + self->c4_1) * y);
+        const double row5 = (self->c5_0 * y_squared) + self->c5_0 + (self->c5_1 * y);
+        const double v7 = sec * sec;
+        const double v8 = v7 * sec;
+        const double v9 = v8 * sec;
+        gains->gain[0] = row1 * (v9 * sec);
+        gains->gain[1] = row2 * v9;
+        gains->gain[2] = row3 * v8;
+        gains->gain[3] = row4 * v7;
+        gains->gain[4] = row5 * sec;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x[5], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+        const double x5 = x[4];
+
+        if (isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)
+            && isfinite(x5)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+            const double gain3 = gains->gain[2];
+            const double gain4 = gains->gain[3];
+            const double gain5 = gains->gain[4];
+            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+
+            double v = v1;
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

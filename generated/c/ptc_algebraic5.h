@@ -1,0 +1,167 @@
+/*
+ * Prescribed-time controller ptc_algebraic5: order n = 5, mapping algebraic.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 5 --mu algebraic
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*a*t/sqrt(1 + (a*t)^2)
+ *   kappa(Dt) = y/a, y = (tau - T)/sqrt(T*(2*tau - T))
+ *   atoms: y = a*t, h = 1/sqrt(1 + y^2)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = tau a^k v^(1 + k/2) Q_k(s), s = 1 - T/tau, v = 1 - s^2, Q_1 = 1, Q_{k+1} = v Q_k' -
+ *       (k+2) s Q_k
+ *   r_1 = tau*a*h^3
+ *   r_2 = -3*tau*a^2*y*h^5
+ *   r_3 = 12*tau*a^3*y^2*h^7 - 3*tau*a^3*h^7
+ *   r_4 = 45*tau*a^4*y*h^9 - 60*tau*a^4*y^3*h^9
+ *   r_5 = -540*tau*a^5*y^2*h^11 + 360*tau*a^5*y^4*h^11 + 45*tau*a^5*h^11
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = tau*a*h^3
+ *   B_{2,1} = -3*tau*a^2*y*h^5
+ *   B_{2,2} = tau^2*a^2*h^6
+ *   B_{3,1} = 12*tau*a^3*y^2*h^7 - 3*tau*a^3*h^7
+ *   B_{3,2} = -9*tau^2*a^3*y*h^8
+ *   B_{3,3} = tau^3*a^3*h^9
+ *   B_{4,1} = 45*tau*a^4*y*h^9 - 60*tau*a^4*y^3*h^9
+ *   B_{4,2} = 75*tau^2*a^4*y^2*h^10 - 12*tau^2*a^4*h^10
+ *   B_{4,3} = -18*tau^3*a^4*y*h^11
+ *   B_{4,4} = tau^4*a^4*h^12
+ *   B_{5,1} = -540*tau*a^5*y^2*h^11 + 360*tau*a^5*y^4*h^11 + 45*tau*a^5*h^11
+ *   B_{5,2} = 315*tau^2*a^5*y*h^12 - 660*tau^2*a^5*y^3*h^12
+ *   B_{5,3} = 255*tau^3*a^5*y^2*h^13 - 30*tau^3*a^5*h^13
+ *   B_{5,4} = -30*tau^4*a^5*y*h^14
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = sec^(n+1-j) row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -tau^-5*K1*one_plus_y2^5
+ *   row_2 = -45*tau^-4 - tau^-4*K2 - 4*tau^-4*K2*y^2 - 6*tau^-4*K2*y^4 - 4*tau^-4*K2*y^6 -
+ *       tau^-4*K2*y^8 + 3*tau^-4*K3*y + 9*tau^-4*K3*y^3 + 9*tau^-4*K3*y^5 + 3*tau^-4*K3*y^7 +
+ *       3*tau^-4*K4 - 6*tau^-4*K4*y^2 - 21*tau^-4*K4*y^4 - 12*tau^-4*K4*y^6 - 45*tau^-4*K5*y
+ *       + 15*tau^-4*K5*y^3 + 60*tau^-4*K5*y^5 + 540*tau^-4*y^2 - 360*tau^-4*y^4
+ *   row_3 = -tau^-3*K3 - 3*tau^-3*K3*y^2 - 3*tau^-3*K3*y^4 - tau^-3*K3*y^6 + 9*tau^-3*K4*y +
+ *       18*tau^-3*K4*y^3 + 9*tau^-3*K4*y^5 + 12*tau^-3*K5 - 63*tau^-3*K5*y^2 -
+ *       75*tau^-3*K5*y^4 - 315*tau^-3*y + 660*tau^-3*y^3
+ *   row_4 = 30*tau^-2 - tau^-2*K4 - 2*tau^-2*K4*y^2 - tau^-2*K4*y^4 + 18*tau^-2*K5*y +
+ *       18*tau^-2*K5*y^3 - 255*tau^-2*y^2
+ *   row_5 = -tau^-1*K5 - tau^-1*K5*y^2 + 30*tau^-1*y
+ *   one_plus_y2 = 1 + y^2
+ *   sec = sqrt(1 + y^2)
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 30 + or -, 36 *, 2 /, 1 functions.
+ */
+#ifndef PTC_ALGEBRAIC5_H
+#define PTC_ALGEBRAIC5_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_algebraic5_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[5]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_algebraic5_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_algebraic5 {
+    double tau; /* prescribed settling time */
+    double c1_5; /* coefficient of one_plus_y2^5 in the gain of x1 */
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double f35; /* known when the parameters are */
+    double half_tau; /* tau/2 */
+    double c2_0; /* coefficient of y^0 in the gain of x2 */
+    double c2_1; /* coefficient of y^1 in the gain of x2 */
+    double c2_2; /* coefficient of y^2 in the gain of x2 */
+    double c2_3; /* coefficient of y^3 in the gain of x2 */
+    double c2_4; /* coefficient of y^4 in the gain of x2 */
+    double c2_5; /* coefficient of y^5 in the gain of x2 */
+    double c2_6; /* coefficient of y^6 in the gain of x2 */
+    double c2_7; /* coefficient of y^7 in the gain of x2 */
+    double c2_8; /* coefficient of y^8 in the gain of x2 */
+    double inv_tau; /* 1/tau */
+    double c3_0; /* coefficient of y^0 in the gain of x3 */
+    double c3_1; /* coefficient of y^1 in the gain of x3 */
+    double c3_2; /* coefficient of y^2 in the gain of x3 */
+    double c3_3; /* coefficient of y^3 in the gain of x3 */
+    double c3_4; /* coefficient of y^4 in the gain of x3 */
+    double c3_5; /* coefficient of y^5 in the gain of x3 */
+    double c3_6; /* coefficient of y^6 in the gain of x3 */
+    double c4_0; /* coefficient of y^0 in the gain of x4 */
+    double c4_1; /* coefficient of y^1 in the gain of x4 */
+    double c4_2; /* coefficient of y^2 in the gain of x4 */
+    double c4_4; /* coefficient of y^4 in the gain of x4 */
+    double c5_0; /* coefficient of y^0 in the gain of x5 */
+    double c5_1; /* coefficient of y^1 in the gain of x5 */
+    double u_max; /* bound of |u| */
+} ptc_algebraic5;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[4]*x[4]. */
+typedef struct ptc_algebraic5_gains {
+    double gain[5];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_algebraic5_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_algebraic5_arm(ptc_algebraic5 *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const double x[5], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebraic5_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x[5], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,189 @@
+/* Prescribed-time controller ptc_exp3: see ptc_exp3.h. DO NOT EDIT. */
+#include "ptc_exp3.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double k3 = params->k[2];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && isfinite(k3)) {
+            ptc_exp3 built;
+
+            const double v1 = a * a;
+            const double K1 = k1 / (a * v1);
+            const double K2 = k2 / v1;
+            const double K3 = k3 / a;
+            const double c1 = -K1;
+            const double c2 = ((-K2) + K3) - 1.0;
+            const double c3 = (-K3) + 3.0;
+            built.c1 = c1;
+            built.c2 = c2;
+            built.c3 = c3;
+            built.tau = tau;
+            built.eps = eps;
+            built.u_max = u_max;
+
+            if (isfinite(built.c1)
+                && isfinite(built.c2)
+                && isfinite(built.c3)) {
+                status = ptc_exp3_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_arm(ptc_exp3 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double inv_T = 1.0 / T;
+            const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
+
+            double v = v1 * inv_T;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double inv_T = 1.0 / T;
+        const double v1 = inv_T * inv_T;
+        gains->gain[0] = self->c1 * (v1 * inv_T);
+        gains->gain[1] = self->c2 * v1;
+        gains->gain[2] = self->c3 * inv_T;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+
+        if (isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+            const double gain3 = gains->gain[2];
+
+            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,122 @@
+/*
+ * Prescribed-time controller ptc_exp3_trusting: order n = 3, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 3 --mu exp --name ptc_exp3_trusting --guard none
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ *   atoms: T = time-to-go
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ *   r_2 = -a^2*T
+ *   r_3 = a^3*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = a*T
+ *   B_{2,1} = -a^2*T
+ *   B_{2,2} = a^2*T^2
+ *   B_{3,1} = a^3*T
+ *   B_{3,2} = -3*a^3*T^2
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -K1
+ *   row_2 = -1 - K2 + K3
+ *   row_3 = 3 - K3
+ *   inv_T = 1/T
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard none: pointers, finite x and t, and t >= t0 are trusted.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 4 + or -, 6 *, 1 /, 0 functions.
+ */
+#ifndef PTC_EXP3_TRUSTING_H
+#define PTC_EXP3_TRUSTING_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_exp3_trusting_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[3]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_exp3_trusting_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_exp3_trusting {
+    double c1; /* coefficient of x1 */
+    double c2; /* coefficient of x2 */
+    double c3; /* coefficient of x3 */
+    double tau; /* prescribed settling time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double u_max; /* bound of |u| */
+} ptc_exp3_trusting;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[2]*x[2]. */
+typedef struct ptc_exp3_trusting_gains {
+    double gain[3];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_exp3_trusting_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_exp3_trusting_init(ptc_exp3_trusting *self, const ptc_exp3_trusting_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_exp3_trusting_arm(ptc_exp3_trusting *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_exp3_trusting_step(const ptc_exp3_trusting *self, double t, const double x[3], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_exp3_trusting_tick(const ptc_exp3_trusting *self, double t, ptc_exp3_trusting_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_exp3_trusting_axis(const ptc_exp3_trusting_gains *gains, const double x[3], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,289 @@
+/* Prescribed-time controller ptc_exp_sum2: see ptc_exp_sum2.h. DO NOT EDIT. */
+#include "ptc_exp_sum2.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a1 = params->rates[0];
+        const double a2 = params->rates[1];
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a1)
+            && (a1 > 0.0)
+            && isfinite(a2)
+            && (a2 > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)) {
+            ptc_exp_sum2 built;
+
+            const double target_rate = 2.0 / tau;
+            const double v1 = 1.0 / a1;
+            const double v2 = 1.0 / a2;
+            const double slowest = (v1 < v2) ? v2 : v1;
+            const double mean_period = 2.0 / (a1 + a2);
+            const double tolerance = 0.001 / ((a1 < a2) ? a2 : a1);
+            const double b1_1 = 0.5 * a1 * tau;
+            const double b1_2 = 0.5 * a2 * tau;
+            const double b2_1 = (-0.25) * (a1 * a1) * tau;
+            const double b2_2 = (-0.25) * (a2 * a2) * tau;
+            const double w1 = -k1;
+            const double w2 = -k2;
+            built.a1 = a1;
+            built.a2 = a2;
+            built.tau = tau;
+            built.eps = eps;
+            built.target_rate = target_rate;
+            built.slowest = slowest;
+            built.mean_period = mean_period;
+            built.tolerance = tolerance;
+            built.b1_1 = b1_1;
+            built.b1_2 = b1_2;
+            built.b2_1 = b2_1;
+            built.b2_2 = b2_2;
+            built.w1 = w1;
+            built.w2 = w2;
+            built.u_max = u_max;
+
+            if (isfinite(built.target_rate)
+                && isfinite(built.slowest)
+                && isfinite(built.mean_period)
+                && isfinite(built.tolerance)
+                && isfinite(built.b1_1)
+                && isfinite(built.b1_2)
+                && isfinite(built.b2_1)
+                && isfinite(built.b2_2)
+                && isfinite(built.w1)
+                && isfinite(built.w2)) {
+                status = ptc_exp_sum2_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_arm(ptc_exp_sum2 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 2.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 0.6931467056274414) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = self->a1 * v4;
+                const double v7 = v4 + v5;
+                const double v8 = self->a2 * v5;
+                const double v9 = (2.0 * (v7 - target)) / (v7 + target);
+                const double v10 = 1.0 / (v6 + v8);
+                const double v11 = v7 * v10;
+                const double v12 = 0.5 * v9 * ((((self->a1 * v6) + (self->a2 * v8)) * v10 * v11) - 1.0);
+                const double v13 = v9 * v11 * (1.0 + v12);
+                const double y_next = y + v13;
+                const double y_size = fabs(v13);
+                if (v9 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v14 = exp(-(self->a1 * y));
+            const double v15 = exp(-(self->a2 * y));
+            const double v16 = self->a1 * v14;
+            const double v17 = self->a2 * v15;
+            const double v18 = ((v14 + v15) - target) / (v16 + v17);
+            const double v19 = v14 - (v16 * v18);
+            const double v20 = v15 - (v17 * v18);
+            const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
+            const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
+            const double v21 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
+
+            double v = v21;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double target = T * self->target_rate;
+        const double v1 = -log(target / 2.0);
+        const double v2 = v1 * self->mean_period;
+        const double v3 = (v1 - 0.6931467056274414) * self->slowest;
+        double y = (v2 < v3) ? v3 : v2;
+        double y_low = v2;
+        double y_high = v1 * self->slowest;
+        for (uint32_t round = 0U; round < 12U; round++) {
+            const double v4 = exp(-(self->a1 * y));
+            const double v5 = exp(-(self->a2 * y));
+            const double v6 = self->a1 * v4;
+            const double v7 = v4 + v5;
+            const double v8 = self->a2 * v5;
+            const double v9 = (2.0 * (v7 - target)) / (v7 + target);
+            const double v10 = 1.0 / (v6 + v8);
+            const double v11 = v7 * v10;
+            const double v12 = 0.5 * v9 * ((((self->a1 * v6) + (self->a2 * v8)) * v10 * v11) - 1.0);
+            const double v13 = v9 * v11 * (1.0 + v12);
+            const double y_next = y + v13;
+            const double y_size = fabs(v13);
+            if (v9 > 0.0) {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if ((y_next >= y_low) && (y_next <= y_high)) {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if (y_size <= self->tolerance) {
+                break;
+            }
+        }
+        const double v14 = exp(-(self->a1 * y));
+        const double v15 = exp(-(self->a2 * y));
+        const double v16 = self->a1 * v14;
+        const double v17 = self->a2 * v15;
+        const double v18 = ((v14 + v15) - target) / (v16 + v17);
+        const double v19 = v14 - (v16 * v18);
+        const double v20 = v15 - (v17 * v18);
+        const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
+        const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
+        gains->gain[0] = self->w1 * (inv_r1 * inv_r1);
+        gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(x1)
+            && isfinite(x2)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+
+            double v = (gain1 * x1) + (gain2 * x2);
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,312 @@
+/* Prescribed-time controller ptc_exp_sum2_of_three: see ptc_exp_sum2_of_three.h. DO NOT EDIT. */
+#include "ptc_exp_sum2_of_three.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp_sum2_of_three_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a1 = params->rates[0];
+        const double a2 = params->rates[1];
+        const double a3 = params->rates[2];
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a1)
+            && (a1 > 0.0)
+            && isfinite(a2)
+            && (a2 > 0.0)
+            && isfinite(a3)
+            && (a3 > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)) {
+            ptc_exp_sum2_of_three built;
+
+            const double target_rate = 3.0 / tau;
+            const double v1 = 1.0 / a1;
+            const double v2 = (a1 < a2) ? a2 : a1;
+            const double v3 = 1.0 / a2;
+            const double v4 = (v1 < v3) ? v3 : v1;
+            const double v5 = 1.0 / a3;
+            const double slowest = (v4 < v5) ? v5 : v4;
+            const double mean_period = 3.0 / (a1 + a2 + a3);
+            const double tolerance = 0.001 / ((v2 < a3) ? a3 : v2);
+            const double b1_1 = 0.3333333333333333 * a1 * tau;
+            const double b1_2 = 0.3333333333333333 * a2 * tau;
+            const double b1_3 = 0.3333333333333333 * a3 * tau;
+            const double b2_1 = (-0.16666666666666666) * (a1 * a1) * tau;
+            const double b2_2 = (-0.16666666666666666) * (a2 * a2) * tau;
+            const double b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
+            const double w1 = -k1;
+            const double w2 = -k2;
+            built.a1 = a1;
+            built.a2 = a2;
+            built.a3 = a3;
+            built.tau = tau;
+            built.eps = eps;
+            built.target_rate = target_rate;
+            built.slowest = slowest;
+            built.mean_period = mean_period;
+            built.tolerance = tolerance;
+            built.b1_1 = b1_1;
+            built.b1_2 = b1_2;
+            built.b1_3 = b1_3;
+            built.b2_1 = b2_1;
+            built.b2_2 = b2_2;
+            built.b2_3 = b2_3;
+            built.w1 = w1;
+            built.w2 = w2;
+            built.u_max = u_max;
+
+            if (isfinite(built.target_rate)
+                && isfinite(built.slowest)
+                && isfinite(built.mean_period)
+                && isfinite(built.tolerance)
+                && isfinite(built.b1_1)
+                && isfinite(built.b1_2)
+                && isfinite(built.b1_3)
+                && isfinite(built.b2_1)
+                && isfinite(built.b2_2)
+                && isfinite(built.b2_3)
+                && isfinite(built.w1)
+                && isfinite(built.w2)) {
+                status = ptc_exp_sum2_of_three_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_of_three_arm(ptc_exp_sum2_of_three *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 3.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 1.098611831665039) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = exp(-(self->a3 * y));
+                const double v7 = self->a1 * v4;
+                const double v8 = self->a2 * v5;
+                const double v9 = v4 + v5 + v6;
+                const double v10 = self->a3 * v6;
+                const double v11 = (2.0 * (v9 - target)) / (v9 + target);
+                const double v12 = 1.0 / (v7 + v8 + v10);
+                const double v13 = v9 * v12;
+                const double v14 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v12 * v13;
+                const double v15 = v11 * v13 * (1.0 + (0.5 * v11 * (v14 - 1.0)));
+                const double y_next = y + v15;
+                const double y_size = fabs(v15);
+                if (v11 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v16 = exp(-(self->a1 * y));
+            const double v17 = exp(-(self->a2 * y));
+            const double v18 = exp(-(self->a3 * y));
+            const double v19 = self->a1 * v16;
+            const double v20 = self->a2 * v17;
+            const double v21 = self->a3 * v18;
+            const double v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
+            const double v23 = v16 - (v19 * v22);
+            const double v24 = v17 - (v20 * v22);
+            const double v25 = v18 - (v21 * v22);
+            const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
+            const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
+            const double v26 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
+
+            double v = v26;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double t, ptc_exp_sum2_of_three_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double target = T * self->target_rate;
+        const double v1 = -log(target / 3.0);
+        const double v2 = v1 * self->mean_period;
+        const double v3 = (v1 - 1.098611831665039) * self->slowest;
+        double y = (v2 < v3) ? v3 : v2;
+        double y_low = v2;
+        double y_high = v1 * self->slowest;
+        for (uint32_t round = 0U; round < 12U; round++) {
+            const double v4 = exp(-(self->a1 * y));
+            const double v5 = exp(-(self->a2 * y));
+            const double v6 = exp(-(self->a3 * y));
+            const double v7 = self->a1 * v4;
+            const double v8 = self->a2 * v5;
+            const double v9 = v4 + v5 + v6;
+            const double v10 = self->a3 * v6;
+            const double v11 = (2.0 * (v9 - target)) / (v9 + target);
+            const double v12 = 1.0 / (v7 + v8 + v10);
+            const double v13 = v9 * v12;
+            const double v14 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v12 * v13;
+            const double v15 = v11 * v13 * (1.0 + (0.5 * v11 * (v14 - 1.0)));
+            const double y_next = y + v15;
+            const double y_size = fabs(v15);
+            if (v11 > 0.0) {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if ((y_next >= y_low) && (y_next <= y_high)) {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if (y_size <= self->tolerance) {
+                break;
+            }
+        }
+        const double v16 = exp(-(self->a1 * y));
+        const double v17 = exp(-(self->a2 * y));
+        const double v18 = exp(-(self->a3 * y));
+        const double v19 = self->a1 * v16;
+        const double v20 = self->a2 * v17;
+        const double v21 = self->a3 * v18;
+        const double v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
+        const double v23 = v16 - (v19 * v22);
+        const double v24 = v17 - (v20 * v22);
+        const double v25 = v18 - (v21 * v22);
+        const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
+        const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
+        gains->gain[0] = self->w1 * (inv_r1 * inv_r1);
+        gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_of_three_axis(const ptc_exp_sum2_of_three_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(x1)
+            && isfinite(x2)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+
+            double v = (gain1 * x1) + (gain2 * x2);
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

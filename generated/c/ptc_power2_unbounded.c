@@ -1,0 +1,148 @@
+/* Prescribed-time controller ptc_power2_unbounded: see ptc_power2_unbounded.h. DO NOT EDIT. */
+#include "ptc_power2_unbounded.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power2_unbounded_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)) {
+            ptc_power2_unbounded built;
+
+            built.tau = tau;
+            built.eps = eps;
+
+            if (1) {
+                status = ptc_power2_unbounded_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_unbounded_arm(ptc_power2_unbounded *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double inv_T = 1.0 / T;
+            const double v1 = self->tau * inv_T;
+            const double q = v1 * v1;
+            const double v2 = (-4.0) * q;
+            const double row1 = v2 * q;
+            const double row2 = v2 + 3.0;
+
+            double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_unbounded_tick(const ptc_power2_unbounded *self, double t, ptc_power2_unbounded_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double inv_T = 1.0 / T;
+        const double v1 = self->tau * inv_T;
+        const double q = v1 * v1;
+        const double v2 = (-4.0) * q;
+        const double row1 = v2 * q;
+        const double row2 = v2 + 3.0;
+        gains->gain[0] = row1 * (inv_T * inv_T);
+        gains->gain[1] = row2 * inv_T;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(x1)
+            && isfinite(x2)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+
+            double v = (gain1 * x1) + (gain2 * x2);
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

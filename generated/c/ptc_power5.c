@@ -1,0 +1,269 @@
+/* Prescribed-time controller ptc_power5: see ptc_power5.h. DO NOT EDIT. */
+#include "ptc_power5.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double m = params->m;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double k3 = params->k[2];
+        const double k4 = params->k[3];
+        const double k5 = params->k[4];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(m)
+            && (m > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && isfinite(k3)
+            && isfinite(k4)
+            && isfinite(k5)) {
+            ptc_power5 built;
+
+            const double v1 = a * a;
+            const double v2 = v1 * v1;
+            const double K1 = k1 / (a * v2);
+            const double K2 = k2 / v2;
+            const double K3 = k3 / (a * v1);
+            const double K4 = k4 / v1;
+            const double K5 = k5 / a;
+            const double c1_5 = -K1;
+            const double v3 = (((((((-24.0) * m) + (-50.0)) * m) + (-35.0)) * m) + (-10.0)) * m;
+            const double c2_0 = v3 + (-1.0);
+            const double v4 = 6.0 * m;
+            const double c2_1 = (((((v4 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
+            const double c2_2 = (((((-2.0) * m) + (-3.0)) * m) + (-1.0)) * K4;
+            const double c2_3 = (m + 1.0) * K3;
+            const double c2_4 = -K2;
+            const double c3_0 = (((((50.0 * m) + 105.0) * m) + 70.0) * m) + 15.0;
+            const double c3_1 = (((((-11.0) * m) + (-18.0)) * m) + (-7.0)) * K5;
+            const double c3_2 = ((3.0 * m) + 3.0) * K4;
+            const double c3_3 = -K3;
+            const double c4_0 = ((((-35.0) * m) + (-60.0)) * m) + (-25.0);
+            const double c4_1 = (v4 + 6.0) * K5;
+            const double c4_2 = -K4;
+            const double c5_0 = (10.0 * m) + 10.0;
+            const double c5_1 = -K5;
+            built.c1_5 = c1_5;
+            built.tau = tau;
+            built.eps = eps;
+            built.m = m;
+            built.c2_0 = c2_0;
+            built.c2_1 = c2_1;
+            built.c2_2 = c2_2;
+            built.c2_3 = c2_3;
+            built.c2_4 = c2_4;
+            built.c3_0 = c3_0;
+            built.c3_1 = c3_1;
+            built.c3_2 = c3_2;
+            built.c3_3 = c3_3;
+            built.c4_0 = c4_0;
+            built.c4_1 = c4_1;
+            built.c4_2 = c4_2;
+            built.c5_0 = c5_0;
+            built.c5_1 = c5_1;
+            built.u_max = u_max;
+
+            if (isfinite(built.c1_5)
+                && isfinite(built.c2_0)
+                && isfinite(built.c2_1)
+                && isfinite(built.c2_2)
+                && isfinite(built.c2_3)
+                && isfinite(built.c2_4)
+                && isfinite(built.c3_0)
+                && isfinite(built.c3_1)
+                && isfinite(built.c3_2)
+                && isfinite(built.c3_3)
+                && isfinite(built.c4_0)
+                && isfinite(built.c4_1)
+                && isfinite(built.c4_2)
+                && isfinite(built.c5_0)
+                && isfinite(built.c5_1)) {
+                status = ptc_power5_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power5_arm(ptc_power5 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+        const double x5 = x[4];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)
+            && isfinite(x5)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double inv_T = 1.0 / T;
+            const double q = pow(self->tau * inv_T, self->m);
+            const double v1 = q * q;
+            const double row1 = self->c1_5 * q * v1 * v1;
+            const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
+            const double row2 = (v2 * q) + self->c2_0;
+            const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
+            const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
+            const double row5 = (self->c5_1 * q) + self->c5_0;
+            const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
+
+            double v = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double inv_T = 1.0 / T;
+        const double q = pow(self->tau * inv_T, self->m);
+        const double v1 = q * q;
+        const double row1 = self->c1_5 * q * v1 * v1;
+        const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
+        const double row2 = (v2 * q) + self->c2_0;
+        const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
+        const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
+        const double row5 = (self->c5_1 * q) + self->c5_0;
+        const double v3 = inv_T * inv_T;
+        const double v4 = v3 * inv_T;
+        const double v5 = v4 * inv_T;
+        gains->gain[0] = row1 * (v5 * inv_T);
+        gains->gain[1] = row2 * v5;
+        gains->gain[2] = row3 * v4;
+        gains->gain[3] = row4 * v3;
+        gains->gain[4] = row5 * inv_T;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+        const double x5 = x[4];
+
+        if (isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)
+            && isfinite(x5)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+            const double gain3 = gains->gain[2];
+            const double gain4 = gains->gain[3];
+            const double gain5 = gains->gain[4];
+            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+
+            double v = v1;
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,223 @@
+/* Prescribed-time controller ptc_rational4: see ptc_rational4.h. DO NOT EDIT. */
+#include "ptc_rational4.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double k3 = params->k[2];
+        const double k4 = params->k[3];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && isfinite(k3)
+            && isfinite(k4)) {
+            ptc_rational4 built;
+
+            const double rate = a / tau;
+            const double v1 = rate * rate;
+            const double K1 = k1 / (v1 * v1);
+            const double K2 = k2 / (rate * v1);
+            const double K3 = k3 / v1;
+            const double K4 = k4 / rate;
+            const double c1_4 = -K1;
+            const double c3_1 = 6.0 * K4;
+            const double c2_1 = -c3_1;
+            const double c2_2 = 2.0 * K3;
+            const double c2_3 = -K2;
+            const double c3_2 = -K3;
+            const double c4_1 = -K4;
+            built.tau = tau;
+            built.c1_4 = c1_4;
+            built.eps = eps;
+            built.c3_1 = c3_1;
+            built.c2_1 = c2_1;
+            built.c2_2 = c2_2;
+            built.c2_3 = c2_3;
+            built.c3_2 = c3_2;
+            built.c4_1 = c4_1;
+            built.u_max = u_max;
+
+            if (isfinite(built.c1_4)
+                && isfinite(built.c3_1)
+                && isfinite(built.c2_1)
+                && isfinite(built.c2_2)
+                && isfinite(built.c2_3)
+                && isfinite(built.c3_2)
+                && isfinite(built.c4_1)) {
+                status = ptc_rational4_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_rational4_arm(ptc_rational4 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_rational4_step(const ptc_rational4 *self, double t, const double x[4], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double inv_T = 1.0 / T;
+            const double v1 = inv_T * inv_T;
+            const double row1 = self->c1_4 * v1 * v1;
+            const double v2 = ((((self->c2_3 * inv_T) + self->c2_2) * inv_T) + self->c2_1) * inv_T;
+            const double row2 = v2 + 24.0;
+            const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) + (-36.0);
+            const double row4 = (self->c4_1 * inv_T) + 12.0;
+            const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
+
+            double v = (v3 + (row4 * x4)) * inv_T;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_rational4_tick(const ptc_rational4 *self, double t, ptc_rational4_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double inv_T = 1.0 / T;
+        const double v1 = inv_T * inv_T;
+        const double row1 = self->c1_4 * v1 * v1;
+        const double v2 = ((((self->c2_3 * inv_T) + self->c2_2) * inv_T) + self->c2_1) * inv_T;
+        const double row2 = v2 + 24.0;
+        const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) + (-36.0);
+        const double row4 = (self->c4_1 * inv_T) + 12.0;
+        const double v3 = v1 * inv_T;
+        gains->gain[0] = row1 * (v3 * inv_T);
+        gains->gain[1] = row2 * v3;
+        gains->gain[2] = row3 * v1;
+        gains->gain[3] = row4 * inv_T;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_rational4_axis(const ptc_rational4_gains *gains, const double x[4], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double x4 = x[3];
+
+        if (isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)
+            && isfinite(x4)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+            const double gain2 = gains->gain[1];
+            const double gain3 = gains->gain[2];
+            const double gain4 = gains->gain[3];
+
+            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,144 @@
+/*
+ * Prescribed-time controller ptc_rational5: order n = 5, mapping rational.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 5 --mu rational
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*a*t/(1 + a*t)
+ *   kappa(Dt) = Dt/(a*T)
+ *   atoms: T = time-to-go
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) k! (a/tau)^k T^(k+1)
+ *   r_1 = tau^-1*a*T^2
+ *   r_2 = -2*tau^-2*a^2*T^3
+ *   r_3 = 6*tau^-3*a^3*T^4
+ *   r_4 = -24*tau^-4*a^4*T^5
+ *   r_5 = 120*tau^-5*a^5*T^6
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = tau^-1*a*T^2
+ *   B_{2,1} = -2*tau^-2*a^2*T^3
+ *   B_{2,2} = tau^-2*a^2*T^4
+ *   B_{3,1} = 6*tau^-3*a^3*T^4
+ *   B_{3,2} = -6*tau^-3*a^3*T^5
+ *   B_{3,3} = tau^-3*a^3*T^6
+ *   B_{4,1} = -24*tau^-4*a^4*T^5
+ *   B_{4,2} = 36*tau^-4*a^4*T^6
+ *   B_{4,3} = -12*tau^-4*a^4*T^7
+ *   B_{4,4} = tau^-4*a^4*T^8
+ *   B_{5,1} = 120*tau^-5*a^5*T^6
+ *   B_{5,2} = -240*tau^-5*a^5*T^7
+ *   B_{5,3} = 120*tau^-5*a^5*T^8
+ *   B_{5,4} = -20*tau^-5*a^5*T^9
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K_i = k_i/(tau^-1*a)^(n+1-i)
+ *   row_1 = -K1*inv_T^5
+ *   row_2 = -120 - K2*inv_T^4 + 2*K3*inv_T^3 - 6*K4*inv_T^2 + 24*K5*inv_T
+ *   row_3 = 240 - K3*inv_T^3 + 6*K4*inv_T^2 - 36*K5*inv_T
+ *   row_4 = -120 - K4*inv_T^2 + 12*K5*inv_T
+ *   row_5 = 20 - K5*inv_T
+ *   inv_T = 1/T
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 16 + or -, 24 *, 1 /, 0 functions.
+ */
+#ifndef PTC_RATIONAL5_H
+#define PTC_RATIONAL5_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_rational5_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[5]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_rational5_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_rational5 {
+    double tau; /* prescribed settling time */
+    double c1_5; /* coefficient of inv_T^5 in the gain of x1 */
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
+    double c3_2; /* coefficient of inv_T^2 in the gain of x3 */
+    double c2_2; /* coefficient of inv_T^2 in the gain of x2 */
+    double c2_3; /* coefficient of inv_T^3 in the gain of x2 */
+    double c2_4; /* coefficient of inv_T^4 in the gain of x2 */
+    double c3_1; /* coefficient of inv_T^1 in the gain of x3 */
+    double c3_3; /* coefficient of inv_T^3 in the gain of x3 */
+    double c4_1; /* coefficient of inv_T^1 in the gain of x4 */
+    double c4_2; /* coefficient of inv_T^2 in the gain of x4 */
+    double c5_1; /* coefficient of inv_T^1 in the gain of x5 */
+    double u_max; /* bound of |u| */
+} ptc_rational5;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[4]*x[4]. */
+typedef struct ptc_rational5_gains {
+    double gain[5];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_rational5_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_rational5_arm(ptc_rational5 *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double x[5], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_rational5_tick(const ptc_rational5 *self, double t, ptc_rational5_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

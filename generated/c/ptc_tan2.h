@@ -1,0 +1,122 @@
+/*
+ * Prescribed-time controller ptc_tan2: order n = 2, mapping tan.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu tan
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = (2*tau/pi)*atan(a*t)
+ *   kappa(Dt) = cot(th)/a, th = pi*T/(2*tau)
+ *   atoms: y = cot(th), V = 1/(1 + y^2)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) (k-1)! (2*tau/pi) a^k sin(k*th) sin(th)^k
+ *   r_1 = 2*pi^-1*tau*a*V
+ *   r_2 = -4*pi^-1*tau*a^2*y*V^2
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = 2*pi^-1*tau*a*V
+ *   B_{2,1} = -4*pi^-1*tau*a^2*y*V^2
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -K1*slope^2
+ *   row_2 = -2*pi^-1*tau*K2*cot_rate^2 - 1/2*pi*tau^-1*K2 + 2*cot_rate
+ *   cot_rate = (pi/(2*tau))*y = (pi/(2*tau))*cot(th)
+ *   slope = (pi/(2*tau))*(1 + y^2) = kappa'/a
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 21 + or -, 29 *, 1 /, 0 functions.
+ */
+#ifndef PTC_TAN2_H
+#define PTC_TAN2_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_tan2_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_tan2_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_tan2 {
+    double c1_2; /* coefficient of slope^2 in the gain of x1 */
+    double tau; /* prescribed settling time */
+    double angle_rate; /* pi/(2*tau) */
+    double inv_angle_rate; /* 2*tau/pi */
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double inv_tau; /* 1/tau */
+    double c2_0; /* coefficient of cot_rate^0 in the gain of x2 */
+    double c2_2; /* coefficient of cot_rate^2 in the gain of x2 */
+    double u_max; /* bound of |u| */
+} ptc_tan2;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
+typedef struct ptc_tan2_gains {
+    double gain[2];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_tan2_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_tan2_arm(ptc_tan2 *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_tan2_tick(const ptc_tan2 *self, double t, ptc_tan2_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,172 @@
+/*
+ * Prescribed-time controller ptc_tan5: order n = 5, mapping tan.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 5 --mu tan
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = (2*tau/pi)*atan(a*t)
+ *   kappa(Dt) = cot(th)/a, th = pi*T/(2*tau)
+ *   atoms: y = cot(th), V = 1/(1 + y^2)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) (k-1)! (2*tau/pi) a^k sin(k*th) sin(th)^k
+ *   r_1 = 2*pi^-1*tau*a*V
+ *   r_2 = -4*pi^-1*tau*a^2*y*V^2
+ *   r_3 = 12*pi^-1*tau*a^3*y^2*V^3 - 4*pi^-1*tau*a^3*V^3
+ *   r_4 = 48*pi^-1*tau*a^4*y*V^4 - 48*pi^-1*tau*a^4*y^3*V^4
+ *   r_5 = -480*pi^-1*tau*a^5*y^2*V^5 + 240*pi^-1*tau*a^5*y^4*V^5 + 48*pi^-1*tau*a^5*V^5
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = 2*pi^-1*tau*a*V
+ *   B_{2,1} = -4*pi^-1*tau*a^2*y*V^2
+ *   B_{2,2} = 4*pi^-2*tau^2*a^2*V^2
+ *   B_{3,1} = 12*pi^-1*tau*a^3*y^2*V^3 - 4*pi^-1*tau*a^3*V^3
+ *   B_{3,2} = -24*pi^-2*tau^2*a^3*y*V^3
+ *   B_{3,3} = 8*pi^-3*tau^3*a^3*V^3
+ *   B_{4,1} = 48*pi^-1*tau*a^4*y*V^4 - 48*pi^-1*tau*a^4*y^3*V^4
+ *   B_{4,2} = 144*pi^-2*tau^2*a^4*y^2*V^4 - 32*pi^-2*tau^2*a^4*V^4
+ *   B_{4,3} = -96*pi^-3*tau^3*a^4*y*V^4
+ *   B_{4,4} = 16*pi^-4*tau^4*a^4*V^4
+ *   B_{5,1} = -480*pi^-1*tau*a^5*y^2*V^5 + 240*pi^-1*tau*a^5*y^4*V^5 + 48*pi^-1*tau*a^5*V^5
+ *   B_{5,2} = 640*pi^-2*tau^2*a^5*y*V^5 - 960*pi^-2*tau^2*a^5*y^3*V^5
+ *   B_{5,3} = 960*pi^-3*tau^3*a^5*y^2*V^5 - 160*pi^-3*tau^3*a^5*V^5
+ *   B_{5,4} = -320*pi^-4*tau^4*a^5*y*V^5
+ *
+ * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+ *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ *   gain_j = row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -K1*slope^5
+ *   row_2 = -16*pi^-4*tau^4*K2*cot_rate^8 + 16*pi^-3*tau^3*K3*cot_rate^7 -
+ *       16*pi^-2*tau^2*K2*cot_rate^6 - 24*pi^-2*tau^2*K4*cot_rate^6 +
+ *       12*pi^-1*tau*K3*cot_rate^5 + 48*pi^-1*tau*K5*cot_rate^5 + 3*pi*tau^-1*K3*cot_rate^3 -
+ *       pi^2*tau^-2*K2*cot_rate^2 - 1/2*pi^2*tau^-2*K4*cot_rate^2 + 60*pi^2*tau^-2*cot_rate^2
+ *       + 1/4*pi^3*tau^-3*K3*cot_rate - 3*pi^3*tau^-3*K5*cot_rate - 3/2*pi^4*tau^-4 -
+ *       1/16*pi^4*tau^-4*K2 + 1/8*pi^4*tau^-4*K4 - 6*K2*cot_rate^4 - 10*K4*cot_rate^4 -
+ *       120*cot_rate^4
+ *   row_3 = -8*pi^-3*tau^3*K3*cot_rate^6 + 24*pi^-2*tau^2*K4*cot_rate^5 -
+ *       6*pi^-1*tau*K3*cot_rate^4 - 72*pi^-1*tau*K5*cot_rate^4 - 3/2*pi*tau^-1*K3*cot_rate^2
+ *       - 14*pi*tau^-1*K5*cot_rate^2 + 3/2*pi^2*tau^-2*K4*cot_rate - 40*pi^2*tau^-2*cot_rate
+ *       - 1/8*pi^3*tau^-3*K3 + pi^3*tau^-3*K5 + 12*K4*cot_rate^3 + 240*cot_rate^3
+ *   row_4 = -4*pi^-2*tau^2*K4*cot_rate^4 + 24*pi^-1*tau*K5*cot_rate^3 +
+ *       6*pi*tau^-1*K5*cot_rate + 5*pi^2*tau^-2 - 1/4*pi^2*tau^-2*K4 - 2*K4*cot_rate^2 -
+ *       120*cot_rate^2
+ *   row_5 = -2*pi^-1*tau*K5*cot_rate^2 - 1/2*pi*tau^-1*K5 + 20*cot_rate
+ *   cot_rate = (pi/(2*tau))*y = (pi/(2*tau))*cot(th)
+ *   slope = (pi/(2*tau))*(1 + y^2) = kappa'/a
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Operations of one step: 42 + or -, 52 *, 1 /, 0 functions.
+ */
+#ifndef PTC_TAN5_H
+#define PTC_TAN5_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_tan5_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double a; /* rate of stretched time [1/s], finite, > 0 */
+    double k[5]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_tan5_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_tan5 {
+    double c1_5; /* coefficient of slope^5 in the gain of x1 */
+    double tau; /* prescribed settling time */
+    double angle_rate; /* pi/(2*tau) */
+    double inv_angle_rate; /* 2*tau/pi */
+    double t0; /* start time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double inv_tau; /* 1/tau */
+    double c2_0; /* coefficient of cot_rate^0 in the gain of x2 */
+    double c2_1; /* coefficient of cot_rate^1 in the gain of x2 */
+    double c2_2; /* coefficient of cot_rate^2 in the gain of x2 */
+    double c2_3; /* coefficient of cot_rate^3 in the gain of x2 */
+    double c2_4; /* coefficient of cot_rate^4 in the gain of x2 */
+    double c2_5; /* coefficient of cot_rate^5 in the gain of x2 */
+    double c2_6; /* coefficient of cot_rate^6 in the gain of x2 */
+    double c2_7; /* coefficient of cot_rate^7 in the gain of x2 */
+    double c2_8; /* coefficient of cot_rate^8 in the gain of x2 */
+    double c3_0; /* coefficient of cot_rate^0 in the gain of x3 */
+    double c3_1; /* coefficient of cot_rate^1 in the gain of x3 */
+    double c3_2; /* coefficient of cot_rate^2 in the gain of x3 */
+    double c3_3; /* coefficient of cot_rate^3 in the gain of x3 */
+    double c3_4; /* coefficient of cot_rate^4 in the gain of x3 */
+    double c3_5; /* coefficient of cot_rate^5 in the gain of x3 */
+    double c3_6; /* coefficient of cot_rate^6 in the gain of x3 */
+    double c4_0; /* coefficient of cot_rate^0 in the gain of x4 */
+    double c4_1; /* coefficient of cot_rate^1 in the gain of x4 */
+    double c4_2; /* coefficient of cot_rate^2 in the gain of x4 */
+    double c4_3; /* coefficient of cot_rate^3 in the gain of x4 */
+    double c4_4; /* coefficient of cot_rate^4 in the gain of x4 */
+    double c5_0; /* coefficient of cot_rate^0 in the gain of x5 */
+    double c5_2; /* coefficient of cot_rate^2 in the gain of x5 */
+    double u_max; /* bound of |u| */
+} ptc_tan5;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[4]*x[4]. */
+typedef struct ptc_tan5_gains {
+    double gain[5];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_tan5_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_tan5_arm(ptc_tan5 *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_tan5_tick(const ptc_tan5 *self, double t, ptc_tan5_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

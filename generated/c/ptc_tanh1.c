@@ -1,0 +1,169 @@
+/* Prescribed-time controller ptc_tanh1: see ptc_tanh1.h. DO NOT EDIT. */
+#include "ptc_tanh1.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_tanh1_init(ptc_tanh1 *self, const ptc_tanh1_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (eps < tau)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)) {
+            ptc_tanh1 built;
+
+            const double rate = 2.0 * a;
+            const double K1 = k1 / rate;
+            const double c1_1 = -K1;
+            built.c1_1 = c1_1;
+            built.tau = tau;
+            built.eps = eps;
+            built.f20 = 2.0 * tau;
+            built.u_max = u_max;
+
+            if (isfinite(built.c1_1)
+                && isfinite(built.f20)) {
+                status = ptc_tanh1_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_tanh1_arm(ptc_tanh1 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline)) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)) {
+            status = PTC_OK;
+            double T = (self->deadline - t) + self->correction;
+            if (T <= self->eps) {
+                T = self->eps;
+                status = PTC_HOLD;
+            }
+            const double E = T * (T * (1.0 / (T * (self->f20 - T))));
+            const double one_plus_E = 1.0 + E;
+            const double row1 = self->c1_1 * one_plus_E;
+
+            double v = (row1 * x1) / T;
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        status = PTC_OK;
+        double T = (self->deadline - t) + self->correction;
+        if (T <= self->eps) {
+            T = self->eps;
+            status = PTC_HOLD;
+        }
+        const double E = T * (T * (1.0 / (T * (self->f20 - T))));
+        const double one_plus_E = 1.0 + E;
+        const double row1 = self->c1_1 * one_plus_E;
+        gains->gain[0] = row1 / T;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+
+        if (isfinite(x1)) {
+            status = gains->status;
+            const double gain1 = gains->gain[0];
+
+            double v = gain1 * x1;
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else {
+                /* within the bound */
+            }
+            if (isfinite(v)) {
+                *u = v;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,347 @@
+//! Prescribed-time controller ptc_algebraic1: order n = 1, mapping algebraic.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 1 --mu algebraic
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = tau*a*t/sqrt(1 + (a*t)^2)
+//!   kappa(Dt) = y/a, y = (tau - T)/sqrt(T*(2*tau - T))
+//!   atoms: y = a*t, h = 1/sqrt(1 + y^2)
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = tau a^k v^(1 + k/2) Q_k(s), s = 1 - T/tau, v = 1 - s^2, Q_1 = 1, Q_{k+1} = v Q_k' -
+//!       (k+2) s Q_k
+//!   r_1 = tau*a*h^3
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!
+//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//!   gain_j = sec^(n+1-j) row_j
+//!   K_i = k_i/(a)^(n+1-i)
+//!   row_1 = -tau^-1*K1*one_plus_y2
+//!   one_plus_y2 = 1 + y^2
+//!   sec = sqrt(1 + y^2)
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Operations of one step: 4 + or -, 3 *, 2 /, 1 functions.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold`.
+    Saturated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn sqrt(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::sqrt(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.sqrt()
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcAlgebraic1`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcAlgebraic1Params {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time, unit 1/s, finite, > 0.
+    pub a: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 1],
+}
+
+/// Prescribed-time controller of order 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcAlgebraic1 {
+    /// prescribed settling time
+    tau: f64,
+    /// coefficient of one_plus_y2^1 in the gain of x1
+    c1_1: f64,
+    /// start time
+    t0: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// known when the parameters are
+    f19: f64,
+    /// tau/2
+    half_tau: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcAlgebraic1`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcAlgebraic1Gains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[0\] x\[0\].
+    pub gain: [f64; 1],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcAlgebraic1 {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcAlgebraic1Params) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let k1 = params.k[0];
+        if !(tau.is_finite()
+            && tau > 0.0
+            && t0.is_finite()
+            && eps > 0.0
+            && eps < tau
+            && u_max > 0.0
+            && a.is_finite()
+            && a > 0.0
+            && k1.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let K1 = k1 / a;
+        let c1_1 = (-K1) / tau;
+        let half_tau = 0.5 * tau;
+        let mut built = Self {
+            tau,
+            c1_1,
+            eps,
+            f19: 2.0 * tau,
+            half_tau,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.c1_1.is_finite()
+            && built.f19.is_finite()
+            && built.half_tau.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        let [x1] = *x;
+        if !(t.is_finite() && t >= self.t0
+            && x1.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f19 - T));
+        let row1 = self.c1_1 * one_plus_y2;
+        let sec = math::sqrt(one_plus_y2);
+        let mut u = row1 * x1 * sec;
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcAlgebraic1Gains, Error> {
+        if !(t.is_finite() && t >= self.t0) {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f19 - T));
+        let row1 = self.c1_1 * one_plus_y2;
+        let sec = math::sqrt(one_plus_y2);
+        Ok(PtcAlgebraic1Gains {
+            gain: [
+                row1 * sec,
+            ],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcAlgebraic1Gains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        let [x1] = *x;
+        let [gain1] = self.gain;
+        if !(x1.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut status = self.status;
+        let mut u = gain1 * x1;
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<1> for PtcAlgebraic1 {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

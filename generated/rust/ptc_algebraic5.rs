@@ -1,0 +1,554 @@
+//! Prescribed-time controller ptc_algebraic5: order n = 5, mapping algebraic.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 5 --mu algebraic
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = tau*a*t/sqrt(1 + (a*t)^2)
+//!   kappa(Dt) = y/a, y = (tau - T)/sqrt(T*(2*tau - T))
+//!   atoms: y = a*t, h = 1/sqrt(1 + y^2)
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = tau a^k v^(1 + k/2) Q_k(s), s = 1 - T/tau, v = 1 - s^2, Q_1 = 1, Q_{k+1} = v Q_k' -
+//!       (k+2) s Q_k
+//!   r_1 = tau*a*h^3
+//!   r_2 = -3*tau*a^2*y*h^5
+//!   r_3 = 12*tau*a^3*y^2*h^7 - 3*tau*a^3*h^7
+//!   r_4 = 45*tau*a^4*y*h^9 - 60*tau*a^4*y^3*h^9
+//!   r_5 = -540*tau*a^5*y^2*h^11 + 360*tau*a^5*y^4*h^11 + 45*tau*a^5*h^11
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!   B_{1,1} = tau*a*h^3
+//!   B_{2,1} = -3*tau*a^2*y*h^5
+//!   B_{2,2} = tau^2*a^2*h^6
+//!   B_{3,1} = 12*tau*a^3*y^2*h^7 - 3*tau*a^3*h^7
+//!   B_{3,2} = -9*tau^2*a^3*y*h^8
+//!   B_{3,3} = tau^3*a^3*h^9
+//!   B_{4,1} = 45*tau*a^4*y*h^9 - 60*tau*a^4*y^3*h^9
+//!   B_{4,2} = 75*tau^2*a^4*y^2*h^10 - 12*tau^2*a^4*h^10
+//!   B_{4,3} = -18*tau^3*a^4*y*h^11
+//!   B_{4,4} = tau^4*a^4*h^12
+//!   B_{5,1} = -540*tau*a^5*y^2*h^11 + 360*tau*a^5*y^4*h^11 + 45*tau*a^5*h^11
+//!   B_{5,2} = 315*tau^2*a^5*y*h^12 - 660*tau^2*a^5*y^3*h^12
+//!   B_{5,3} = 255*tau^3*a^5*y^2*h^13 - 30*tau^3*a^5*h^13
+//!   B_{5,4} = -30*tau^4*a^5*y*h^14
+//!
+//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//!   gain_j = sec^(n+1-j) row_j
+//!   K_i = k_i/(a)^(n+1-i)
+//!   row_1 = -tau^-5*K1*one_plus_y2^5
+//!   row_2 = -45*tau^-4 - tau^-4*K2 - 4*tau^-4*K2*y^2 - 6*tau^-4*K2*y^4 - 4*tau^-4*K2*y^6 -
+//!       tau^-4*K2*y^8 + 3*tau^-4*K3*y + 9*tau^-4*K3*y^3 + 9*tau^-4*K3*y^5 + 3*tau^-4*K3*y^7 +
+//!       3*tau^-4*K4 - 6*tau^-4*K4*y^2 - 21*tau^-4*K4*y^4 - 12*tau^-4*K4*y^6 - 45*tau^-4*K5*y
+//!       + 15*tau^-4*K5*y^3 + 60*tau^-4*K5*y^5 + 540*tau^-4*y^2 - 360*tau^-4*y^4
+//!   row_3 = -tau^-3*K3 - 3*tau^-3*K3*y^2 - 3*tau^-3*K3*y^4 - tau^-3*K3*y^6 + 9*tau^-3*K4*y +
+//!       18*tau^-3*K4*y^3 + 9*tau^-3*K4*y^5 + 12*tau^-3*K5 - 63*tau^-3*K5*y^2 -
+//!       75*tau^-3*K5*y^4 - 315*tau^-3*y + 660*tau^-3*y^3
+//!   row_4 = 30*tau^-2 - tau^-2*K4 - 2*tau^-2*K4*y^2 - tau^-2*K4*y^4 + 18*tau^-2*K5*y +
+//!       18*tau^-2*K5*y^3 - 255*tau^-2*y^2
+//!   row_5 = -tau^-1*K5 - tau^-1*K5*y^2 + 30*tau^-1*y
+//!   one_plus_y2 = 1 + y^2
+//!   sec = sqrt(1 + y^2)
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Operations of one step: 30 + or -, 36 *, 2 /, 1 functions.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold`.
+    Saturated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn sqrt(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::sqrt(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.sqrt()
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcAlgebraic5`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcAlgebraic5Params {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time, unit 1/s, finite, > 0.
+    pub a: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 5],
+}
+
+/// Prescribed-time controller of order 5.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcAlgebraic5 {
+    /// prescribed settling time
+    tau: f64,
+    /// coefficient of one_plus_y2^5 in the gain of x1
+    c1_5: f64,
+    /// start time
+    t0: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// known when the parameters are
+    f35: f64,
+    /// tau/2
+    half_tau: f64,
+    /// coefficient of y^0 in the gain of x2
+    c2_0: f64,
+    /// coefficient of y^1 in the gain of x2
+    c2_1: f64,
+    /// coefficient of y^2 in the gain of x2
+    c2_2: f64,
+    /// coefficient of y^3 in the gain of x2
+    c2_3: f64,
+    /// coefficient of y^4 in the gain of x2
+    c2_4: f64,
+    /// coefficient of y^5 in the gain of x2
+    c2_5: f64,
+    /// coefficient of y^6 in the gain of x2
+    c2_6: f64,
+    /// coefficient of y^7 in the gain of x2
+    c2_7: f64,
+    /// coefficient of y^8 in the gain of x2
+    c2_8: f64,
+    /// 1/tau
+    inv_tau: f64,
+    /// coefficient of y^0 in the gain of x3
+    c3_0: f64,
+    /// coefficient of y^1 in the gain of x3
+    c3_1: f64,
+    /// coefficient of y^2 in the gain of x3
+    c3_2: f64,
+    /// coefficient of y^3 in the gain of x3
+    c3_3: f64,
+    /// coefficient of y^4 in the gain of x3
+    c3_4: f64,
+    /// coefficient of y^5 in the gain of x3
+    c3_5: f64,
+    /// coefficient of y^6 in the gain of x3
+    c3_6: f64,
+    /// coefficient of y^0 in the gain of x4
+    c4_0: f64,
+    /// coefficient of y^1 in the gain of x4
+    c4_1: f64,
+    /// coefficient of y^2 in the gain of x4
+    c4_2: f64,
+    /// coefficient of y^4 in the gain of x4
+    c4_4: f64,
+    /// coefficient of y^0 in the gain of x5
+    c5_0: f64,
+    /// coefficient of y^1 in the gain of x5
+    c5_1: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcAlgebraic5`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcAlgebraic5Gains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[4\] x\[4\].
+    pub gain: [f64; 5],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcAlgebraic5 {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcAlgebraic5Params) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        let k3 = params.k[2];
+        let k4 = params.k[3];
+        let k5 = params.k[4];
+        if !(tau.is_finite()
+            && tau > 0.0
+            && t0.is_finite()
+            && eps > 0.0
+            && eps < tau
+            && u_max > 0.0
+            && a.is_finite()
+            && a > 0.0
+            && k1.is_finite()
+            && k2.is_finite()
+            && k3.is_finite()
+            && k4.is_finite()
+            && k5.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let v1 = a * a;
+        let v2 = v1 * v1;
+        let K1 = k1 / (a * v2);
+        let K2 = k2 / v2;
+        let K3 = k3 / (a * v1);
+        let K4 = k4 / v1;
+        let K5 = k5 / a;
+        let v3 = tau * tau;
+        let v4 = v3 * v3;
+        let c1_5 = (-K1) / (tau * v4);
+        let half_tau = 0.5 * tau;
+        let v5 = -K2;
+        let c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
+        let v6 = 3.0 * K3;
+        let c2_1 = (v6 - (45.0 * K5)) / v4;
+        let v7 = -(4.0 * K2);
+        let c2_2 = ((v7 - (6.0 * K4)) + 540.0) / v4;
+        let v8 = 9.0 * K3;
+        let c2_3 = (v8 + (15.0 * K5)) / v4;
+        let c2_4 = (((-(6.0 * K2)) - (21.0 * K4)) - 360.0) / v4;
+        let c2_5 = (v8 + (60.0 * K5)) / v4;
+        let c2_6 = (v7 - (12.0 * K4)) / v4;
+        let c2_7 = v6 / v4;
+        let c2_8 = v5 / v4;
+        let inv_tau = 1.0 / tau;
+        let v9 = -K3;
+        let v10 = tau * v3;
+        let c3_0 = (v9 + (12.0 * K5)) / v10;
+        let v11 = 9.0 * K4;
+        let c3_1 = (v11 - 315.0) / v10;
+        let v12 = -v6;
+        let c3_2 = (v12 - (63.0 * K5)) / v10;
+        let c3_3 = ((18.0 * K4) + 660.0) / v10;
+        let c3_4 = (v12 - (75.0 * K5)) / v10;
+        let c3_5 = v11 / v10;
+        let c3_6 = v9 / v10;
+        let v13 = -K4;
+        let c4_0 = (v13 + 30.0) / v3;
+        let c4_1 = (18.0 * K5) / v3;
+        let c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
+        let c4_4 = v13 / v3;
+        let c5_0 = (-K5) / tau;
+        let c5_1 = 30.0 / tau;
+        let mut built = Self {
+            tau,
+            c1_5,
+            eps,
+            f35: 2.0 * tau,
+            half_tau,
+            c2_0,
+            c2_1,
+            c2_2,
+            c2_3,
+            c2_4,
+            c2_5,
+            c2_6,
+            c2_7,
+            c2_8,
+            inv_tau,
+            c3_0,
+            c3_1,
+            c3_2,
+            c3_3,
+            c3_4,
+            c3_5,
+            c3_6,
+            c4_0,
+            c4_1,
+            c4_2,
+            c4_4,
+            c5_0,
+            c5_1,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.c1_5.is_finite()
+            && built.f35.is_finite()
+            && built.half_tau.is_finite()
+            && built.c2_0.is_finite()
+            && built.c2_1.is_finite()
+            && built.c2_2.is_finite()
+            && built.c2_3.is_finite()
+            && built.c2_4.is_finite()
+            && built.c2_5.is_finite()
+            && built.c2_6.is_finite()
+            && built.c2_7.is_finite()
+            && built.c2_8.is_finite()
+            && built.inv_tau.is_finite()
+            && built.c3_0.is_finite()
+            && built.c3_1.is_finite()
+            && built.c3_2.is_finite()
+            && built.c3_3.is_finite()
+            && built.c3_4.is_finite()
+            && built.c3_5.is_finite()
+            && built.c3_6.is_finite()
+            && built.c4_0.is_finite()
+            && built.c4_1.is_finite()
+            && built.c4_2.is_finite()
+            && built.c4_4.is_finite()
+            && built.c5_0.is_finite()
+            && built.c5_1.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        let [x1, x2, x3, x4, x5] = *x;
+        if !(t.is_finite() && t >= self.t0
+            && x1.is_finite()
+            && x2.is_finite()
+            && x3.is_finite()
+            && x4.is_finite()
+            && x5.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f35 - T));
+        let v1 = one_plus_y2 * one_plus_y2;
+        let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
+        let sec = math::sqrt(one_plus_y2);
+        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y_squared = one_plus_y2 - 1.0;
+        let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
+        let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
+        let row2 = ((v3 + self.c2_2) * y_squared) + self.c2_0 + ((v2 + self.c2_1) * y);
+        let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
+        let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
+        let row3 = v5 + self.c3_0 + v4;
+        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_1 * y_squared) + self.c4_1) * y);
+        let row5 = (self.c5_0 * y_squared) + self.c5_0 + (self.c5_1 * y);
+        let v6 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
+        let mut u = ((v6 * sec) + (row5 * x5)) * sec;
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcAlgebraic5Gains, Error> {
+        if !(t.is_finite() && t >= self.t0) {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f35 - T));
+        let v1 = one_plus_y2 * one_plus_y2;
+        let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
+        let sec = math::sqrt(one_plus_y2);
+        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y_squared = one_plus_y2 - 1.0;
+        let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
+        let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
+        let row2 = ((v3 + self.c2_2) * y_squared) + self.c2_0 + ((v2 + self.c2_1) * y);
+        let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
+        let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
+        let row3 = v5 + self.c3_0 + v4;
+        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_1 * y_squared) + self.c4_1) * y);
+        let row5 = (self.c5_0 * y_squared) + self.c5_0 + (self.c5_1 * y);
+        let v6 = sec * sec;
+        let v7 = v6 * sec;
+        let v8 = v7 * sec;
+        Ok(PtcAlgebraic5Gains {
+            gain: [
+                row1 * (v8 * sec),
+                row2 * v8,
+                row3 * v7,
+                row4 * v6,
+                row5 * sec,
+            ],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcAlgebraic5Gains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        let [x1, x2, x3, x4, x5] = *x;
+        let [gain1, gain2, gain3, gain4, gain5] = self.gain;
+        if !(x1.is_finite()
+            && x2.is_finite()
+            && x3.is_finite()
+            && x4.is_finite()
+            && x5.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut status = self.status;
+        let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+        let mut u = v1;
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<5> for PtcAlgebraic5 {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,520 @@
+//! Prescribed-time controller ptc_exp_sum2_of_three: order n = 2, mapping exp_sum.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu "exp_sum(3)" --name ptc_exp_sum2_of_three
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   rates: rates a_i of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = tau*mean_i(1 - exp(-a_i*t))
+//!   kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
+//!   atoms: e_i = exp(-a_i*t)
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
+//!   r_1 = 1/3*tau*a1*e1 + 1/3*tau*a2*e2 + 1/3*tau*a3*e3
+//!   r_2 = -1/3*tau*a1^2*e1 - 1/3*tau*a2^2*e2 - 1/3*tau*a3^2*e3
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!   B_{1,1} = r1
+//!   B_{2,1} = r2
+//!
+//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//!   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
+//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
+//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Operations of one step: 35 + or -, 42 *, 5 /, 7 functions, one round of the iteration.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold`.
+    Saturated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn exp(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::exp(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.exp()
+        }
+    }
+
+    #[inline]
+    pub fn ln(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::log(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.ln()
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcExpSum2OfThree`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcExpSum2OfThreeParams {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rates a_i of stretched time, unit 1/s, finite, > 0.
+    pub rates: [f64; 3],
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 2],
+}
+
+/// Prescribed-time controller of order 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcExpSum2OfThree {
+    /// rates a_i of stretched time
+    a1: f64,
+    /// rates a_i of stretched time
+    a2: f64,
+    /// rates a_i of stretched time
+    a3: f64,
+    /// start time
+    t0: f64,
+    /// prescribed settling time
+    tau: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// N/tau, N the number of rates
+    target_rate: f64,
+    /// 1/min a_i
+    slowest: f64,
+    /// 1/mean a_i
+    mean_period: f64,
+    /// size of the last step of the iteration
+    tolerance: f64,
+    /// weight of exp(-a1*y) in r1/1!
+    b1_1: f64,
+    /// weight of exp(-a2*y) in r1/1!
+    b1_2: f64,
+    /// weight of exp(-a3*y) in r1/1!
+    b1_3: f64,
+    /// weight of exp(-a1*y) in r2/2!
+    b2_1: f64,
+    /// weight of exp(-a2*y) in r2/2!
+    b2_2: f64,
+    /// weight of exp(-a3*y) in r2/2!
+    b2_3: f64,
+    /// weighted gain -0!*k1
+    w1: f64,
+    /// weighted gain -1!*k2
+    w2: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcExpSum2OfThree`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcExpSum2OfThreeGains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
+    pub gain: [f64; 2],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcExpSum2OfThree {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcExpSum2OfThreeParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a1 = params.rates[0];
+        let a2 = params.rates[1];
+        let a3 = params.rates[2];
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        if !(tau.is_finite()
+            && tau > 0.0
+            && t0.is_finite()
+            && eps > 0.0
+            && eps < tau
+            && u_max > 0.0
+            && a1.is_finite()
+            && a1 > 0.0
+            && a2.is_finite()
+            && a2 > 0.0
+            && a3.is_finite()
+            && a3 > 0.0
+            && k1.is_finite()
+            && k2.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let target_rate = 3.0 / tau;
+        let v1 = 1.0 / a1;
+        let v2 = if a1 < a2 { a2 } else { a1 };
+        let v3 = 1.0 / a2;
+        let v4 = if v1 < v3 { v3 } else { v1 };
+        let v5 = 1.0 / a3;
+        let slowest = if v4 < v5 { v5 } else { v4 };
+        let mean_period = 3.0 / (a1 + a2 + a3);
+        let tolerance = 0.001 / (if v2 < a3 { a3 } else { v2 });
+        let b1_1 = 0.3333333333333333 * a1 * tau;
+        let b1_2 = 0.3333333333333333 * a2 * tau;
+        let b1_3 = 0.3333333333333333 * a3 * tau;
+        let b2_1 = (-0.16666666666666666) * (a1 * a1) * tau;
+        let b2_2 = (-0.16666666666666666) * (a2 * a2) * tau;
+        let b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
+        let w1 = -k1;
+        let w2 = -k2;
+        let mut built = Self {
+            a1,
+            a2,
+            a3,
+            tau,
+            eps,
+            target_rate,
+            slowest,
+            mean_period,
+            tolerance,
+            b1_1,
+            b1_2,
+            b1_3,
+            b2_1,
+            b2_2,
+            b2_3,
+            w1,
+            w2,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.target_rate.is_finite()
+            && built.slowest.is_finite()
+            && built.mean_period.is_finite()
+            && built.tolerance.is_finite()
+            && built.b1_1.is_finite()
+            && built.b1_2.is_finite()
+            && built.b1_3.is_finite()
+            && built.b2_1.is_finite()
+            && built.b2_2.is_finite()
+            && built.b2_3.is_finite()
+            && built.w1.is_finite()
+            && built.w2.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        if !(t.is_finite() && t >= self.t0
+            && x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let target = T * self.target_rate;
+        let v1 = -math::ln(target / 3.0);
+        let v2 = v1 * self.mean_period;
+        let v3 = (v1 - 1.098611831665039) * self.slowest;
+        let mut y = if v2 < v3 { v3 } else { v2 };
+        let mut y_low = v2;
+        let mut y_high = v1 * self.slowest;
+        for _ in 0..12 {
+            let v4 = math::exp(-(self.a1 * y));
+            let v5 = math::exp(-(self.a2 * y));
+            let v6 = math::exp(-(self.a3 * y));
+            let v7 = self.a1 * v4;
+            let v8 = self.a2 * v5;
+            let v9 = v4 + v5 + v6;
+            let v10 = self.a3 * v6;
+            let v11 = (2.0 * (v9 - target)) / (v9 + target);
+            let v12 = 1.0 / (v7 + v8 + v10);
+            let v13 = v9 * v12;
+            let v14 = (((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v12 * v13) - 1.0;
+            let v15 = v11 * v13 * (1.0 + (0.5 * v11 * v14));
+            let y_next = y + v15;
+            let y_size = v15.abs();
+            if v11 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= self.tolerance {
+                break;
+            }
+        }
+        let v16 = math::exp(-(self.a1 * y));
+        let v17 = math::exp(-(self.a2 * y));
+        let v18 = math::exp(-(self.a3 * y));
+        let v19 = self.a1 * v16;
+        let v20 = self.a2 * v17;
+        let v21 = self.a3 * v18;
+        let v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
+        let v23 = v16 - (v19 * v22);
+        let v24 = v17 - (v20 * v22);
+        let v25 = v18 - (v21 * v22);
+        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v24) + (self.b1_3 * v25));
+        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v24) + (self.b2_3 * v25)) * inv_r1;
+        let v26 = ((self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2)) * inv_r1;
+        let mut u = v26;
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcExpSum2OfThreeGains, Error> {
+        if !(t.is_finite() && t >= self.t0) {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let target = T * self.target_rate;
+        let v1 = -math::ln(target / 3.0);
+        let v2 = v1 * self.mean_period;
+        let v3 = (v1 - 1.098611831665039) * self.slowest;
+        let mut y = if v2 < v3 { v3 } else { v2 };
+        let mut y_low = v2;
+        let mut y_high = v1 * self.slowest;
+        for _ in 0..12 {
+            let v4 = math::exp(-(self.a1 * y));
+            let v5 = math::exp(-(self.a2 * y));
+            let v6 = math::exp(-(self.a3 * y));
+            let v7 = self.a1 * v4;
+            let v8 = self.a2 * v5;
+            let v9 = v4 + v5 + v6;
+            let v10 = self.a3 * v6;
+            let v11 = (2.0 * (v9 - target)) / (v9 + target);
+            let v12 = 1.0 / (v7 + v8 + v10);
+            let v13 = v9 * v12;
+            let v14 = (((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v12 * v13) - 1.0;
+            let v15 = v11 * v13 * (1.0 + (0.5 * v11 * v14));
+            let y_next = y + v15;
+            let y_size = v15.abs();
+            if v11 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= self.tolerance {
+                break;
+            }
+        }
+        let v16 = math::exp(-(self.a1 * y));
+        let v17 = math::exp(-(self.a2 * y));
+        let v18 = math::exp(-(self.a3 * y));
+        let v19 = self.a1 * v16;
+        let v20 = self.a2 * v17;
+        let v21 = self.a3 * v18;
+        let v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
+        let v23 = v16 - (v19 * v22);
+        let v24 = v17 - (v20 * v22);
+        let v25 = v18 - (v21 * v22);
+        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v24) + (self.b1_3 * v25));
+        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v24) + (self.b2_3 * v25)) * inv_r1;
+        Ok(PtcExpSum2OfThreeGains {
+            gain: [
+                self.w1 * (inv_r1 * inv_r1),
+                (self.w2 + ((-2.0) * p2)) * inv_r1,
+            ],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcExpSum2OfThreeGains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        let [gain1, gain2] = self.gain;
+        if !(x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut status = self.status;
+        let mut u = (gain1 * x1) + (gain2 * x2);
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<2> for PtcExpSum2OfThree {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,382 @@
+//! Prescribed-time controller ptc_tan2: order n = 2, mapping tan.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu tan
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = (2*tau/pi)*atan(a*t)
+//!   kappa(Dt) = cot(th)/a, th = pi*T/(2*tau)
+//!   atoms: y = cot(th), V = 1/(1 + y^2)
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) (k-1)! (2*tau/pi) a^k sin(k*th) sin(th)^k
+//!   r_1 = 2*pi^-1*tau*a*V
+//!   r_2 = -4*pi^-1*tau*a^2*y*V^2
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!   B_{1,1} = 2*pi^-1*tau*a*V
+//!   B_{2,1} = -4*pi^-1*tau*a^2*y*V^2
+//!
+//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
+//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//!   gain_j = row_j
+//!   K_i = k_i/(a)^(n+1-i)
+//!   row_1 = -K1*slope^2
+//!   row_2 = -2*pi^-1*tau*K2*cot_rate^2 - 1/2*pi*tau^-1*K2 + 2*cot_rate
+//!   cot_rate = (pi/(2*tau))*y = (pi/(2*tau))*cot(th)
+//!   slope = (pi/(2*tau))*(1 + y^2) = kappa'/a
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Operations of one step: 21 + or -, 29 *, 1 /, 0 functions.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold`.
+    Saturated,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`PtcTan2`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcTan2Params {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time, unit 1/s, finite, > 0.
+    pub a: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 2],
+}
+
+/// Prescribed-time controller of order 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcTan2 {
+    /// coefficient of slope^2 in the gain of x1
+    c1_2: f64,
+    /// prescribed settling time
+    tau: f64,
+    /// pi/(2*tau)
+    angle_rate: f64,
+    /// 2*tau/pi
+    inv_angle_rate: f64,
+    /// start time
+    t0: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// 1/tau
+    inv_tau: f64,
+    /// coefficient of cot_rate^0 in the gain of x2
+    c2_0: f64,
+    /// coefficient of cot_rate^2 in the gain of x2
+    c2_2: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcTan2`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcTan2Gains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
+    pub gain: [f64; 2],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcTan2 {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcTan2Params) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        if !(tau.is_finite()
+            && tau > 0.0
+            && t0.is_finite()
+            && eps > 0.0
+            && eps < tau
+            && u_max > 0.0
+            && a.is_finite()
+            && a > 0.0
+            && k1.is_finite()
+            && k2.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let K1 = k1 / (a * a);
+        let K2 = k2 / a;
+        let c1_2 = -K1;
+        let angle_rate = 1.5707963267948966 / tau;
+        let inv_angle_rate = 0.6366197723675814 * tau;
+        let inv_tau = 1.0 / tau;
+        let c2_0 = (-(1.5707963267948966 * K2)) / tau;
+        let c2_2 = (-(0.6366197723675814 * K2)) * tau;
+        let mut built = Self {
+            c1_2,
+            tau,
+            angle_rate,
+            inv_angle_rate,
+            eps,
+            inv_tau,
+            c2_0,
+            c2_2,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.c1_2.is_finite()
+            && built.angle_rate.is_finite()
+            && built.inv_angle_rate.is_finite()
+            && built.inv_tau.is_finite()
+            && built.c2_0.is_finite()
+            && built.c2_2.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        if !(t.is_finite() && t >= self.t0
+            && x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let v1 = T * self.inv_tau;
+        let inv_T_squared = 1.0 / (T * T);
+        let v2 = v1 * v1;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
+        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
+        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
+        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
+        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
+        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
+        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
+        let th_cot_th = (v9 * v2) + 1.0;
+        let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+        let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
+        let row1 = self.c1_2 * slope * slope;
+        let cot_rate = T * inv_T_squared * th_cot_th;
+        let row2 = (self.c2_2 * cot_rate_squared) + self.c2_0 + (2.0 * cot_rate);
+        let mut u = (row1 * x1) + (row2 * x2);
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcTan2Gains, Error> {
+        if !(t.is_finite() && t >= self.t0) {
+            return Err(Error::Input);
+        }
+        let mut T = (self.deadline - t) + self.correction;
+        let mut status = Status::Ok;
+        if T <= self.eps {
+            T = self.eps;
+            status = Status::Hold;
+        }
+        let v1 = T * self.inv_tau;
+        let inv_T_squared = 1.0 / (T * T);
+        let v2 = v1 * v1;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
+        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
+        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
+        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
+        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
+        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
+        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
+        let th_cot_th = (v9 * v2) + 1.0;
+        let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+        let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
+        let row1 = self.c1_2 * slope * slope;
+        let cot_rate = T * inv_T_squared * th_cot_th;
+        let row2 = (self.c2_2 * cot_rate_squared) + self.c2_0 + (2.0 * cot_rate);
+        Ok(PtcTan2Gains {
+            gain: [
+                row1,
+                row2,
+            ],
+            u_max: self.u_max,
+            status,
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcTan2Gains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        let [gain1, gain2] = self.gain;
+        if !(x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let mut status = self.status;
+        let mut u = (gain1 * x1) + (gain2 * x2);
+        if u > self.u_max {
+            u = self.u_max;
+            status = Status::Saturated;
+        } else if u < -self.u_max {
+            u = -self.u_max;
+            status = Status::Saturated;
+        }
+        if !u.is_finite() {
+            return Err(Error::Range);
+        }
+        Ok(Control { u, status })
+    }
+}
+
+impl Controller<2> for PtcTan2 {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,150 @@
+//! generated/ holds what the generator writes, each file of it compiled, so that a change of the
+//! emitted code is seen in review. Refresh it with `UPDATE_GOLDEN=1 cargo test --test golden`.
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::Spec;
+use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, specs, write};
+
+const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
+
+/// The controllers whose sources are kept.
+fn controllers() -> Vec<Spec> {
+    let spec = specs::spec;
+    let mut all: Vec<_> =
+        specs::families().flat_map(|family| (1..=5).map(move |n| Spec::new(n, family))).collect();
+    all.extend([
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_f32"), ("precision", "f32")]),
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_result"), ("guard", "result")]),
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_trusting"), ("guard", "none")]),
+        spec(&[("n", "2"), ("mu", "exp_sum(3)"), ("name", "ptc_exp_sum2_of_three")]),
+        spec(&[
+            ("n", "3"),
+            ("mu", "exp(a=1)"),
+            ("name", "ptc_exp3_fixed"),
+            ("gains", "24,26,9"),
+            ("tau", "2"),
+            ("t0", "0"),
+            ("eps", "1e-3"),
+            ("u_max", "50"),
+        ]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "power(a=0.5,m=2)"),
+            ("name", "ptc_power2_unbounded"),
+            ("gains", "1,2"),
+            ("u_max", "inf"),
+        ]),
+    ]);
+    all
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("generated")
+}
+
+/// Every golden by its path in generated/.
+fn wanted() -> BTreeMap<PathBuf, String> {
+    let mut wanted = BTreeMap::new();
+    for spec in controllers() {
+        for (language, folder) in [(Language::C, "c"), (Language::Rust, "rust")] {
+            for file in ptc_codegen::generate(&spec, language).expect("a legal spec") {
+                let path = Path::new(folder).join(file.name);
+                let before = wanted.insert(path, file.text);
+                assert_eq!(before, None, "two controllers of one name: {}", spec.name());
+            }
+        }
+    }
+    wanted
+}
+
+/// Every file in generated/ by its path there.
+fn kept() -> BTreeMap<PathBuf, String> {
+    let mut kept = BTreeMap::new();
+    for folder in ["c", "rust"] {
+        let Ok(entries) = fs::read_dir(root().join(folder)) else { continue };
+        for entry in entries {
+            let entry = entry.expect("an entry");
+            let text = fs::read_to_string(entry.path()).expect("a text");
+            kept.insert(Path::new(folder).join(entry.file_name()), text);
+        }
+    }
+    kept
+}
+
+#[test]
+fn generated_is_what_the_generator_writes() {
+    let wanted = wanted();
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        for stale in kept().keys().filter(|path| !wanted.contains_key(*path)) {
+            fs::remove_file(root().join(stale)).expect("a stale file goes");
+        }
+        for (path, text) in &wanted {
+            let path = root().join(path);
+            fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+            fs::write(path, text).expect("a golden");
+        }
+    }
+    let kept = kept();
+    let paths = |files: &BTreeMap<PathBuf, String>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(paths(&kept), paths(&wanted), "the files in generated/; {REFRESH}");
+    for (path, text) in &wanted {
+        let line = text.lines().zip(kept[path].lines()).position(|(a, b)| a != b);
+        let same = kept[path] == *text;
+        assert!(same, "{} differs, first in line index {line:?}; {REFRESH}", path.display());
+    }
+}
+
+#[test]
+fn every_golden_in_c_compiles_without_a_warning() {
+    let folder = folder("golden_c");
+    in_pairs(&controllers(), |spec| {
+        for file in write(&folder, spec, Language::C) {
+            if file.extension().is_some_and(|extension| extension == "c") {
+                let object = file.with_extension("o");
+                run(c_compiler().args(STRICT).arg("-c").arg(&file).arg("-o").arg(object));
+            }
+        }
+    });
+}
+
+/// Each a crate of its own, `no_std` for the families that call no function at all.
+#[test]
+fn every_golden_in_rust_compiles_without_a_warning() {
+    let folder = folder("golden_rust");
+    in_pairs(&controllers(), |spec| {
+        let source = write(&folder, spec, Language::Rust).remove(0);
+        let bare = matches!(spec.family, Family::Exp | Family::Rational | Family::Tanh);
+        let no_std = if bare { "#![no_std]\n" } else { "" };
+        let name = spec.name();
+        let crate_root = folder.join(format!("{name}_crate.rs"));
+        fs::write(&crate_root, format!("{no_std}pub mod {name};\n")).expect("a file");
+        let mut compiler = rustc();
+        compiler.args(["--crate-type=lib", "--emit=metadata", "-o"]);
+        run(compiler.arg(source.with_extension("rmeta")).arg(&crate_root));
+    });
+}
+
+#[test]
+fn generating_twice_gives_the_same_bytes() {
+    assert_eq!(wanted(), wanted());
+}
+
+/// The macro expands to the items of the golden, on the types of the facade.
+#[test]
+fn the_macro_expands_to_the_golden() {
+    for spec in controllers() {
+        let items = ptc_codegen::macro_items(&spec).expect("a legal spec");
+        let file = ptc_codegen::generate(&spec, Language::Rust).expect("a legal spec").remove(0);
+        assert!(items.contains("::ptc::"), "{}", spec.name());
+        let real = support::program::real(spec.precision);
+        let own = items.replace(&format!("::ptc::math::{real}::"), "math::").replace("::ptc::", "");
+        assert!(file.text.ends_with(&own), "{}: the file does not end in\n{own}", spec.name());
+    }
+}

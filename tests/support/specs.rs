@@ -1,0 +1,59 @@
+//! Specs, as a front end would read them.
+
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read};
+
+/// The spec of keys and values as they are written on the command line.
+pub(crate) fn spec(keys: &[(&str, &str)]) -> Spec {
+    let entry = |(key, text): &(&str, &str)| Entry {
+        key: (*key).to_owned(),
+        place: Place(0),
+        value: parse(key, text, &mut |_| Place(0)).expect("a value"),
+    };
+    let entries: Vec<_> = keys.iter().map(entry).collect();
+    read(&entries).unwrap_or_else(|found| panic!("{keys:?}: {found:?}"))
+}
+
+/// Every family.
+pub(crate) fn families() -> impl Iterator<Item = Family> {
+    ptc_codegen::mapping::FAMILIES.iter().map(|info| info.family)
+}
+
+/// What a run-time parameter of the given values is.
+pub(crate) struct Values<'a> {
+    pub(crate) tau: f64,
+    pub(crate) t0: f64,
+    pub(crate) eps: f64,
+    pub(crate) u_max: f64,
+    pub(crate) a: f64,
+    pub(crate) m: f64,
+    pub(crate) rates: &'a [f64],
+    pub(crate) k: &'a [f64],
+}
+
+impl Values<'_> {
+    /// The value of one parameter.
+    pub(crate) fn get(&self, parameter: Parameter) -> f64 {
+        match parameter {
+            Parameter::Tau => self.tau,
+            Parameter::StartTime => self.t0,
+            Parameter::Eps => self.eps,
+            Parameter::UMax => self.u_max,
+            Parameter::A => self.a,
+            Parameter::M => self.m,
+            Parameter::Rate(i) => self.rates[i - 1],
+            Parameter::Gain(i) => self.k[i - 1],
+        }
+    }
+
+    /// Those that `spec` leaves to run time, in the order of the struct.
+    pub(crate) fn run_time(&self, spec: &Spec) -> Vec<f64> {
+        spec.run_time_parameters().map(|parameter| self.get(parameter)).collect()
+    }
+}
+
+/// `value` in `precision`.
+pub(crate) fn rounded(value: f64, precision: Precision) -> f64 {
+    ptc_codegen::program::number::settle(value, precision)
+}
