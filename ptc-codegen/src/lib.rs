@@ -9,11 +9,11 @@ pub mod mapping;
 pub mod program;
 pub mod spec;
 
-use diagnostic::Diagnostic;
+use diagnostic::{Diagnostic, Diagnostics};
 use emit::{Controller, File, Language};
 use law::LinearLaw;
-use program::{Program, passes};
-use spec::Spec;
+use program::{Op, Program, number, passes};
+use spec::{Precision, Spec};
 
 /// Generates the source files of one controller.
 ///
@@ -21,7 +21,7 @@ use spec::Spec;
 /// Everything in the spec that cannot be generated.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     let law = LinearLaw::new(spec.n, &spec.mapping());
-    let program = optimised(spec, &law);
+    let program = optimised(spec, &law)?;
     Ok(emit::emit(&Controller { spec, law: &law, program: &program }, language))
 }
 
@@ -32,7 +32,7 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// Everything in the spec that cannot be generated.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
     let law = LinearLaw::new(spec.n, &spec.mapping());
-    let program = optimised(spec, &law);
+    let program = optimised(spec, &law)?;
     Ok(emit::emit_items(&Controller { spec, law: &law, program: &program }))
 }
 
@@ -53,6 +53,23 @@ pub fn dump(spec: &Spec, name: &str) -> Option<String> {
     text
 }
 
-fn optimised(spec: &Spec, law: &LinearLaw) -> Program {
-    passes::optimise(lower::lower(spec, law), &mut |_, _| {})
+/// The staged program, with all passes run. What the spec fixes must leave every coefficient finite.
+fn optimised(spec: &Spec, law: &LinearLaw) -> Result<Program, Vec<Diagnostic>> {
+    let program = passes::optimise(lower::lower(spec, law), &mut |_, _| {});
+    let overflow = program.values.iter().find(|definition| {
+        matches!(&definition.op, Op::Number(value)
+            if !number::round(value, spec.precision).is_finite())
+    });
+    let Some(overflow) = overflow else { return Ok(program) };
+    let name = overflow.name.as_ref().map_or("a coefficient", |(_, meaning)| meaning.as_str());
+    let precision = if spec.precision == Precision::F32 { "f32" } else { "f64" };
+    let mut found = Diagnostics::default();
+    found.push(
+        "overflow",
+        "mu",
+        None,
+        format!("{name} overflows {precision} with the values that are fixed"),
+        "the coefficients hold k_i/a^(n+1-i): give a rate nearer to 1, smaller gains or a lower order",
+    );
+    found.finish(None)
 }

@@ -24,11 +24,16 @@ pub(super) fn pi() -> BigRational {
     BigRational::new(numerator, num_traits::pow(BigInt::from(10), DIGITS.len() - 1))
 }
 
-/// The exact value of a symbol that is known at generation.
+/// pi^exponent to 50 digits, cut there so that high powers do not grow without bound.
+fn pi_power(exponent: i32) -> BigRational {
+    let power = num_traits::pow(pi(), exponent.unsigned_abs() as usize);
+    let power = if exponent < 0 { power.recip() } else { power };
+    let scale = BigRational::from_integer(num_traits::pow(BigInt::from(10), 50));
+    (power * &scale).round() / scale
+}
+
+/// The exact value of a parameter that is known at generation.
 fn fixed(spec: &Spec, symbol: Symbol) -> Option<BigRational> {
-    if symbol.kind == Kind::Pi {
-        return Some(pi());
-    }
     let parameter = Parameter::of_symbol(symbol)?;
     spec.fixed.get(&parameter).and_then(Fixed::number).cloned()
 }
@@ -73,7 +78,12 @@ pub(super) fn scaled_gains(b: &mut Builder<'_>, rate: &Poly) -> Vec<ScaledGain> 
 
 /// `poly` with everything substituted that is known at generation, exactly.
 pub(super) fn with_fixed(spec: &Spec, poly: &Poly, scaled: &[ScaledGain]) -> Poly {
-    poly.substitute(|symbol| {
+    let pi = Symbol::plain(Kind::Pi);
+    let mut without_pi = Poly::zero();
+    for (exponent, part) in poly.collect(pi) {
+        without_pi = without_pi.plus(&part.scaled(&pi_power(exponent)));
+    }
+    without_pi.substitute(|symbol| {
         if symbol.kind == Kind::ScaledGain {
             return match scaled.get(usize::from(symbol.index).wrapping_sub(1)) {
                 Some(ScaledGain::Number(number)) => Some(Poly::constant(number.clone())),

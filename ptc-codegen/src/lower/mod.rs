@@ -107,23 +107,35 @@ impl Rows {
         }
     }
 
-    /// The gains by themselves, for several axes that share one deadline.
+    /// The gains by themselves, for several axes that share one deadline. A power of 1/base meets
+    /// its row in two halves: the power alone would leave the range before the gain does.
     fn gains(&self, b: &mut Builder<'_>) -> Vec<Value> {
-        let mut power: Option<Value> = None;
-        let mut gains = Vec::with_capacity(self.rows.len());
-        for row in self.rows.iter().rev() {
-            let row = row.unwrap_or_else(|| b.integer(0));
-            gains.push(match self.base {
-                None => row,
-                Some(Factor::Divide(late)) => b.div(row, late),
-                Some(Factor::Multiply(inverse)) => {
-                    let raised = power.map_or(inverse, |power| b.mul(power, inverse));
-                    power = Some(raised);
-                    b.mul(row, raised)
-                }
-            });
+        let n = self.rows.len();
+        let half = n.div_ceil(2);
+        let mut powers: Vec<Value> = Vec::with_capacity(half);
+        if let Some(Factor::Multiply(inverse)) = self.base {
+            powers.push(inverse);
+            for k in 1..half {
+                powers.push(b.mul(powers[k - 1], inverse));
+            }
         }
-        gains.reverse();
+        let mut gains = Vec::with_capacity(n);
+        for (j, row) in self.rows.iter().enumerate() {
+            let mut gain = row.unwrap_or_else(|| b.integer(0));
+            let exponent = n - j;
+            match self.base {
+                None => {}
+                Some(Factor::Divide(late)) => gain = b.div(gain, late),
+                Some(Factor::Multiply(_)) => {
+                    for part in [exponent.div_ceil(2), exponent / 2] {
+                        if part > 0 {
+                            gain = b.mul(gain, powers[part - 1]);
+                        }
+                    }
+                }
+            }
+            gains.push(gain);
+        }
         gains
     }
 }
