@@ -21,6 +21,13 @@ impl Monomial {
         if exponent == 0 { Self::one() } else { Self(vec![(symbol, exponent)]) }
     }
 
+    /// The product of `factors`, which are sorted by symbol, each symbol once, no exponent 0.
+    pub(crate) fn from_sorted(factors: Vec<(Symbol, i32)>) -> Self {
+        debug_assert!(factors.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        debug_assert!(factors.iter().all(|(_, exponent)| *exponent != 0));
+        Self(factors)
+    }
+
     /// The factors in symbol order, exponents nonzero.
     pub fn factors(&self) -> &[(Symbol, i32)] {
         &self.0
@@ -189,6 +196,12 @@ impl Poly {
 
     /// Non-negative integer power.
     pub fn pow(&self, exponent: u32) -> Self {
+        if let Some((monomial, coefficient)) = self.single_term() {
+            // In lowest terms already: no common factor comes in by raising to a power.
+            let (numerator, denominator) = (coefficient.numer(), coefficient.denom());
+            let power = BigRational::new_raw(numerator.pow(exponent), denominator.pow(exponent));
+            return Self::term(power, monomial.pow(i32::try_from(exponent).unwrap_or(i32::MAX)));
+        }
         (0..exponent).fold(Self::one(), |product, _| product.times(self))
     }
 
@@ -217,23 +230,39 @@ impl Poly {
     /// Replaces symbols by polynomials (`None`: left alone). A symbol that stands in a negative
     /// power must be replaced by a single term.
     pub fn substitute(&self, value: impl Fn(Symbol) -> Option<Poly>) -> Self {
+        // A power is formed once, whatever number of terms it stands in.
+        let mut powers: BTreeMap<(Symbol, i32), Option<Poly>> = BTreeMap::new();
         let mut result = Self::zero();
         for (monomial, coefficient) in &self.0 {
-            let mut product = Self::constant(coefficient.clone());
+            let mut replaced: Option<Poly> = None;
+            let mut kept = Vec::with_capacity(monomial.factors().len());
             for (symbol, exponent) in monomial.factors() {
-                let factor = match value(*symbol) {
-                    None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
-                    Some(poly) if *exponent >= 0 => poly.pow(exponent.unsigned_abs()),
-                    Some(poly) => match poly.inverse() {
-                        Some(inverse) => inverse.pow(exponent.unsigned_abs()),
-                        None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
-                    },
-                };
-                product = product.times(&factor);
+                let power = powers
+                    .entry((*symbol, *exponent))
+                    .or_insert_with(|| value(*symbol).and_then(|poly| poly.integer_pow(*exponent)));
+                match (power, &replaced) {
+                    (None, _) => kept.push((*symbol, *exponent)),
+                    (Some(power), None) => replaced = Some(power.clone()),
+                    (Some(power), Some(product)) => replaced = Some(product.times(power)),
+                }
             }
-            result = result.plus(&product);
+            let rest = Monomial::from_sorted(kept);
+            match replaced {
+                None => result.add_term(coefficient.clone(), rest),
+                Some(product) => {
+                    for (m, c) in &product.0 {
+                        result.add_term(c * coefficient, m.times(&rest));
+                    }
+                }
+            }
         }
         result
+    }
+
+    /// Integer power; a negative one exists only for a single term.
+    fn integer_pow(&self, exponent: i32) -> Option<Self> {
+        let base = if exponent < 0 { self.inverse()? } else { self.clone() };
+        Some(base.pow(exponent.unsigned_abs()))
     }
 
     /// The polynomial as one in `symbol`: coefficient polynomials by exponent.
@@ -256,6 +285,11 @@ impl Poly {
 
 impl FromIterator<(Monomial, BigRational)> for Poly {
     fn from_iter<I: IntoIterator<Item = (Monomial, BigRational)>>(terms: I) -> Self {
+        let terms: Vec<_> = terms.into_iter().collect();
+        if terms.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+            // Distinct and in order: the map is built in one pass.
+            return Self(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect());
+        }
         let mut poly = Self::zero();
         for (monomial, coefficient) in terms {
             poly.add_term(coefficient, monomial);
