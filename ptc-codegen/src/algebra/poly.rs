@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, Zero};
 
+use super::rational::{add, product};
 use super::{BigRational, Symbol, integer};
 
 /// A product of powers of symbols: sorted by symbol, no exponent zero.
@@ -154,7 +155,7 @@ impl Poly {
                 slot.insert(coefficient);
             }
             Entry::Occupied(mut slot) => {
-                *slot.get_mut() += coefficient;
+                add(slot.get_mut(), coefficient);
                 if slot.get().is_zero() {
                     slot.remove();
                 }
@@ -172,13 +173,13 @@ impl Poly {
 
     /// Product.
     pub fn times(&self, other: &Self) -> Self {
-        let mut product = Self::zero();
+        let mut sum = Self::zero();
         for (left, a) in &self.0 {
             for (right, b) in &other.0 {
-                product.add_term(a * b, left.times(right));
+                sum.add_term(product(a, b), left.times(right));
             }
         }
-        product
+        sum
     }
 
     /// Product with a constant.
@@ -186,7 +187,7 @@ impl Poly {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self(self.0.iter().map(|(m, c)| (m.clone(), c * factor)).collect())
+        Self(self.0.iter().map(|(m, c)| (m.clone(), product(c, factor))).collect())
     }
 
     /// Product with a monomial.
@@ -218,9 +219,9 @@ impl Poly {
             for (symbol, exponent) in monomial.factors() {
                 let Some(inner) = derivative(*symbol) else { continue };
                 let outer = monomial.times(&Monomial::power(*symbol, -1));
-                let factor = coefficient * integer(i64::from(*exponent));
+                let factor = product(coefficient, &integer(i64::from(*exponent)));
                 for (m, c) in &inner.0 {
-                    total.add_term(c * &factor, m.times(&outer));
+                    total.add_term(product(c, &factor), m.times(&outer));
                 }
             }
         }
@@ -243,15 +244,15 @@ impl Poly {
                 match (power, &replaced) {
                     (None, _) => kept.push((*symbol, *exponent)),
                     (Some(power), None) => replaced = Some(power.clone()),
-                    (Some(power), Some(product)) => replaced = Some(product.times(power)),
+                    (Some(power), Some(poly)) => replaced = Some(poly.times(power)),
                 }
             }
             let rest = Monomial::from_sorted(kept);
             match replaced {
                 None => result.add_term(coefficient.clone(), rest),
-                Some(product) => {
-                    for (m, c) in &product.0 {
-                        result.add_term(c * coefficient, m.times(&rest));
+                Some(replaced) => {
+                    for (m, c) in &replaced.0 {
+                        result.add_term(product(c, coefficient), m.times(&rest));
                     }
                 }
             }
