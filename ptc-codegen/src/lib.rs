@@ -36,6 +36,23 @@ pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
     Ok(emit::emit_items(&Controller { spec, law: &law, program: &program }))
 }
 
+/// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
+/// text; `None` where there is no such pass.
+pub fn dump(spec: &Spec, name: &str) -> Option<String> {
+    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let lowered = lower::lower(spec, &law);
+    if name == "lower" {
+        return Some(program::dump::dump(&lowered));
+    }
+    let mut text = None;
+    passes::optimise(lowered, &mut |pass, program| {
+        if pass.name == name {
+            text = Some(program::dump::dump(program));
+        }
+    });
+    text
+}
+
 fn optimised(spec: &Spec, law: &LinearLaw) -> Program {
     passes::optimise(lower::lower(spec, law), &mut |_, _| {})
 }

@@ -479,3 +479,11 @@ fn a_full_standard_output_is_told() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write"));
 }
+
+#[test]
+fn dump_shows_the_program_after_a_pass() {
+    let args = |pass| ["emit", "--lang", "c", "--n", "2", "--mu", "power(m=3)", "--dump", pass];
+    let (lowered, chained) = (stdout(&args("lower")), stdout(&args("chains")));
+    assert!(lowered.contains(" power v") && !chained.contains(" power v"), "{lowered}{chained}");
+    assert!(stderr(&args("chain"), 2).contains("chains"), "a near miss is suggested");
+}

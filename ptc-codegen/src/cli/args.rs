@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
 use ptc_codegen::emit::Language;
+use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
 
 use super::report::quoted;
@@ -71,6 +72,14 @@ pub(crate) struct Emit {
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,
+    /// Print the program after PASS instead of any source (lower: before the first)
+    #[arg(long, value_name = "PASS", value_parser = pass_names())]
+    pub(crate) dump: Option<String>,
+}
+
+/// The passes by name, and the program as it is before them.
+fn pass_names() -> Vec<&'static str> {
+    std::iter::once("lower").chain(PASSES.iter().map(|pass| pass.name)).collect()
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

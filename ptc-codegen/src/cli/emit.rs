@@ -15,6 +15,9 @@ use super::write;
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     let flags = request.spec.0.parse();
     let spec = flags.read()?;
+    if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
+        return write::to_stdout(&program);
+    }
     let files = match generate(&spec, request.lang.into()) {
         Ok(files) => files,
         Err(found) => return flags.finish(None, found),

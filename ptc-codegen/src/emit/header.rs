@@ -178,12 +178,17 @@ fn count(controller: &Controller<'_>) -> Vec<String> {
     let step = cost::count(program, &[program.step], Stage::Tick);
     let loops =
         if controller.spec.family.is_iterated() { ", one round of the iteration" } else { "" };
+    let cycles: Vec<_> = cost::WEIGHTS
+        .iter()
+        .map(|w| format!("{} about {} cycles", w.target, step.cycles(w)))
+        .collect();
     vec![
         String::new(),
         format!(
-            "Operations of one step: {} + or -, {} *, {} /, {} functions{loops}.",
-            step.add, step.mul, step.div, step.functions
+            "Operations of one step: {} + - or comparison, {} *, {} /, {} sqrt, {} calls{loops}.",
+            step.add, step.mul, step.div, step.sqrt, step.calls
         ),
+        format!("Latencies added up: {}.", cycles.join(", ")),
     ]
 }
 

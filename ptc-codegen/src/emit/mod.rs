@@ -4,6 +4,7 @@
 //! holds structure and API text, never arithmetic.
 
 mod c;
+mod frame;
 mod header;
 mod plan;
 mod print;
@@ -95,9 +96,4 @@ fn tidy(text: &str) -> String {
     let mut text = lines.join("\n");
     text.push('\n');
     text
-}
-
-/// `lines` joined, each after `indent`.
-fn indented(lines: &[String], indent: &str) -> String {
-    lines.iter().map(|line| format!("{indent}{line}\n")).collect()
 }

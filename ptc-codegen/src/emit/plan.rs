@@ -74,6 +74,7 @@ impl<'a> Plan<'a> {
         let mut kept = BTreeSet::new();
         kept.extend(program.limits.start_time);
         kept.extend(program.limits.u_max);
+        kept.extend([program.limits.hold_from, program.limits.eps]);
         for value in program.needed(&program.outputs()) {
             let definition = program.get(value);
             let phase = Phase::of(definition.stage);
@@ -115,8 +116,10 @@ impl<'a> Plan<'a> {
         match function {
             Function::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
             Function::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
-            Function::Step => vec![self.program.step],
-            Function::Tick => self.program.gains.clone(),
+            Function::Step => vec![self.program.step, self.program.limits.late],
+            Function::Tick => {
+                self.program.gains.iter().copied().chain([self.program.limits.late]).collect()
+            }
             Function::Axis => vec![self.program.axis],
         }
     }

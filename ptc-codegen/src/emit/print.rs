@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::plan::{Function, Plan};
-use crate::program::{Op, Root, Stage, Value, number};
+use crate::program::{Input, Op, Root, Stage, Value, number};
 use crate::spec::Precision;
 
 /// What differs between the languages.
@@ -12,6 +12,12 @@ pub(super) trait Syntax {
     fn literal(&self, text: &str) -> String;
     /// A field of the controller.
     fn field(&self, name: &str) -> String;
+    /// A field of the controller that `init` is building.
+    fn built(&self, name: &str) -> String;
+    /// A field of the gains.
+    fn gains_field(&self, name: &str) -> String;
+    /// Whether a number is finite.
+    fn finite(&self, name: &str) -> String;
     /// A call of a function of one or two numbers: `sqrt`, `exp`, `log`, `pow`.
     fn call(&self, function: &str, arguments: &[String]) -> String;
     /// |a|.
@@ -20,8 +26,10 @@ pub(super) trait Syntax {
     fn max(&self, a: &str, b: &str) -> String;
     /// Definition of a constant.
     fn define(&self, name: &str, expression: &str) -> String;
-    /// Definition of a time-to-go that is held, and of the status.
-    fn hold(&self, name: &str, time_to_go: &str, eps: &str) -> Vec<String>;
+    /// The smaller one of a and b.
+    fn min(&self, a: &str, b: &str) -> String;
+    /// An input, by its name.
+    fn input(&self, input: Input, name: &str) -> String;
     /// The loop that finds a root; `body` computes one round.
     fn root(&self, root: &RootText<'_>) -> Vec<String>;
 }
@@ -109,8 +117,8 @@ fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value,
     for value in plan.program.needed(roots).into_iter().rev() {
         if uses.contains_key(&value) && !plan.is_field(function, value) {
             let op = &plan.program.get(value).op;
-            // The greater of two values is written with each of them twice.
-            let times = if matches!(op, Op::Max(..)) { 2 } else { 1 };
+            // The greater or smaller of two values is written with each of them twice.
+            let times = if matches!(op, Op::Max(..) | Op::Min(..)) { 2 } else { 1 };
             for operand in op.operands() {
                 *uses.entry(operand).or_default() += times;
             }
@@ -147,15 +155,10 @@ impl Printer<'_> {
             return;
         }
         match &definition.op {
-            Op::Input(_) => {
-                let name = self.plan.name(value).unwrap_or_default().to_owned();
-                self.known.insert(value, Expression::atom(name));
-            }
-            Op::Hold(a, b) => {
-                let name = self.fresh(value);
-                let (time_to_go, eps) = (self.text(*a), self.text(*b));
-                self.lines.extend(self.syntax.hold(&name, &time_to_go, &eps));
-                self.known.insert(value, Expression::atom(name));
+            Op::Input(input) => {
+                let name = self.plan.name(value).unwrap_or_default();
+                let text = self.syntax.input(*input, name);
+                self.known.insert(value, Expression::atom(text));
             }
             Op::Root(root) => self.root(value, root),
             op => {
@@ -202,13 +205,16 @@ impl Printer<'_> {
             Op::Max(a, b) => {
                 Expression { text: self.syntax.max(&operand(a), &operand(b)), operator: Some('?') }
             }
+            Op::Min(a, b) => {
+                Expression { text: self.syntax.min(&operand(a), &operand(b)), operator: Some('?') }
+            }
             Op::Abs(a) => Expression::atom(self.syntax.abs(&self.text(*a))),
             Op::Sqrt(a) => call("sqrt", &[*a]),
             Op::Exp(a) => call("exp", &[*a]),
             Op::Ln(a) => call("log", &[*a]),
             Op::Pow(a, b) => call("pow", &[*a, *b]),
             // The pass `chains` has written powers out, and the caller handles the rest.
-            Op::Power(..) | Op::Input(_) | Op::Hold(..) | Op::Unknown | Op::Root(_) => {
+            Op::Power(..) | Op::Input(_) | Op::Unknown | Op::Root(_) => {
                 Expression::atom(String::new())
             }
         }

@@ -2,17 +2,17 @@
 
 use askama::Template;
 
-use super::plan::{Field, Function, Plan};
-use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, indented, tidy};
-use crate::program::number;
-use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+use super::frame::Frame;
+use super::print::{RootText, Syntax};
+use super::{Controller, Declared, File, Language, declared, header, tidy};
+use crate::program::Input;
+use crate::spec::{Guard, Precision, Spec};
 
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec.name();
     let real = real(controller.spec);
-    let items = Items::new(controller, "").render().unwrap_or_default();
+    let items = render(controller, "");
     let calls = |function: &str| items.contains(&format!("math::{function}("));
     let functions = ["sqrt", "exp", "ln", "pow"].into_iter().filter(|f| calls(f));
     let head = header::lines(controller, Language::Rust);
@@ -27,7 +27,15 @@ pub(super) fn file(controller: &Controller<'_>) -> File {
 
 /// The items alone, on the types of the facade crate.
 pub(super) fn items(controller: &Controller<'_>) -> String {
-    tidy(&Items::new(controller, "::ptc::").render().unwrap_or_default())
+    tidy(&render(controller, "::ptc::"))
+}
+
+/// The items; `runtime` is the path of the types that they stand on.
+fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
+    let spec = controller.spec;
+    let frame = Frame::new(controller, real(spec), &Rust { spec, runtime });
+    let (type_name, parameters) = (spec.type_name(), declared(spec));
+    Items { type_name, runtime, parameters, frame }.render().unwrap_or_default()
 }
 
 fn real(spec: &Spec) -> &'static str {
@@ -65,112 +73,9 @@ impl MathFunction {
     }
 }
 
-impl Items {
-    /// `runtime` is the path of the types that the items stand on.
-    fn new(controller: &Controller<'_>, runtime: &'static str) -> Self {
-        let Controller { spec, program, .. } = *controller;
-        let plan = Plan::new(program);
-        let syntax = Rust { spec, runtime };
-        let body = |function| print::print(&plan, function, &syntax);
-        let inner = "        ";
-        let (init, arm) = (body(Function::Init), body(Function::Arm));
-        let (step, tick, axis) = (body(Function::Step), body(Function::Tick), body(Function::Axis));
-        let set = |roots: &[String], armed: bool| -> Vec<(String, String)> {
-            let fields = plan.fields.iter().filter(|f| f.armed == armed);
-            fields.zip(roots).map(|(f, root)| (f.name.clone(), root.clone())).collect()
-        };
-        let finite = plan.fields.iter().filter(|f| !f.armed && !controller.is_given(f.value));
-        let states_finite: Vec<_> = (1..=spec.n).map(|j| format!("x{j}.is_finite()")).collect();
-        let u_max = program.limits.u_max;
-        let limit =
-            u_max.map(|value| match spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
-                Some(_) => syntax.fixed(Parameter::UMax),
-                None => format!("self.{}", plan.name(value).unwrap_or_default()),
-            });
-        let locals = spec.run_time_parameters().map(|p| {
-            let index = p.index().map(|i| format!("[{i}]")).unwrap_or_default();
-            format!("let {} = params.{}{index};", local_name(p), p.key())
-        });
-        let list =
-            |name: &str| (1..=spec.n).map(|j| format!("{name}{j}")).collect::<Vec<_>>().join(", ");
-        Self {
-            type_name: spec.type_name(),
-            runtime,
-            real: real(spec),
-            n: spec.n,
-            parameters: declared(spec),
-            locals: indented(&locals.collect::<Vec<_>>(), inner),
-            domain: domain(spec, &syntax),
-            init: indented(&init.lines, inner),
-            init_fields: set(&init.roots, false),
-            arm_fields: set(&arm.roots, true),
-            finite: finite.map(|f| f.name.clone()).collect(),
-            start: if spec.fixed.contains_key(&Parameter::StartTime) {
-                syntax.fixed(Parameter::StartTime)
-            } else {
-                "t0".to_owned()
-            },
-            arm: indented(&arm.lines, inner),
-            states: format!("let [{}] = *x;", list("x")),
-            gains_in: format!("let [{}] = self.gain;", list("gain")),
-            states_finite,
-            step: indented(&step.lines, inner),
-            step_u: step.roots.first().cloned().unwrap_or_default(),
-            tick: indented(&tick.lines, inner),
-            tick_gains: tick.roots,
-            axis: indented(&axis.lines, inner),
-            axis_u: axis.roots.first().cloned().unwrap_or_default(),
-            run_time_limit: limit.as_ref().is_some_and(|l| l.starts_with("self")),
-            limit,
-            guard: spec.guard,
-            fields: plan.fields,
-        }
-    }
-}
-
-/// Name of a parameter in `new`.
-fn local_name(parameter: Parameter) -> String {
-    super::c::local_name(parameter)
-}
-
-/// The tests of the run-time parameters' domains.
-fn domain(spec: &Spec, syntax: &Rust<'_>) -> Vec<String> {
-    let mut tests = Vec::new();
-    for parameter in spec.run_time_parameters() {
-        let name = local_name(parameter);
-        let finite = format!("{name}.is_finite()");
-        let positive = format!("{name} > 0.0");
-        match parameter.domain() {
-            Domain::Finite => tests.push(finite),
-            Domain::Positive => tests.extend([finite, positive]),
-            Domain::PositiveOrInfinite => tests.push(positive),
-            Domain::BelowTau => {
-                let tau = match spec.fixed.get(&Parameter::Tau) {
-                    Some(_) => syntax.fixed(Parameter::Tau),
-                    None => "tau".to_owned(),
-                };
-                tests.extend([positive, format!("{name} < {tau}")]);
-            }
-        }
-    }
-    if spec.fixed.contains_key(&Parameter::Eps) && !spec.fixed.contains_key(&Parameter::Tau) {
-        tests.push(format!("{} < tau", syntax.fixed(Parameter::Eps)));
-    }
-    tests
-}
-
 struct Rust<'a> {
     spec: &'a Spec,
     runtime: &'static str,
-}
-
-impl Rust<'_> {
-    /// A fixed parameter as a literal.
-    fn fixed(&self, parameter: Parameter) -> String {
-        let number = self.spec.fixed.get(&parameter).and_then(Fixed::number);
-        let value = number.map_or(0.0, |number| number::round(number, self.spec.precision));
-        number::literal(value, self.spec.precision)
-    }
 }
 
 impl Syntax for Rust<'_> {
@@ -180,6 +85,18 @@ impl Syntax for Rust<'_> {
 
     fn field(&self, name: &str) -> String {
         format!("self.{name}")
+    }
+
+    fn built(&self, name: &str) -> String {
+        format!("built.{name}")
+    }
+
+    fn gains_field(&self, name: &str) -> String {
+        format!("self.{name}")
+    }
+
+    fn finite(&self, name: &str) -> String {
+        format!("{name}.is_finite()")
     }
 
     fn call(&self, function: &str, arguments: &[String]) -> String {
@@ -204,16 +121,12 @@ impl Syntax for Rust<'_> {
         format!("let {name} = {expression};")
     }
 
-    fn hold(&self, name: &str, time_to_go: &str, eps: &str) -> Vec<String> {
-        let runtime = self.runtime;
-        vec![
-            format!("let mut {name} = {time_to_go};"),
-            format!("let mut status = {runtime}Status::Ok;"),
-            format!("if {name} <= {eps} {{"),
-            format!("    {name} = {eps};"),
-            format!("    status = {runtime}Status::Hold;"),
-            "}".to_owned(),
-        ]
+    fn min(&self, a: &str, b: &str) -> String {
+        format!("if {a} < {b} {{ {a} }} else {{ {b} }}")
+    }
+
+    fn input(&self, _input: Input, name: &str) -> String {
+        name.to_owned()
     }
 
     fn root(&self, root: &RootText<'_>) -> Vec<String> {
@@ -261,28 +174,6 @@ struct Module<'a> {
 struct Items {
     type_name: String,
     runtime: &'static str,
-    real: &'static str,
-    n: usize,
     parameters: Vec<Declared>,
-    fields: Vec<Field>,
-    locals: String,
-    domain: Vec<String>,
-    init: String,
-    init_fields: Vec<(String, String)>,
-    arm_fields: Vec<(String, String)>,
-    finite: Vec<String>,
-    start: String,
-    arm: String,
-    states: String,
-    gains_in: String,
-    states_finite: Vec<String>,
-    step: String,
-    step_u: String,
-    tick: String,
-    tick_gains: Vec<String>,
-    axis: String,
-    axis_u: String,
-    limit: Option<String>,
-    run_time_limit: bool,
-    guard: Guard,
+    frame: Frame,
 }

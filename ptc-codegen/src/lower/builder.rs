@@ -1,6 +1,6 @@
 //! Appending operations to a program under construction.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::algebra::{BigRational, Symbol, integer};
 use crate::program::passes::append;
@@ -11,10 +11,8 @@ use crate::spec::{Fixed, Parameter, Spec};
 pub(super) struct Builder<'a> {
     pub(super) spec: &'a Spec,
     program: Program,
+    known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
-    pub(super) squares: BTreeMap<Symbol, Value>,
-    pub(super) held: Option<Value>,
-    pub(super) tangent_parts: Option<(Value, Value)>,
 }
 
 impl<'a> Builder<'a> {
@@ -23,19 +21,18 @@ impl<'a> Builder<'a> {
         let program = Program {
             precision: spec.precision,
             values: Vec::new(),
-            limits: Limits { start_time: None, u_max: None },
+            limits: Limits {
+                start_time: None,
+                u_max: None,
+                late: nothing,
+                hold_from: nothing,
+                eps: nothing,
+            },
             step: nothing,
             gains: Vec::new(),
             axis: nothing,
         };
-        Self {
-            spec,
-            program,
-            quantities: BTreeMap::new(),
-            squares: BTreeMap::new(),
-            held: None,
-            tangent_parts: None,
-        }
+        Self { spec, program, quantities: BTreeMap::new(), known: HashMap::new() }
     }
 
     pub(super) fn finish(
@@ -48,8 +45,18 @@ impl<'a> Builder<'a> {
         Program { step, gains, axis, limits, ..self.program }
     }
 
+    /// The value of an operation: one that stands already where there is one, so that what is asked
+    /// for twice is computed once. Looked up, never iterated: the order of the map decides nothing.
     pub(super) fn push(&mut self, op: Op) -> Value {
-        append(&mut self.program, op, None)
+        if op == Op::Unknown {
+            return append(&mut self.program, op, None);
+        }
+        if let Some(value) = self.known.get(&op) {
+            return *value;
+        }
+        let value = append(&mut self.program, op.clone(), None);
+        self.known.insert(op, value);
+        value
     }
 
     /// Names a value, with its meaning for the reader of the emitted code.

@@ -31,8 +31,10 @@ pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
                 .enumerate()
                 .map(|(j, row)| lower_row(&mut b, j, row, &scaled))
                 .collect();
-            let base = base_inverse.map(|symbol| Base { symbol });
-            Rows { base: base.map(|base| base.value(&mut b, spec.n)), rows }
+            let base = base_inverse.map(|symbol| factor(&mut b, symbol));
+            let negated = matches!(base, Some(Factor::Divide(_)));
+            let mut signed = |row| if negated { b.push(Op::Neg(row)) } else { row };
+            Rows { base, rows: rows.into_iter().map(|row| row.map(&mut signed)).collect() }
         }
         GainForm::Series => {
             let taylor = exp_sum::taylor(&mut b);
@@ -53,12 +55,8 @@ pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
         Some(Fixed::Infinite) => None,
         _ => Some(b.parameter(Parameter::UMax)),
     };
-    b.finish(step, gains, axis, Limits { start_time, u_max })
-}
-
-/// A base whose inverse is a tick quantity.
-struct Base {
-    symbol: Symbol,
+    let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
+    b.finish(step, gains, axis, Limits { start_time, u_max, late, hold_from, eps })
 }
 
 /// Multiplication by 1/base.
@@ -66,18 +64,16 @@ struct Base {
 enum Factor {
     /// By a value.
     Multiply(Value),
-    /// By the inverse of a value, where that inverse has no other use.
+    /// By -1/value, where that inverse has no other use.
     Divide(Value),
 }
 
-impl Base {
-    /// For n = 1 the factor 1/T of the exp family is used once, and one division does it.
-    fn value(&self, b: &mut Builder<'_>, n: usize) -> Factor {
-        if n == 1 && self.symbol.kind == Kind::InverseTimeToGo && !b.has_quantity(self.symbol) {
-            Factor::Divide(b.time_to_go())
-        } else {
-            Factor::Multiply(b.quantity(self.symbol))
-        }
+/// The factor 1/base. For n = 1 the 1/T of the exp family is used once, and one division does it.
+fn factor(b: &mut Builder<'_>, symbol: Symbol) -> Factor {
+    if b.spec.n == 1 && symbol.kind == Kind::InverseTimeToGo && !b.has_quantity(symbol) {
+        Factor::Divide(b.late())
+    } else {
+        Factor::Multiply(b.quantity(symbol))
     }
 }
 
@@ -107,7 +103,7 @@ impl Rows {
         match self.base {
             None => value,
             Some(Factor::Multiply(inverse)) => b.mul(value, inverse),
-            Some(Factor::Divide(base)) => b.div(value, base),
+            Some(Factor::Divide(late)) => b.div(value, late),
         }
     }
 
@@ -119,7 +115,7 @@ impl Rows {
             let row = row.unwrap_or_else(|| b.integer(0));
             gains.push(match self.base {
                 None => row,
-                Some(Factor::Divide(base)) => b.div(row, base),
+                Some(Factor::Divide(late)) => b.div(row, late),
                 Some(Factor::Multiply(inverse)) => {
                     let raised = power.map_or(inverse, |power| b.mul(power, inverse));
                     power = Some(raised);

@@ -9,15 +9,12 @@ use crate::program::{Input, Op, Value};
 use crate::spec::{Fixed, Parameter};
 
 impl Builder<'_> {
-    /// Time-to-go T, held at eps.
+    /// Time past the deadline, -T, held at -eps.
     ///
     /// The deadline is kept as the unevaluated sum `deadline + correction` = t0 + tau (two-sum).
-    /// Near the deadline `deadline - t` is exact (Sterbenz: the two are within a factor of 2), so
-    /// T has one rounding for any t0, where tau - (t - t0) loses as many digits as t0/T has.
-    pub(super) fn time_to_go(&mut self) -> Value {
-        if let Some(held) = self.held {
-            return held;
-        }
+    /// Near the deadline `t - deadline` is exact (Sterbenz: the two are within a factor of 2), so
+    /// -T has one rounding for any t0, where tau - (t - t0) loses as many digits as t0/T has.
+    pub(super) fn late(&mut self) -> Value {
         let start = self.push(Op::Input(Input::StartTime));
         let tau = self.parameter(Parameter::Tau);
         let high = self.add(start, tau);
@@ -29,13 +26,26 @@ impl Builder<'_> {
         let low = self.add(start_error, tau_error);
         let low = self.name(low, "correction", "what the rounding of t0 + tau left out");
         let time = self.push(Op::Input(Input::Time));
-        let difference = self.sub(high, time);
-        let time_to_go = self.add(difference, low);
+        let past = self.sub(time, high);
+        let past = self.sub(past, low);
+        let past = self.name(past, "past", "time past the deadline, negative before it");
+        let hold_from = self.hold_from();
+        let late = self.push(Op::Min(past, hold_from));
+        self.name(late, "late", "-T: time past the deadline, held at -eps")
+    }
+
+    /// -eps, where the hold begins.
+    pub(super) fn hold_from(&mut self) -> Value {
         let eps = self.parameter(Parameter::Eps);
-        let held = self.push(Op::Hold(time_to_go, eps));
-        let held = self.name(held, "T", "time-to-go, held at eps");
-        self.held = Some(held);
-        held
+        let hold_from = self.push(Op::Neg(eps));
+        self.name(hold_from, "hold_from", "-eps: later than this the gains are held")
+    }
+
+    /// Time-to-go T, held at eps.
+    pub(super) fn time_to_go(&mut self) -> Value {
+        let late = self.late();
+        let time_to_go = self.push(Op::Neg(late));
+        self.name(time_to_go, "T", "time-to-go, held at eps")
     }
 
     /// Whether a quantity has been computed.
@@ -76,32 +86,33 @@ impl Builder<'_> {
             let (inverse, rest) = self.inverse_product();
             return self.mul(inverse, rest);
         }
-        let (one, time_to_go) = (self.integer(1), self.time_to_go());
-        self.div(one, time_to_go)
+        let (minus_one, late) = (self.integer(-1), self.late());
+        self.div(minus_one, late)
     }
 
     /// 1/(T (2 tau - T)) and 2 tau - T.
     fn inverse_product(&mut self) -> (Value, Value) {
-        let time_to_go = self.time_to_go();
+        let late = self.late();
         let rest = self.rest();
-        let (one, product) = (self.integer(1), self.mul(time_to_go, rest));
-        (self.div(one, product), rest)
+        let (minus_one, product) = (self.integer(-1), self.mul(late, rest));
+        (self.div(minus_one, product), rest)
     }
 
     /// 2 tau - T, between tau and 2 tau: nothing cancels.
     fn rest(&mut self) -> Value {
         let (two, tau) = (self.integer(2), self.parameter(Parameter::Tau));
         let double = self.mul(two, tau);
-        let time_to_go = self.time_to_go();
-        self.sub(double, time_to_go)
+        let double = self.name(double, "two_tau", "2*tau");
+        let late = self.late();
+        self.add(double, late)
     }
 
     /// E = T/(2 tau - T) as T * (T * 1/(T (2 tau - T))), which cannot underflow on the way.
     fn decay(&mut self) -> Value {
         let (inverse, _) = self.inverse_product();
-        let time_to_go = self.time_to_go();
-        let ratio = self.mul(time_to_go, inverse);
-        self.mul(time_to_go, ratio)
+        let late = self.late();
+        let ratio = self.mul(late, inverse);
+        self.mul(late, ratio)
     }
 
     /// q = (tau/T)^m: a multiplication chain for integer m, with a root for half an integer.
@@ -131,11 +142,8 @@ impl Builder<'_> {
     /// carries the digits there with two roundings, where 1/tan(th)^2 has nine. No library function
     /// is called, so every machine computes the same bits.
     fn tangent_parts(&mut self) -> (Value, Value) {
-        if let Some(parts) = self.tangent_parts {
-            return parts;
-        }
-        let (one, time_to_go, share) = (self.integer(1), self.time_to_go(), self.share());
-        let square = self.mul(time_to_go, time_to_go);
+        let (one, late, share) = (self.integer(1), self.late(), self.late_share());
+        let square = self.mul(late, late);
         let inverse = self.div(one, square);
         let inverse = self.name(inverse, "inv_T_squared", "1/T^2");
         let square = self.mul(share, share);
@@ -152,7 +160,6 @@ impl Builder<'_> {
             };
         }
         let shape = self.name(shape, "th_cot_th", "th*cot(th), th = pi*T/(2*tau)");
-        self.tangent_parts = Some((inverse, shape));
         (inverse, shape)
     }
 
@@ -189,20 +196,13 @@ impl Builder<'_> {
         self.add(near, far)
     }
 
-    /// 1 - T/tau, the elapsed share of tau.
-    fn elapsed_share(&mut self) -> Value {
-        let one = self.integer(1);
-        let share = self.share();
-        self.sub(one, share)
-    }
-
-    /// T/tau.
-    fn share(&mut self) -> Value {
-        let (time_to_go, tau) = (self.time_to_go(), self.parameter(Parameter::Tau));
-        let one = self.integer(1);
+    /// -T/tau.
+    fn late_share(&mut self) -> Value {
+        let (one, tau) = (self.integer(1), self.parameter(Parameter::Tau));
         let inverse_tau = self.div(one, tau);
         let inverse_tau = self.name(inverse_tau, "inv_tau", "1/tau");
-        self.mul(time_to_go, inverse_tau)
+        let late = self.late();
+        self.mul(late, inverse_tau)
     }
 
     /// sqrt(1 + y^2).
@@ -213,7 +213,8 @@ impl Builder<'_> {
 
     /// y = (1 - T/tau) sqrt(1 + y^2).
     fn algebraic_angle(&mut self) -> Value {
-        let elapsed = self.elapsed_share();
+        let (one, share) = (self.integer(1), self.late_share());
+        let elapsed = self.add(share, one);
         let secant = self.quantity(Symbol::plain(Kind::Secant));
         self.mul(elapsed, secant)
     }
@@ -221,9 +222,6 @@ impl Builder<'_> {
     /// The square of a quantity in which rows are evaluated by their even and odd parts; none
     /// for one in which they are not.
     pub(super) fn square(&mut self, symbol: Symbol) -> Option<Value> {
-        if let Some(square) = self.squares.get(&symbol) {
-            return Some(*square);
-        }
         let square = match symbol.kind {
             Kind::CotangentRate => {
                 let (inverse, shape) = self.tangent_parts();
@@ -238,9 +236,7 @@ impl Builder<'_> {
             _ => return None,
         };
         let name = format!("{}_squared", symbol.text());
-        let square = self.name(square, &name, &format!("{}^2", symbol.text()));
-        self.squares.insert(symbol, square);
-        Some(square)
+        Some(self.name(square, &name, &format!("{}^2", symbol.text())))
     }
 
     fn one_plus_decay(&mut self) -> Value {

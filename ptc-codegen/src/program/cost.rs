@@ -1,18 +1,50 @@
-//! Operation counts of what is computed at each call.
+//! Operation counts of what is computed at each call, and what they cost.
 
 use super::{Op, Program, Stage, Value};
 
 /// Number of operations by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Additions, subtractions and negations.
+    /// Additions, subtractions, negations and comparisons.
     pub add: usize,
     /// Multiplications.
     pub mul: usize,
     /// Divisions.
     pub div: usize,
-    /// Calls of sqrt, exp, log, pow; those in a loop are counted once a round.
-    pub functions: usize,
+    /// Square roots.
+    pub sqrt: usize,
+    /// Calls of exp, log and pow; those in a loop are counted once a round.
+    pub calls: usize,
+}
+
+/// Cycles of one operation on a target, as its latency in a dependent chain.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// Name of the target.
+    pub target: &'static str,
+    add: usize,
+    mul: usize,
+    div: usize,
+    sqrt: usize,
+    calls: usize,
+}
+
+/// The cost model: double precision on x86-64 (Skylake latencies; a libm call is about 60
+/// instructions), single precision on Cortex-M4F (its FPU's issue cycles; a libm call about 150).
+pub static WEIGHTS: [Weights; 2] = [
+    Weights { target: "x86-64", add: 4, mul: 4, div: 14, sqrt: 18, calls: 60 },
+    Weights { target: "Cortex-M4F", add: 1, mul: 1, div: 14, sqrt: 14, calls: 150 },
+];
+
+impl Cost {
+    /// Cycles in the model.
+    pub fn cycles(&self, weights: &Weights) -> usize {
+        self.add * weights.add
+            + self.mul * weights.mul
+            + self.div * weights.div
+            + self.sqrt * weights.sqrt
+            + self.calls * weights.calls
+    }
 }
 
 /// The operations that computing `roots` takes at `from` and later stages, one round of each loop.
@@ -24,12 +56,15 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
             continue;
         }
         match definition.op {
-            Op::Add(..) | Op::Sub(..) | Op::Neg(_) => cost.add += 1,
+            Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Max(..) | Op::Min(..) | Op::Abs(_) => {
+                cost.add += 1;
+            }
             Op::Mul(..) => cost.mul += 1,
             Op::Power(_, k) => cost.mul += (k.ilog2() + k.count_ones() - 1) as usize,
             Op::Div(..) => cost.div += 1,
-            Op::Sqrt(_) | Op::Exp(_) | Op::Ln(_) | Op::Pow(..) => cost.functions += 1,
-            _ => {}
+            Op::Sqrt(_) => cost.sqrt += 1,
+            Op::Exp(_) | Op::Ln(_) | Op::Pow(..) => cost.calls += 1,
+            Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) => {}
         }
     }
     cost

@@ -8,13 +8,12 @@ pub struct Interpreter<'a> {
     program: &'a Program,
     input: &'a dyn Fn(Input) -> f64,
     known: Vec<Option<f64>>,
-    held: bool,
 }
 
 impl<'a> Interpreter<'a> {
     /// An interpreter for `program`; `input` gives each input, already in the program's precision.
     pub fn new(program: &'a Program, input: &'a dyn Fn(Input) -> f64) -> Self {
-        Self { program, input, known: vec![None; program.values.len()], held: false }
+        Self { program, input, known: vec![None; program.values.len()] }
     }
 
     /// The number that `value` takes.
@@ -28,11 +27,6 @@ impl<'a> Interpreter<'a> {
         self.at(value)
     }
 
-    /// Whether time-to-go was held in what has been computed so far.
-    pub fn held(&self) -> bool {
-        self.held
-    }
-
     fn at(&self, value: Value) -> f64 {
         self.known[value.0].unwrap_or(f64::NAN)
     }
@@ -40,12 +34,6 @@ impl<'a> Interpreter<'a> {
     fn compute(&mut self, value: Value) -> f64 {
         match &self.program.get(value).op {
             Op::Input(input) => (self.input)(*input),
-            Op::Hold(a, b) => {
-                let (time_to_go, eps) = (self.at(*a), self.at(*b));
-                let hold = time_to_go <= eps;
-                self.held |= hold;
-                if hold { eps } else { time_to_go }
-            }
             Op::Root(root) => self.root(root),
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.at(*v)).collect();
@@ -110,6 +98,13 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
                 *b
             } else {
                 *a
+            }
+        }
+        (Op::Min(..), [a, b]) => {
+            if a < b {
+                *a
+            } else {
+                *b
             }
         }
         (Op::Abs(_), [a]) => a.abs(),

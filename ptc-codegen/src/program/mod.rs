@@ -10,6 +10,7 @@
 //! Passes keep every bit: the interpreter gives the same results before and after each of them.
 
 pub mod cost;
+pub mod dump;
 pub mod interpret;
 pub mod number;
 pub mod passes;
@@ -115,8 +116,10 @@ pub enum Op {
     Div(Value, Value),
     /// a^k, k >= 2: the multiplication chain of the binary digits of k, squares first.
     Power(Value, u32),
-    /// The greater one; a where they are equal. Never used on NaN.
+    /// The greater one: b where a < b, else a.
     Max(Value, Value),
+    /// The smaller one: a where a < b, else b.
+    Min(Value, Value),
     /// |a|.
     Abs(Value),
     /// sqrt(a).
@@ -127,8 +130,6 @@ pub enum Op {
     Ln(Value),
     /// a^b for a > 0.
     Pow(Value, Value),
-    /// Time-to-go a held at b: b where a <= b, else a (a NaN stays). Reports the hold.
-    Hold(Value, Value),
     /// The unknown of a [`Root`].
     Unknown,
     /// The root.
@@ -151,8 +152,8 @@ impl Op {
             | Self::Mul(a, b)
             | Self::Div(a, b)
             | Self::Max(a, b)
-            | Self::Pow(a, b)
-            | Self::Hold(a, b) => vec![*a, *b],
+            | Self::Min(a, b)
+            | Self::Pow(a, b) => vec![*a, *b],
             Self::Root(root) => root.operands().to_vec(),
         }
     }
@@ -173,7 +174,7 @@ impl Op {
             Self::Div(a, b) => Self::Div(to(*a), to(*b)),
             Self::Max(a, b) => Self::Max(to(*a), to(*b)),
             Self::Pow(a, b) => Self::Pow(to(*a), to(*b)),
-            Self::Hold(a, b) => Self::Hold(to(*a), to(*b)),
+            Self::Min(a, b) => Self::Min(to(*a), to(*b)),
             Self::Root(r) => Self::Root(Root {
                 unknown: to(r.unknown),
                 start: to(r.start),
@@ -209,7 +210,7 @@ pub struct Program {
     pub precision: Precision,
     /// All values, operands before users.
     pub values: Vec<Definition>,
-    /// Parameters that `step` itself compares with; each a value of stage init or earlier.
+    /// What the frame of the emitted functions compares with.
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped.
     pub step: Value,
@@ -226,6 +227,12 @@ pub struct Limits {
     pub start_time: Option<Value>,
     /// Bound of |u|; none for infinity.
     pub u_max: Option<Value>,
+    /// Time past the deadline, negative before it, held at `hold_from`.
+    pub late: Value,
+    /// -eps: from there on the gains are held.
+    pub hold_from: Value,
+    /// Time-to-go at which the gains are held.
+    pub eps: Value,
 }
 
 impl Program {
@@ -236,7 +243,8 @@ impl Program {
 
     /// Every value that something outside the program reads.
     pub fn outputs(&self) -> Vec<Value> {
-        let mut outputs = vec![self.step, self.axis];
+        let Limits { late, hold_from, eps, .. } = self.limits;
+        let mut outputs = vec![self.step, self.axis, late, hold_from, eps];
         outputs.extend(&self.gains);
         outputs.extend(self.limits.start_time);
         outputs.extend(self.limits.u_max);

@@ -1,20 +1,21 @@
 //! fold: computes what is known at generation, in the precision of the program.
 
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::{append, rebuild};
 use crate::program::{Definition, Op, Program, Value, interpret, number};
 
-/// Replaces operations on numbers by the number they give at run time, bit for bit, and removes
-/// multiplications and divisions by 1 and writes products with -1 as negations, which changes no bit. Operations whose result is no finite
-/// number are left for run time, where they are reported; transcendental functions are left too,
-/// since the target's library may round them otherwise.
+/// Replaces operations on numbers by the number they give at run time, bit for bit; removes
+/// multiplications and divisions by 1 and double negations, and moves signs of numbers into the
+/// operations, which changes no bit. Operations whose result is no finite number are left for run
+/// time, where they are reported; transcendental functions are left too, since the target's
+/// library may round them otherwise.
 pub(super) fn run(program: Program) -> Program {
     rebuild(&program, |new, definition| fold(new, definition))
 }
 
 fn fold(new: &mut Program, definition: Definition) -> Value {
-    let definition = Definition { op: negated(new, definition.op), ..definition };
+    let definition = Definition { op: with_sign(new, definition.op), ..definition };
     if let Some(operand) = neutral(new, &definition.op) {
         return operand;
     }
@@ -29,12 +30,20 @@ fn constant<'a>(program: &'a Program, value: Value) -> Option<&'a crate::algebra
     }
 }
 
-/// A product with -1 as a negation, which gives the same bits.
-fn negated(program: &Program, op: Op) -> Op {
+/// A product with -1 as a negation, and the sum with a negative number as a difference, which
+/// give the same bits.
+fn with_sign(program: &mut Program, op: Op) -> Op {
     let minus_one = |v: Value| constant(program, v).is_some_and(|n| (-n).is_one());
     match op {
         Op::Mul(a, b) if minus_one(a) => Op::Neg(b),
         Op::Mul(a, b) if minus_one(b) => Op::Neg(a),
+        Op::Add(a, b) => match constant(program, b) {
+            Some(number) if number.is_negative() => {
+                let magnitude = Op::Number(-number);
+                Op::Sub(a, append(program, magnitude, None))
+            }
+            _ => Op::Add(a, b),
+        },
         op => op,
     }
 }
@@ -45,6 +54,10 @@ fn neutral(program: &Program, op: &Op) -> Option<Value> {
     match op {
         Op::Mul(a, b) | Op::Div(a, b) if is_one(*b) => Some(*a),
         Op::Mul(a, b) if is_one(*a) => Some(*b),
+        Op::Neg(a) => match program.get(*a).op {
+            Op::Neg(inner) => Some(inner),
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -4,6 +4,8 @@ mod chains;
 mod fold;
 mod prune;
 mod share;
+#[cfg(test)]
+mod tests;
 
 use super::{Definition, Op, Program, Value};
 
@@ -58,6 +60,9 @@ fn rebuild(
     new.gains = program.gains.iter().copied().map(to).collect();
     new.limits.start_time = program.limits.start_time.map(to);
     new.limits.u_max = program.limits.u_max.map(to);
+    new.limits.late = to(program.limits.late);
+    new.limits.hold_from = to(program.limits.hold_from);
+    new.limits.eps = to(program.limits.eps);
     new
 }
 

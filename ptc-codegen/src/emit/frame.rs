@@ -1,0 +1,161 @@
+//! What the emitted functions consist of, as text that a template only has to place.
+
+use super::Controller;
+use super::plan::{Field, Function, Plan};
+use super::print::{self, Syntax};
+use crate::program::{Op, Value, number};
+use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+
+/// A name and the expression that gives it its value.
+pub(super) struct Assignment {
+    pub(super) name: String,
+    pub(super) value: String,
+}
+
+/// The parts of all functions of a controller in one language.
+pub(super) struct Frame {
+    pub(super) n: usize,
+    pub(super) guard: Guard,
+    pub(super) real: &'static str,
+    pub(super) zero: String,
+    /// Run-time parameters: local name, and its place in the parameters.
+    pub(super) locals: Vec<Assignment>,
+    /// Conditions that the run-time parameters must meet.
+    pub(super) domain: Vec<String>,
+    pub(super) init: Vec<String>,
+    pub(super) init_fields: Vec<Assignment>,
+    /// Conditions that the fields derived by `init` must meet.
+    pub(super) finite: Vec<String>,
+    /// Start time at which `init` arms.
+    pub(super) start: String,
+    pub(super) arm: Vec<String>,
+    pub(super) arm_fields: Vec<Assignment>,
+    /// Conditions on the states x1..xn.
+    pub(super) states: Vec<String>,
+    pub(super) step: Vec<String>,
+    pub(super) step_u: String,
+    pub(super) tick: Vec<String>,
+    pub(super) gains: Vec<String>,
+    pub(super) axis: Vec<String>,
+    pub(super) axis_u: String,
+    /// Bound of |u| in `step` and in `axis`; none for infinity.
+    pub(super) limit: Option<String>,
+    pub(super) axis_limit: Option<String>,
+    /// Whether the gains carry u_max.
+    pub(super) run_time_limit: bool,
+    pub(super) eps: String,
+    pub(super) hold_from: String,
+    pub(super) fields: Vec<Field>,
+}
+
+impl Frame {
+    pub(super) fn new(
+        controller: &Controller<'_>,
+        real: &'static str,
+        syntax: &dyn Syntax,
+    ) -> Self {
+        let Controller { spec, program, .. } = *controller;
+        let plan = Plan::new(program);
+        let body = |function| print::print(&plan, function, syntax);
+        let (init, arm) = (body(Function::Init), body(Function::Arm));
+        let (step, tick, axis) = (body(Function::Step), body(Function::Tick), body(Function::Axis));
+        let assign = |roots: Vec<String>, armed: bool| {
+            let fields = plan.fields.iter().filter(|field| field.armed == armed);
+            let one =
+                |(field, value): (&Field, String)| Assignment { name: field.name.clone(), value };
+            fields.zip(roots).map(one).collect()
+        };
+        // A field that is a parameter as it was given has been checked by its domain.
+        let derived = |v: Value| !matches!(program.get(v).op, Op::Input(_));
+        let finite = plan.fields.iter().filter(|f| !f.armed && derived(f.value));
+        let field =
+            |value: Value, owner: fn(&dyn Syntax, &str) -> String| match &program.get(value).op {
+                Op::Number(number) => {
+                    literal(number::round(number, spec.precision), spec.precision, syntax)
+                }
+                _ => owner(syntax, plan.name(value).unwrap_or_default()),
+            };
+        let limits = program.limits;
+        let local = |parameter: Parameter| Assignment {
+            name: local_name(parameter),
+            value: match parameter.index() {
+                Some(index) => format!("{}[{index}]", parameter.key()),
+                None => parameter.key().to_owned(),
+            },
+        };
+        Self {
+            n: spec.n,
+            guard: spec.guard,
+            real,
+            zero: syntax.literal("0.0"),
+            locals: spec.run_time_parameters().map(local).collect(),
+            domain: domain(spec, syntax),
+            init: init.lines,
+            init_fields: assign(init.roots, false),
+            finite: finite.map(|f| syntax.finite(&syntax.built(&f.name))).collect(),
+            start: parameter_text(spec, Parameter::StartTime, syntax),
+            arm: arm.lines,
+            arm_fields: assign(arm.roots, true),
+            states: (1..=spec.n).map(|j| syntax.finite(&format!("x{j}"))).collect(),
+            step_u: step.roots[0].clone(),
+            step: step.lines,
+            gains: tick.roots[..spec.n].to_vec(),
+            tick: tick.lines,
+            axis_u: axis.roots[0].clone(),
+            axis: axis.lines,
+            limit: limits.u_max.map(|value| field(value, |syntax, name| syntax.field(name))),
+            axis_limit: limits
+                .u_max
+                .map(|value| field(value, |syntax, name| syntax.gains_field(name))),
+            run_time_limit: limits.u_max.is_some_and(|value| !plan.is_literal(value)),
+            eps: field(limits.eps, |syntax, name| syntax.field(name)),
+            hold_from: field(limits.hold_from, |syntax, name| syntax.field(name)),
+            fields: plan.fields,
+        }
+    }
+}
+
+/// A number as an expression in the language.
+fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
+    let text = syntax.literal(&number::literal(value.abs(), precision));
+    if value.is_sign_negative() { format!("-{text}") } else { text }
+}
+
+/// Name of a parameter in `init`.
+fn local_name(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Gain(i) => format!("k{i}"),
+        Parameter::Rate(i) => format!("a{i}"),
+        parameter => parameter.key().to_owned(),
+    }
+}
+
+/// A parameter in `init`: its literal where it is fixed, else its local name.
+fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
+    match spec.fixed.get(&parameter).and_then(Fixed::number) {
+        Some(number) => literal(number::round(number, spec.precision), spec.precision, syntax),
+        None => local_name(parameter),
+    }
+}
+
+/// The conditions of the run-time parameters' domains.
+fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
+    let zero = syntax.literal("0.0");
+    let mut tests = Vec::new();
+    for parameter in spec.run_time_parameters() {
+        let name = local_name(parameter);
+        let positive = format!("({name} > {zero})");
+        match parameter.domain() {
+            Domain::Finite => tests.push(syntax.finite(&name)),
+            Domain::Positive => tests.extend([syntax.finite(&name), positive]),
+            Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive),
+        }
+    }
+    // eps below tau: both may be fixed, and then the spec has been checked.
+    let both_fixed = [Parameter::Eps, Parameter::Tau].iter().all(|p| spec.fixed.contains_key(p));
+    if !both_fixed {
+        let text = |parameter| parameter_text(spec, parameter, syntax);
+        tests.push(format!("({} < {})", text(Parameter::Eps), text(Parameter::Tau)));
+    }
+    tests
+}
