@@ -51,7 +51,7 @@ fn lines(area: &Area<'_>, counts: &[Count]) -> Result<()> {
         .margin(12)
         .x_label_area_size(40)
         .y_label_area_size(60)
-        .build_cartesian_2d(1.0..12.0, (15.0..2500.0).log_scale())
+        .build_cartesian_2d(1.0..12.0, (15.0..12000.0).log_scale())
         .map_err(failed)?;
     chart
         .configure_mesh()
@@ -122,21 +122,18 @@ fn bars(area: &Area<'_>, pairs: &[Pair]) -> Result<()> {
         .caption("Ours (blue) and the best of the others (orange)", ("sans-serif", 18))
         .margin(12)
         .x_label_area_size(40)
-        .y_label_area_size(90)
-        .build_cartesian_2d(0.0..most * 1.3, 0.0..pairs.len() as f64)
+        .y_label_area_size(12)
+        .build_cartesian_2d(-0.2 * most..most * 1.35, 0.0..pairs.len() as f64)
         .map_err(failed)?;
-    let label = |y: &f64| {
-        let row = pairs.len().checked_sub(1 + *y as usize);
-        let pair = row.and_then(|row| pairs.get(row));
-        pair.filter(|_| y.fract() == 0.0).map(|pair| pair.label.clone()).unwrap_or_default()
-    };
     chart
         .configure_mesh()
         .disable_y_mesh()
         .disable_y_axis()
         .y_labels(0)
         .x_desc("instructions a step, f64")
-        .x_label_formatter(&|count| format!("{count:.0}"))
+        .x_label_formatter(&|count| {
+            if *count < 0.0 { String::new() } else { format!("{count:.0}") }
+        })
         .light_line_style(RGBColor(240, 240, 240))
         .draw()
         .map_err(failed)?;
@@ -151,8 +148,10 @@ fn bars(area: &Area<'_>, pairs: &[Pair]) -> Result<()> {
             chart.draw_series([Rectangle::new(corners, colour.filled())]).map_err(failed)?;
             chart.draw_series([Text::new(text, place, ("sans-serif", 12))]).map_err(failed)?;
         }
-        let place = (-most * 0.19, row + 0.65);
-        chart.draw_series([Text::new(label(&row), place, ("sans-serif", 13))]).map_err(failed)?;
+        let place = (-0.19 * most, row + 0.62);
+        chart
+            .draw_series([Text::new(pair.label.clone(), place, ("sans-serif", 13))])
+            .map_err(failed)?;
     }
     Ok(())
 }
