@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, Zero};
 
+use super::rational::{add, product};
 use super::{BigRational, Symbol, integer};
 
 /// A product of powers of symbols: sorted by symbol, no exponent zero.
@@ -19,6 +20,13 @@ impl Monomial {
     /// `symbol^exponent`.
     pub fn power(symbol: Symbol, exponent: i32) -> Self {
         if exponent == 0 { Self::one() } else { Self(vec![(symbol, exponent)]) }
+    }
+
+    /// The product of `factors`, which are sorted by symbol, each symbol once, no exponent 0.
+    pub(crate) fn from_sorted(factors: Vec<(Symbol, i32)>) -> Self {
+        debug_assert!(factors.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        debug_assert!(factors.iter().all(|(_, exponent)| *exponent != 0));
+        Self(factors)
     }
 
     /// The factors in symbol order, exponents nonzero.
@@ -147,7 +155,7 @@ impl Poly {
                 slot.insert(coefficient);
             }
             Entry::Occupied(mut slot) => {
-                *slot.get_mut() += coefficient;
+                add(slot.get_mut(), coefficient);
                 if slot.get().is_zero() {
                     slot.remove();
                 }
@@ -165,13 +173,13 @@ impl Poly {
 
     /// Product.
     pub fn times(&self, other: &Self) -> Self {
-        let mut product = Self::zero();
+        let mut sum = Self::zero();
         for (left, a) in &self.0 {
             for (right, b) in &other.0 {
-                product.add_term(a * b, left.times(right));
+                sum.add_term(product(a, b), left.times(right));
             }
         }
-        product
+        sum
     }
 
     /// Product with a constant.
@@ -179,7 +187,7 @@ impl Poly {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self(self.0.iter().map(|(m, c)| (m.clone(), c * factor)).collect())
+        Self(self.0.iter().map(|(m, c)| (m.clone(), product(c, factor))).collect())
     }
 
     /// Product with a monomial.
@@ -189,6 +197,12 @@ impl Poly {
 
     /// Non-negative integer power.
     pub fn pow(&self, exponent: u32) -> Self {
+        if let Some((monomial, coefficient)) = self.single_term() {
+            // In lowest terms already: no common factor comes in by raising to a power.
+            let (numerator, denominator) = (coefficient.numer(), coefficient.denom());
+            let power = BigRational::new_raw(numerator.pow(exponent), denominator.pow(exponent));
+            return Self::term(power, monomial.pow(i32::try_from(exponent).unwrap_or(i32::MAX)));
+        }
         (0..exponent).fold(Self::one(), |product, _| product.times(self))
     }
 
@@ -205,9 +219,9 @@ impl Poly {
             for (symbol, exponent) in monomial.factors() {
                 let Some(inner) = derivative(*symbol) else { continue };
                 let outer = monomial.times(&Monomial::power(*symbol, -1));
-                let factor = coefficient * integer(i64::from(*exponent));
+                let factor = product(coefficient, &integer(i64::from(*exponent)));
                 for (m, c) in &inner.0 {
-                    total.add_term(c * &factor, m.times(&outer));
+                    total.add_term(product(c, &factor), m.times(&outer));
                 }
             }
         }
@@ -217,23 +231,39 @@ impl Poly {
     /// Replaces symbols by polynomials (`None`: left alone). A symbol that stands in a negative
     /// power must be replaced by a single term.
     pub fn substitute(&self, value: impl Fn(Symbol) -> Option<Poly>) -> Self {
+        // A power is formed once, whatever number of terms it stands in.
+        let mut powers: BTreeMap<(Symbol, i32), Option<Poly>> = BTreeMap::new();
         let mut result = Self::zero();
         for (monomial, coefficient) in &self.0 {
-            let mut product = Self::constant(coefficient.clone());
+            let mut replaced: Option<Poly> = None;
+            let mut kept = Vec::with_capacity(monomial.factors().len());
             for (symbol, exponent) in monomial.factors() {
-                let factor = match value(*symbol) {
-                    None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
-                    Some(poly) if *exponent >= 0 => poly.pow(exponent.unsigned_abs()),
-                    Some(poly) => match poly.inverse() {
-                        Some(inverse) => inverse.pow(exponent.unsigned_abs()),
-                        None => Self::term(BigRational::one(), Monomial::power(*symbol, *exponent)),
-                    },
-                };
-                product = product.times(&factor);
+                let power = powers
+                    .entry((*symbol, *exponent))
+                    .or_insert_with(|| value(*symbol).and_then(|poly| poly.integer_pow(*exponent)));
+                match (power, &replaced) {
+                    (None, _) => kept.push((*symbol, *exponent)),
+                    (Some(power), None) => replaced = Some(power.clone()),
+                    (Some(power), Some(poly)) => replaced = Some(poly.times(power)),
+                }
             }
-            result = result.plus(&product);
+            let rest = Monomial::from_sorted(kept);
+            match replaced {
+                None => result.add_term(coefficient.clone(), rest),
+                Some(replaced) => {
+                    for (m, c) in &replaced.0 {
+                        result.add_term(product(c, coefficient), m.times(&rest));
+                    }
+                }
+            }
         }
         result
+    }
+
+    /// Integer power; a negative one exists only for a single term.
+    fn integer_pow(&self, exponent: i32) -> Option<Self> {
+        let base = if exponent < 0 { self.inverse()? } else { self.clone() };
+        Some(base.pow(exponent.unsigned_abs()))
     }
 
     /// The polynomial as one in `symbol`: coefficient polynomials by exponent.
@@ -256,6 +286,11 @@ impl Poly {
 
 impl FromIterator<(Monomial, BigRational)> for Poly {
     fn from_iter<I: IntoIterator<Item = (Monomial, BigRational)>>(terms: I) -> Self {
+        let terms: Vec<_> = terms.into_iter().collect();
+        if terms.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+            // Distinct and in order: the map is built in one pass.
+            return Self(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect());
+        }
         let mut poly = Self::zero();
         for (monomial, coefficient) in terms {
             poly.add_term(coefficient, monomial);

@@ -7,15 +7,19 @@ use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly, Symbol};
 /// B_{i,j}(r_1, ..., r_{i-j+1}): one term for each partition of i into j parts,
 /// i! / prod_l (l!)^{m_l} m_l!  times  prod_l r_l^{m_l}, m_l the number of parts l.
 pub fn bell(i: usize, j: usize) -> Poly {
-    let factorials = factorials(i);
+    entry(&factorials(i), i, j)
+}
+
+fn entry(factorials: &[BigInt], i: usize, j: usize) -> Poly {
     let mut terms = Vec::new();
-    partitions(i, j, &mut |parts| terms.push(term(&factorials, i, parts)));
+    partitions(i, j, &mut |parts| terms.push(term(factorials, i, parts)));
     terms.into_iter().collect()
 }
 
 /// All B_{i,j} with 0 <= j <= i <= n: `table[i][j]`.
 pub fn bell_table(n: usize) -> Vec<Vec<Poly>> {
-    (0..=n).map(|i| (0..=i).map(|j| bell(i, j)).collect()).collect()
+    let factorials = factorials(n);
+    (0..=n).map(|i| (0..=i).map(|j| entry(&factorials, i, j)).collect()).collect()
 }
 
 /// 0!, 1!, ..., n!.
@@ -28,25 +32,57 @@ pub fn factorials(n: usize) -> Vec<BigInt> {
     all
 }
 
-/// One term from its parts, given as (part, multiplicity) with the largest part first.
+/// One term from its parts, given as (part, multiplicity) with the smallest part first.
 fn term(factorials: &[BigInt], i: usize, parts: &[(usize, usize)]) -> (Monomial, BigRational) {
+    let power = |(part, multiplicity): &(usize, usize)| {
+        (Symbol::indexed(Kind::R, *part), i32::try_from(*multiplicity).unwrap_or(i32::MAX))
+    };
+    let monomial = Monomial::from_sorted(parts.iter().map(power).collect());
+    let count = small_count(i, parts).unwrap_or_else(|| count(factorials, i, parts));
+    (monomial, BigRational::from_integer(count))
+}
+
+/// i! / prod_l (l!)^{m_l} m_l!, the number of ways to split i things into such parts.
+fn count(factorials: &[BigInt], i: usize, parts: &[(usize, usize)]) -> BigInt {
     let mut denominator = BigInt::one();
-    let mut monomial = Monomial::one();
     for (part, multiplicity) in parts {
         let exponent = u32::try_from(*multiplicity).unwrap_or(u32::MAX);
         denominator *= factorials[*part].pow(exponent) * &factorials[*multiplicity];
-        let power = i32::try_from(*multiplicity).unwrap_or(i32::MAX);
-        monomial = monomial.times(&Monomial::power(Symbol::indexed(Kind::R, *part), power));
     }
-    (monomial, BigRational::from_integer(&factorials[i] / denominator))
+    &factorials[i] / denominator
 }
 
-/// Calls `found` with each partition of `total` into exactly `count` parts.
+/// The same in machine integers, where i! is one.
+fn small_count(i: usize, parts: &[(usize, usize)]) -> Option<BigInt> {
+    const FACTORIALS: [u128; 35] = {
+        let mut all = [1; 35];
+        let mut l = 1;
+        while l < all.len() {
+            all[l] = all[l - 1] * l as u128;
+            l += 1;
+        }
+        all
+    };
+    let factorial = FACTORIALS.get(i)?;
+    // The denominator divides i!, so no partial product of it overflows either.
+    let mut denominator = 1;
+    for (part, multiplicity) in parts {
+        if *part > 1 {
+            denominator *= FACTORIALS[*part].pow(u32::try_from(*multiplicity).ok()?);
+        }
+        denominator *= FACTORIALS[*multiplicity];
+    }
+    Some(BigInt::from(factorial / denominator))
+}
+
+/// Calls `found` with each partition of `total` into exactly `count` parts, as (part,
+/// multiplicity) with the smallest part first. They come in the order of the monomials that have
+/// the multiplicities as exponents.
 pub(crate) fn partitions(total: usize, count: usize, found: &mut impl FnMut(&[(usize, usize)])) {
     fn descend(
         total: usize,
         count: usize,
-        largest: usize,
+        smallest: usize,
         parts: &mut Vec<(usize, usize)>,
         found: &mut impl FnMut(&[(usize, usize)]),
     ) {
@@ -56,19 +92,24 @@ pub(crate) fn partitions(total: usize, count: usize, found: &mut impl FnMut(&[(u
             }
             return;
         }
-        // `count` parts of at most `largest` and at least 1 must be able to make up `total`.
-        if total < count || total > count * largest {
-            return;
-        }
-        for part in (1..=largest.min(total)).rev() {
-            for multiplicity in (1..=count.min(total / part)).rev() {
+        // `count` parts of at least `part` must be able to make up `total`.
+        for part in smallest..=total / count {
+            if part * count == total {
+                parts.push((part, count));
+                found(parts);
+                parts.pop();
+                continue;
+            }
+            // All parts equal is the case above; else the rest must hold in parts above `part`.
+            for multiplicity in (count * (part + 1)).saturating_sub(total).max(1)..count {
+                let (rest, left) = (total - part * multiplicity, count - multiplicity);
                 parts.push((part, multiplicity));
-                descend(total - part * multiplicity, count - multiplicity, part - 1, parts, found);
+                descend(rest, left, part + 1, parts, found);
                 parts.pop();
             }
         }
     }
-    descend(total, count, total, &mut Vec::new(), found);
+    descend(total, count, 1, &mut Vec::new(), found);
 }
 
 #[cfg(test)]

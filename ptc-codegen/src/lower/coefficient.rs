@@ -17,19 +17,19 @@ pub(super) enum ScaledGain {
     Value(Value),
 }
 
-/// pi to 60 digits, so that a power of it is exact far beyond any precision and rounds once.
-pub(super) fn pi() -> BigRational {
-    const DIGITS: &[u8] = b"314159265358979323846264338327950288419716939937510582097494";
+/// pi^exponent to 50 decimals or more digits: a power of it then rounds once in any precision.
+/// Powers are taken of integers and cut, so that they do not grow without bound.
+pub(super) fn pi_power(exponent: i32) -> BigRational {
+    const DIGITS: &[u8] =
+        b"31415926535897932384626433832795028841971693993751058209749445923078164";
+    let ten = |digits: usize| num_traits::pow(BigInt::from(10), digits);
     let numerator = BigInt::parse_bytes(DIGITS, 10).unwrap_or_default();
-    BigRational::new(numerator, num_traits::pow(BigInt::from(10), DIGITS.len() - 1))
-}
-
-/// pi^exponent to 50 digits, cut there so that high powers do not grow without bound.
-fn pi_power(exponent: i32) -> BigRational {
-    let power = num_traits::pow(pi(), exponent.unsigned_abs() as usize);
-    let power = if exponent < 0 { power.recip() } else { power };
-    let scale = BigRational::from_integer(num_traits::pow(BigInt::from(10), 50));
-    (power * &scale).round() / scale
+    let times = exponent.unsigned_abs() as usize;
+    let power = num_traits::pow(numerator, times);
+    let scale = ten((DIGITS.len() - 1) * times);
+    let (numerator, denominator) = if exponent < 0 { (scale, power) } else { (power, scale) };
+    let decimals = ten(60);
+    BigRational::new(numerator * &decimals / denominator, decimals)
 }
 
 /// The exact value of a parameter that is known at generation.

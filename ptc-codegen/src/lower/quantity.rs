@@ -172,7 +172,7 @@ impl Builder<'_> {
 
     /// kappa'/a = pi/(2 tau) + (2 tau/pi) cot_rate^2.
     fn slope(&mut self) -> Value {
-        let half_pi = super::coefficient::pi() / BigInt::from(2);
+        let half_pi = super::coefficient::pi_power(1) / BigInt::from(2);
         let tau = self.parameter(Parameter::Tau);
         let (quarter, inverse) = (self.number(half_pi.clone()), self.number(half_pi.recip()));
         let first = self.div(quarter, tau);

@@ -15,6 +15,8 @@ pub mod interpret;
 pub mod number;
 pub mod passes;
 
+use std::hash::{Hash, Hasher};
+
 use crate::algebra::BigRational;
 use crate::spec::{Parameter, Precision};
 
@@ -98,7 +100,7 @@ impl Root {
 }
 
 /// An operation.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Op {
     /// An exact number, rounded once to the program's precision.
     Number(BigRational),
@@ -134,6 +136,19 @@ pub enum Op {
     Unknown,
     /// The root.
     Root(Root),
+}
+
+/// By hand, because a ratio hashes its continued fraction, which takes longer than all the rest.
+impl Hash for Op {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Self::Number(value) => (value.numer(), value.denom()).hash(state),
+            Self::Input(input) => input.hash(state),
+            Self::Power(base, exponent) => (base, exponent).hash(state),
+            op => op.operands().hash(state),
+        }
+    }
 }
 
 impl Op {

@@ -1,0 +1,108 @@
+//! Measures the generated code and the generator. Without a sub-command everything but the cost
+//! of the macro is measured, and docs/BENCHMARKS.md and docs/benchmarks.svg are written.
+
+mod accuracy;
+mod c;
+mod callgrind;
+mod calls;
+mod case;
+mod counts;
+mod evaluate;
+mod failure;
+mod gate;
+mod generator;
+mod macro_cost;
+mod peers;
+mod report;
+mod tools;
+mod vectors;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Result;
+
+/// Measures the generated code and the generator.
+///
+/// Without a command: counts, accuracy, peers, generator, then report.
+#[derive(Debug, Parser)]
+#[command(name = "ptc-bench")]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Folder of the peers' generated code, one folder a peer, in it <mapping>_n<n>.c or .cc
+    #[arg(long, global = true, value_name = "DIR")]
+    contestants: Option<PathBuf>,
+    /// Measure also what the macro costs; takes minutes
+    #[arg(long = "macro", global = true)]
+    macro_cost: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Instructions a call, code and stack of every family, order, precision, guard and language
+    Counts,
+    /// The worst scaled error of every family and order against tests/data
+    Accuracy,
+    /// The C of other generators beside ours, from the folder given by --contestants
+    Peers,
+    /// Instructions and time of generating; with --macro also the builds of a crate with the macro
+    Generator,
+    /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
+    Report,
+    /// Expand the Bell polynomials and end, for the profiler
+    #[command(name = generator::PROBE, hide = true)]
+    ProbeBell,
+    /// Fail (exit code 1) when a count of a small subset rose 2 % above bench/baseline.json
+    Gate {
+        /// Write bench/baseline.json from the counts of now
+        #[arg(long)]
+        update: bool,
+    },
+}
+
+fn main() -> ExitCode {
+    match execute(&CommandLine::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {}", failure.message);
+            ExitCode::from(failure.exit)
+        }
+    }
+}
+
+fn execute(line: &CommandLine) -> Result<()> {
+    match &line.command {
+        Some(Command::Gate { update }) => gate::gate(*update),
+        Some(Command::ProbeBell) => {
+            println!("{} rows", generator::ptc_bench_bell());
+            Ok(())
+        }
+        Some(Command::Counts) => report::keep("counts", &counts::measure()?),
+        Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
+        Some(Command::Peers) => peers(line),
+        Some(Command::Generator) => generator(line),
+        Some(Command::Report) => report::write(),
+        None => {
+            report::keep("counts", &counts::measure()?)?;
+            report::keep("accuracy", &accuracy::measure()?)?;
+            peers(line)?;
+            generator(line)?;
+            report::write()
+        }
+    }
+}
+
+fn peers(line: &CommandLine) -> Result<()> {
+    report::keep("peers", &peers::measure(line.contestants.as_deref())?)
+}
+
+fn generator(line: &CommandLine) -> Result<()> {
+    report::keep("generator", &generator::measure()?)?;
+    if line.macro_cost {
+        report::keep("macro", &macro_cost::measure()?)?;
+    }
+    Ok(())
+}

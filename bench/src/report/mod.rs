@@ -1,0 +1,75 @@
+//! `report`: docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last.
+
+mod plot;
+mod tables;
+
+use std::fmt::Write as _;
+
+use serde::de::DeserializeOwned;
+
+use crate::accuracy::Accuracy;
+use crate::counts::Count;
+use crate::failure::Result;
+use crate::generator::Speed;
+use crate::macro_cost::MacroCost;
+use crate::peers::Entry;
+use crate::tools::{machine, results, workspace};
+
+/// Keeps what was measured under `name` for the report.
+pub(crate) fn keep(name: &str, measured: &impl serde::Serialize) -> Result<()> {
+    let path = results()?.join(format!("{name}.json"));
+    Ok(std::fs::write(path, serde_json::to_string(measured)?)?)
+}
+
+/// What was kept under `name`; nothing where it never was.
+fn kept<T: DeserializeOwned>(name: &str) -> Result<Option<T>> {
+    match std::fs::read_to_string(results()?.join(format!("{name}.json"))) {
+        Ok(text) => Ok(Some(serde_json::from_str(&text)?)),
+        Err(_) => Ok(None),
+    }
+}
+
+const INTRODUCTION: &str = "\
+# Benchmarks
+
+How much the generated code costs, how accurate it is, and how fast it is generated. One command
+measures everything and writes this page and its plot again:
+
+    cargo run --release -p ptc-bench
+
+It needs gcc and valgrind. Counts of instructions repeat exactly on the same versions of compiler
+and mathematical library; times do not.
+";
+
+/// Writes both files.
+pub(crate) fn write() -> Result<()> {
+    let mut text = String::from(INTRODUCTION);
+    text.push_str("\n| measured with |\n| --- |\n");
+    for line in machine() {
+        let _ = writeln!(text, "| {line} |");
+    }
+    let counts: Option<Vec<Count>> = kept("counts")?;
+    let peers: Option<Vec<Entry>> = kept("peers")?;
+    let docs = workspace().join("docs");
+    std::fs::create_dir_all(&docs)?;
+    if let Some(counts) = &counts {
+        text.push_str("\n![Instructions a step over the order](benchmarks.svg)\n");
+        tables::counts(&mut text, counts);
+        plot::plot(&docs.join("benchmarks.svg"), counts, peers.as_deref().unwrap_or(&[]))?;
+    }
+    if let Some(accuracy) = kept::<Vec<Accuracy>>("accuracy")? {
+        tables::accuracy(&mut text, &accuracy);
+    }
+    if let Some(peers) = peers.filter(|peers| !peers.is_empty()) {
+        tables::peers(&mut text, &peers);
+    }
+    if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
+        tables::generator(&mut text, &speeds);
+    }
+    if let Some(cost) = kept::<MacroCost>("macro")? {
+        tables::macro_cost(&mut text, cost);
+    }
+    std::fs::write(docs.join("BENCHMARKS.md"), text)?;
+    println!("wrote docs/BENCHMARKS.md and docs/benchmarks.svg");
+    Ok(())
+}

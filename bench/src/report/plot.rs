@@ -1,0 +1,157 @@
+//! The plot: instructions a step over the order, and ours against the best of the peers.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use plotters::prelude::*;
+
+use crate::case::VARIANTS;
+use crate::counts::Count;
+use crate::failure::{Failure, Result};
+use crate::peers::{Entry, OURS};
+
+/// Okabe and Ito's colours, told apart by most eyes and in grey.
+const COLOURS: [RGBColor; 8] = [
+    RGBColor(0, 0, 0),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(0, 114, 178),
+    RGBColor(0, 158, 115),
+    RGBColor(213, 94, 0),
+    RGBColor(204, 121, 167),
+    RGBColor(120, 120, 120),
+];
+
+fn failed(error: impl Display) -> Failure {
+    Failure::new(format!("the plot: {error}"))
+}
+
+/// Writes the plot.
+pub(super) fn plot(path: &Path, counts: &[Count], peers: &[Entry]) -> Result<()> {
+    let pairs = pairs(peers);
+    let width = if pairs.is_empty() { 640 } else { 1200 };
+    let area = SVGBackend::new(path, (width, 460)).into_drawing_area();
+    // Explicit, so that the plot reads the same on a dark page.
+    area.fill(&WHITE).map_err(failed)?;
+    if pairs.is_empty() {
+        lines(&area, counts)?;
+    } else {
+        let (left, right) = area.split_horizontally(640);
+        lines(&left, counts)?;
+        bars(&right, &pairs)?;
+    }
+    area.present().map_err(failed)
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+
+fn lines(area: &Area<'_>, counts: &[Count]) -> Result<()> {
+    let mut chart = ChartBuilder::on(area)
+        .caption("Instructions a step, C, f64, guard none", ("sans-serif", 18))
+        .margin(12)
+        .x_label_area_size(40)
+        .y_label_area_size(60)
+        .build_cartesian_2d(1.0..12.0, (15.0..12000.0).log_scale())
+        .map_err(failed)?;
+    chart
+        .configure_mesh()
+        .x_desc("order n")
+        .y_desc("instructions (log)")
+        .x_labels(12)
+        .x_label_formatter(&|n| format!("{n:.0}"))
+        .y_label_formatter(&|count| format!("{count:.0}"))
+        .light_line_style(RGBColor(240, 240, 240))
+        .draw()
+        .map_err(failed)?;
+    for (variant, colour) in VARIANTS.iter().zip(COLOURS) {
+        let mut points: Vec<_> = counts
+            .iter()
+            .filter(|count| {
+                let key = &count.key;
+                (key.language.as_str(), key.precision.as_str(), key.guard.as_str())
+                    == ("c", "f64", "none")
+                    && key.variant == variant.name
+            })
+            .map(|count| (count.key.n as f64, count.step))
+            .collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let style = colour.stroke_width(2);
+        chart
+            .draw_series(LineSeries::new(points, style).point_size(3))
+            .map_err(failed)?
+            .label(variant.name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperLeft)
+        .background_style(WHITE.mix(0.85))
+        .border_style(RGBColor(200, 200, 200))
+        .draw()
+        .map_err(failed)
+}
+
+/// Ours and the best peer, for each family and order that both have.
+struct Pair {
+    label: String,
+    ours: f64,
+    best: f64,
+    name: String,
+}
+
+fn pairs(peers: &[Entry]) -> Vec<Pair> {
+    let ours = peers.iter().filter(|entry| entry.name == OURS);
+    let pair = |ours: &Entry| {
+        let best = peers
+            .iter()
+            .filter(|peer| peer.name != OURS && peer.family == ours.family && peer.n == ours.n)
+            .min_by(|a, b| a.step.total_cmp(&b.step))?;
+        Some(Pair {
+            label: format!("{} {}", ours.family, ours.n),
+            ours: ours.step,
+            best: best.step,
+            name: best.name.clone(),
+        })
+    };
+    ours.filter_map(pair).collect()
+}
+
+fn bars(area: &Area<'_>, pairs: &[Pair]) -> Result<()> {
+    let most = pairs.iter().map(|pair| pair.best.max(pair.ours)).fold(0.0, f64::max);
+    let mut chart = ChartBuilder::on(area)
+        .caption("Ours (blue) and the best of the others (orange)", ("sans-serif", 18))
+        .margin(12)
+        .x_label_area_size(40)
+        .y_label_area_size(12)
+        .build_cartesian_2d(-0.2 * most..most * 1.35, 0.0..pairs.len() as f64)
+        .map_err(failed)?;
+    chart
+        .configure_mesh()
+        .disable_y_mesh()
+        .disable_y_axis()
+        .y_labels(0)
+        .x_desc("instructions a step, f64")
+        .x_label_formatter(&|count| {
+            if *count < 0.0 { String::new() } else { format!("{count:.0}") }
+        })
+        .light_line_style(RGBColor(240, 240, 240))
+        .draw()
+        .map_err(failed)?;
+    for (index, pair) in pairs.iter().enumerate() {
+        let row = (pairs.len() - 1 - index) as f64;
+        for (value, low, colour, text) in [
+            (pair.ours, 0.52, COLOURS[3], format!("{:.0}", pair.ours)),
+            (pair.best, 0.12, COLOURS[1], format!("{:.0} {}", pair.best, pair.name)),
+        ] {
+            let corners = [(0.0, row + low), (value, row + low + 0.36)];
+            let place = (value + most * 0.01, row + low + 0.32);
+            chart.draw_series([Rectangle::new(corners, colour.filled())]).map_err(failed)?;
+            chart.draw_series([Text::new(text, place, ("sans-serif", 12))]).map_err(failed)?;
+        }
+        let place = (-0.19 * most, row + 0.62);
+        chart
+            .draw_series([Text::new(pair.label.clone(), place, ("sans-serif", 13))])
+            .map_err(failed)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,168 @@
+//! The tables of the page, each under the command that measures it.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use crate::accuracy::Accuracy;
+use crate::case::{ORDERS, VARIANTS};
+use crate::counts::Count;
+use crate::generator::Speed;
+use crate::macro_cost::MacroCost;
+use crate::peers::Entry;
+
+/// A heading with the command that measures what follows.
+fn section(text: &mut String, title: &str, command: &str, about: &str) {
+    let command = format!("cargo run --release -p ptc-bench -- {command}");
+    let _ = write!(text, "\n## {title}\n\n    {command}\n\n{about}\n");
+}
+
+/// A table with one row for each name and one column for each order.
+fn by_order(
+    text: &mut String,
+    rows: &[&str],
+    orders: &[usize],
+    cell: impl Fn(&str, usize) -> Option<String>,
+) {
+    let heads: Vec<_> = orders.iter().map(|n| format!("n = {n}")).collect();
+    let _ = writeln!(text, "| | {} |", heads.join(" | "));
+    let _ = writeln!(text, "| --- |{}", " ---: |".repeat(orders.len()));
+    for row in rows {
+        let cells: Vec<_> = orders.iter().map(|n| cell(row, *n).unwrap_or_default()).collect();
+        let _ = writeln!(text, "| {row} | {} |", cells.join(" | "));
+    }
+}
+
+const COUNTS: &str = "\
+Instructions a call by callgrind, the mathematical library included: the mean over 64 calls with
+time-to-go spread evenly from tau to 0.03 tau. Every parameter is set at run time, but for
+`power_m2`, which is power with m = 2 fixed; `exp_sum` has two rates. C is compiled by
+`gcc -std=c99 -O2`, Rust by `rustc -C opt-level=3`; in Rust each function is inlined into a wrapper
+that is not, so what a call costs is in the count, as it is in C. Guard `none` leaves out u_max;
+`result` and `full` take it at run time. `tick` and `axis` are `step` in two: time once, then each
+axis; `axis` costs the same for every family.";
+
+pub(super) fn counts(text: &mut String, counts: &[Count]) {
+    section(text, "Instructions, code and stack", "counts", COUNTS);
+    let find = |language: &str, guard: &str, precision: &str, variant: &str, n: usize| {
+        counts.iter().find(|count| {
+            let key = &count.key;
+            (key.language.as_str(), key.guard.as_str(), key.precision.as_str())
+                == (language, guard, precision)
+                && key.variant == variant
+                && key.n == n
+        })
+    };
+    let variants: Vec<_> = VARIANTS.iter().map(|variant| variant.name).collect();
+    let rounded = |value: f64| format!("{value:.0}");
+    for (language, title) in [("c", "C"), ("rust", "Rust")] {
+        for precision in ["f64", "f32"] {
+            for guard in ["none", "result", "full"] {
+                let _ = writeln!(text, "\n### {title}, {precision}: `step`, guard `{guard}`\n");
+                by_order(text, &variants, &ORDERS, |variant, n| {
+                    find(language, guard, precision, variant, n).map(|count| rounded(count.step))
+                });
+            }
+            let _ = writeln!(text, "\n### {title}, {precision}: `tick`, guard `none`\n");
+            by_order(text, &variants, &ORDERS, |variant, n| {
+                find(language, "none", precision, variant, n).map(|count| rounded(count.tick))
+            });
+            let _ = writeln!(text, "\n### {title}, {precision}: `axis`, by guard\n");
+            by_order(text, &["none", "result", "full"], &ORDERS, |guard, n| {
+                find(language, guard, precision, "exp", n).map(|count| rounded(count.axis))
+            });
+            let bytes = if language == "c" { "code and stack" } else { "code" };
+            let _ = writeln!(
+                text,
+                "\n### {title}, {precision}: bytes of {bytes} of `step`, guard `none`\n"
+            );
+            by_order(text, &variants, &ORDERS, |variant, n| {
+                let count = find(language, "none", precision, variant, n)?;
+                Some(match count.stack {
+                    Some(stack) => format!("{} + {stack}", count.text),
+                    None => count.text.to_string(),
+                })
+            });
+        }
+    }
+    text.push_str("\nStable Rust has no report of stack sizes.\n");
+}
+
+const ACCURACY: &str = "\
+The worst scaled error |u - reference| / scale of generated C against the vectors of
+[tests/data](../tests/data/README.md), which were computed with 160 digits and more: time-to-go from
+T = tau down to T/tau = 1e-12 in double precision and 1e-6 in single, start times up to 1e4. In
+brackets T/tau at the worst point.";
+
+pub(super) fn accuracy(text: &mut String, accuracy: &[Accuracy]) {
+    section(text, "Accuracy", "accuracy", ACCURACY);
+    for precision in ["f64", "f32"] {
+        let of_it: Vec<_> = accuracy.iter().filter(|one| one.precision == precision).collect();
+        let points: usize = of_it.iter().map(|one| one.points).sum();
+        let _ = writeln!(text, "\n### {precision}: {points} points\n");
+        let mut families: Vec<_> = of_it.iter().map(|one| one.family.as_str()).collect();
+        families.dedup();
+        let orders: BTreeSet<_> = of_it.iter().map(|one| one.n).collect();
+        by_order(text, &families, &Vec::from_iter(orders), |family, n| {
+            let one = of_it.iter().find(|one| one.family == family && one.n == n)?;
+            Some(match one.worst {
+                Some(worst) => format!("{worst:.1e} ({:.0e})", one.at),
+                None => format!("not finite ({:.0e})", one.at),
+            })
+        });
+    }
+}
+
+const PEERS: &str = "\
+Other generators' C and C++ for the same law beside ours, in one binary, all parameters at run time,
+double precision, `gcc -O2`. `hand` and `hand_loop` are written by hand, the others are SymPy,
+CasADi and SymForce with the settings that did best. Errors are scaled as above: first for
+T/tau >= 0.01, then to 1e-12.";
+
+pub(super) fn peers(text: &mut String, peers: &[Entry]) {
+    section(text, "Beside other generators", "peers --contestants DIR", PEERS);
+    text.push_str("\n| family | n | generator | instructions | bytes of code | error | error at the deadline |\n");
+    text.push_str("| --- | ---: | --- | ---: | ---: | ---: | ---: |\n");
+    let mut sorted: Vec<_> = peers.iter().collect();
+    sorted.sort_by(|a, b| (&a.family, a.n).cmp(&(&b.family, b.n)).then(a.step.total_cmp(&b.step)));
+    let error = |value: Option<f64>| match value {
+        Some(value) => format!("{value:.1e}"),
+        None => "not finite".to_owned(),
+    };
+    for entry in sorted {
+        let Entry { name, family, n, step, text: bytes, early, deadline } = entry;
+        let (early, deadline) = (error(*early), error(*deadline));
+        let _ = writeln!(
+            text,
+            "| {family} | {n} | {name} | {step:.0} | {bytes} | {early} | {deadline} |"
+        );
+    }
+}
+
+const GENERATOR: &str = "\
+Whole processes from the command line to the written files, and the expansion of all partial Bell
+polynomials in free symbols. Times are the best of 20.";
+
+pub(super) fn generator(text: &mut String, speeds: &[Speed]) {
+    section(text, "Generating", "generator", GENERATOR);
+    text.push_str("\n| | million instructions | ms |\n| --- | ---: | ---: |\n");
+    for Speed { what, instructions, milliseconds } in speeds {
+        let millions = *instructions as f64 / 1e6;
+        let _ = writeln!(text, "| `{what}` | {millions:.1} | {milliseconds:.1} |");
+    }
+}
+
+const MACRO: &str = "\
+Seconds of `cargo build` of a crate that uses `ptc_controller!`: cold with its whole dependency tree,
+then after a change of the crate with no, one and twenty controllers of order 2 to 5 (best of 5).";
+
+pub(super) fn macro_cost(text: &mut String, cost: MacroCost) {
+    section(text, "The macro", "generator --macro", MACRO);
+    text.push_str("\n| cold | no controller | one | twenty | added by one | added by twenty |\n");
+    text.push_str("| ---: | ---: | ---: | ---: | ---: | ---: |\n");
+    let MacroCost { cold, none, one, twenty } = cost;
+    let (by_one, by_twenty) = (one - none, twenty - none);
+    let _ = writeln!(
+        text,
+        "| {cold:.1} | {none:.2} | {one:.2} | {twenty:.2} | {by_one:.2} | {by_twenty:.2} |"
+    );
+}

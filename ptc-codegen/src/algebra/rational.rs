@@ -1,0 +1,65 @@
+//! Products and sums of exact rationals without the common factors that cannot be there: most
+//! coefficients are integers, and the others pair a long number with a short one.
+
+use num_traits::{One, Zero};
+
+use super::{BigInt, BigRational};
+
+/// a * b.
+pub(super) fn product(a: &BigRational, b: &BigRational) -> BigRational {
+    if a.is_integer() && b.is_integer() {
+        return BigRational::from_integer(a.numer() * b.numer());
+    }
+    // a and b are in lowest terms, so a common factor is one across them.
+    let left = common(a.numer(), b.denom());
+    let right = common(b.numer(), a.denom());
+    BigRational::new_raw(
+        (a.numer() / &left) * (b.numer() / &right),
+        (a.denom() / &right) * (b.denom() / &left),
+    )
+}
+
+/// `sum += term`.
+pub(super) fn add(sum: &mut BigRational, term: BigRational) {
+    if sum.is_integer() && term.is_integer() {
+        *sum = BigRational::from_integer(sum.numer() + term.numer());
+    } else {
+        *sum += term;
+    }
+}
+
+/// The greatest common divisor, by Euclid: one division brings a long number down to a short one.
+fn common(a: &BigInt, b: &BigInt) -> BigInt {
+    if a.is_one() || b.is_one() {
+        return BigInt::one();
+    }
+    let (mut a, mut b) = (a.clone(), b.clone());
+    while !b.is_zero() {
+        let rest = &a % &b;
+        a = std::mem::replace(&mut b, rest);
+    }
+    BigInt::from(a.magnitude().clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_as_the_plain_operators() {
+        let numbers: Vec<_> = [-90, -7, -1, 0, 1, 4, 6, 35]
+            .into_iter()
+            .flat_map(|p| [1, 2, 9, 10, 84].map(|q| BigRational::new(p.into(), q.into())))
+            .collect();
+        for a in &numbers {
+            for b in &numbers {
+                let mut sum = a.clone();
+                add(&mut sum, b.clone());
+                assert_eq!(sum, a + b);
+                let product = product(a, b);
+                assert_eq!(product.numer(), (a * b).numer());
+                assert_eq!(product.denom(), (a * b).denom());
+            }
+        }
+    }
+}
