@@ -30,7 +30,7 @@ pub static KEYS: [KeyInfo; 10] = [
     KeyInfo {
         key: "name",
         meaning: "name of the controller: prefix of every emitted symbol, stem of the files",
-        legal: "an identifier of at most 48 letters, digits and _, no keyword of C or Rust",
+        legal: "an identifier of at most 48 letters, digits and _, no word of C or Rust",
         example: "roll",
     },
     KeyInfo {
