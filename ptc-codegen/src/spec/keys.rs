@@ -49,7 +49,7 @@ pub static KEYS: [KeyInfo; 10] = [
         key: "gains",
         meaning: "gains k_1..k_n of the law pi0 = -sum k_i xi_i",
         legal: "n finite numbers",
-        example: "6,11,6",
+        example: "120,74,15",
     },
     KeyInfo {
         key: "tau",
