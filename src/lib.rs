@@ -1,8 +1,16 @@
 //! Prescribed-time controllers: a chain of integrators is brought to rest at a time you choose.
 //!
-//! The plant is `x1' = x2, ..., xn' = u`. [`ptc_controller!`] writes a controller for one order n
-//! and one mapping of time, specialised when your crate is compiled; this crate holds the types
-//! that all such controllers share. Nothing allocates, nothing panics, and no `std` is needed.
+//! The plant is `x1' = x2, ..., xn' = u`: x1 in a unit of yours, xi in unit/s^(i-1), u in unit/s^n.
+//! [`ptc_controller!`] writes a controller for one order n and one mapping of time, specialised when
+//! your crate is compiled; this crate holds the types that all such controllers share. Nothing
+//! allocates, nothing panics, and no `std` is needed.
+//!
+//! The law is Theorem 1 of A. Shakouri and N. Assadian, *A Framework for Prescribed-Time Control
+//! Design via Time-Scale Transformation*, with g = 1 and a linear law in stretched time:
+//! u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
+//! s^n + k_n s^(n-1) + ... + k_1 lie left of -n rho, where rho is the decay rate of the mapping
+//! (a for `exp`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
+//! deadline.
 //!
 //! ```
 //! use ptc::{Controller, Status};
@@ -16,7 +24,7 @@
 //!     eps: 1e-3,            // gains are held for the last millisecond
 //!     u_max: f64::INFINITY, // no clipping
 //!     a: 1.0,               // rate of stretched time
-//!     k: [24.0, 26.0, 9.0], // poles -2, -3, -4 in stretched time
+//!     k: [120.0, 74.0, 15.0], // poles -4, -5, -6 in stretched time
 //! })?;
 //! let control = controller.step(0.5, &[1.0, 0.0, 0.0])?;
 //! assert_eq!(control.status, Status::Ok);
@@ -27,16 +35,25 @@
 //!
 //! # Features
 //!
-//! Where a family calls `sqrt`, `exp`, `ln`, `tan` or `pow`, they come from one of
+//! Where a controller calls a mathematical function, it comes from one of
 //!
 //! - `std` (default): the standard library;
 //! - `libm`: the crate `libm`, for targets without `std`. It wins where both are on.
 //!
-//! The families `exp`, `rational` and `tanh` call none of them in `step`. A controller that calls
-//! none at all compiles without either feature.
+//! | family | calls |
+//! | --- | --- |
+//! | `exp`, `rational`, `tan`, `tanh`, `power` with an integer `m` fixed | nothing: compiles without either feature |
+//! | `algebraic`, `power` with half an odd integer `m` fixed | `sqrt`, which every library rounds alike |
+//! | `power` otherwise | `pow` |
+//! | `exp_sum` | `exp`, `ln` |
 
 #![no_std]
 #![forbid(unsafe_code)]
+
+/// The code of the README is compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(all(feature = "std", not(feature = "libm")))]
 extern crate std;
@@ -62,7 +79,7 @@ pub use error::Error;
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
-/// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i | a list of n finite numbers: `[6, 11, 6]` | run time |
+/// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]` | run time |
 /// | `tau` | prescribed settling time in s | a number > 0 | run time |
 /// | `t0` | start time in s | a finite number | run time |
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
@@ -87,7 +104,7 @@ pub use error::Error;
 ///     pub k: [f64; 3],
 /// }
 ///
-/// #[derive(Clone, Debug)]
+/// #[derive(Clone, Copy, Debug, PartialEq)]
 /// pub struct PtcExp3 { /* coefficients, formed once by `new` */ }
 ///
 /// impl PtcExp3 {
@@ -99,6 +116,17 @@ pub use error::Error;
 /// # { unimplemented!() }
 ///     /// u for the state `x` at time `t`.
 ///     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control, Error>
+/// # { unimplemented!() }
+///     /// The gains at time `t`, for several axes that share a deadline.
+///     pub fn tick(&self, t: f64) -> Result<PtcExp3Gains, Error>
+/// # { unimplemented!() }
+/// }
+///
+/// pub struct PtcExp3Gains { /* `gain: [f64; 3]` and what else `axis` needs */ }
+///
+/// impl PtcExp3Gains {
+///     /// u of one axis with state `x`. It rounds otherwise than `step` does.
+///     pub fn axis(&self, x: &[f64; 3]) -> Result<Control, Error>
 /// # { unimplemented!() }
 /// }
 ///

@@ -33,7 +33,6 @@ functions! { f64:
     sqrt(x) = sqrt | sqrt;
     exp(x) = exp | exp;
     ln(x) = ln | log;
-    tan(x) = tan | tan;
     pow(x, y) = powf | pow;
 }
 
@@ -41,14 +40,13 @@ functions! { f32:
     sqrt(x) = sqrt | sqrtf;
     exp(x) = exp | expf;
     ln(x) = ln | logf;
-    tan(x) = tan | tanf;
     pow(x, y) = powf | powf;
 }
 
 /// Implemented for nothing: there are no functions without a feature.
 #[cfg(not(any(feature = "std", feature = "libm")))]
 #[diagnostic::on_unimplemented(
-    message = "this controller calls sqrt, exp, ln, tan or pow: enable the feature `std` or `libm` of the crate `ptc`",
+    message = "this controller calls sqrt, exp, ln or pow: enable the feature `std` or `libm` of the crate `ptc`",
     label = "its mapping needs a mathematical function"
 )]
 pub trait Functions: Sized {

@@ -273,7 +273,7 @@ fn a_controller_is_armed_again() {
 #[test]
 fn a_copy_is_a_controller_of_its_own() {
     let controller = PtcExp2::new(exp_2()).expect("parameters");
-    let mut copy = controller.clone();
+    let mut copy = controller;
     assert_eq!(copy.arm(10.0), Ok(()));
     assert!(controller.step(0.0, &[1.0, 0.0]).is_ok());
     assert!(format!("{controller:?}").starts_with("PtcExp2"));

@@ -64,12 +64,12 @@ impl Diagnostics {
 }
 
 /// The legal name that `given` most likely meant: one at most a third of its letters off, else one
-/// that it begins or that begins it.
+/// that it begins or that begins it. A single letter is no typo of another.
 pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
     let rank = |name: &str| {
         let distance = strsim::damerau_levenshtein(&given, name);
-        let typo = 3 * distance <= given.len().max(3);
+        let typo = given.len() > 1 && 3 * distance <= given.len().max(3);
         let prefix = given.len() >= 2 && (given.starts_with(name) || name.starts_with(&given));
         (typo || prefix).then(|| (!typo, distance, given.len().abs_diff(name.len())))
     };
@@ -92,8 +92,10 @@ mod tests {
             ("tahn", Some("tanh")),
             ("zebra", None),
             ("", None),
+            ("x", None),
         ] {
             assert_eq!(near_miss(given, families), meant, "{given}");
         }
+        assert_eq!(near_miss("m", ["a"]), None);
     }
 }

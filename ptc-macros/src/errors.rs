@@ -5,7 +5,7 @@ use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::mapping::FAMILIES;
 use ptc_codegen::spec::{self, Spec, Value};
 
-use crate::input::Input;
+use crate::input::{Input, example};
 
 /// One compile error for each mistake in `input` and each in `found`, in the order in which they
 /// were written.
@@ -17,7 +17,11 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
     found.sort_by_key(|wrong| (wrong.place.is_none(), wrong.place));
     let errors = found.iter().flat_map(|wrong| {
         let spans = wrong.place.and_then(|place| input.spans.get(place.0)).copied();
-        compile_error(spans, &format!("{}\nhelp: {}", wrong.message, wrong.help))
+        let example = match wrong.code {
+            "missing-key" => format!(", for example {}", example(&wrong.key)),
+            _ => String::new(),
+        };
+        compile_error(spans, &format!("{}\nhelp: {}{example}", wrong.message, wrong.help))
     });
     let errors = errors.collect();
     let named = found.iter().all(|wrong| wrong.key != "name");

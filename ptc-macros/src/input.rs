@@ -47,11 +47,9 @@ impl Input {
             [equals, value @ ..] if equals.text == "=" => self.value(key, equals, value),
             [other, ..] => self.unexpected(&key.text, other, "`=`"),
             [] => {
-                let example = KeyInfo::find(&key.text).map_or("value", |info| info.example);
-                let listed = key.text == "gains";
-                let example = if listed { format!("[{example}]") } else { example.to_owned() };
                 let message = format!("`{}` has no value", key.text);
-                self.syntax(&key.text, key, message, format!("write `{} = {example}`", key.text));
+                let help = format!("write `{}`", example(&key.text));
+                self.syntax(&key.text, key, message, help);
             }
         }
     }
@@ -92,6 +90,15 @@ impl Input {
     fn place(&mut self, first: Span, last: Span) -> Place {
         self.spans.push((first, last));
         Place(self.spans.len() - 1)
+    }
+}
+
+/// An entry for `key` as it is written in the macro.
+pub(crate) fn example(key: &str) -> String {
+    match KeyInfo::find(key) {
+        Some(info) if key == "gains" => format!("{key} = [{}]", info.example),
+        Some(info) => format!("{key} = {}", info.example),
+        None => format!("{key} = value"),
     }
 }
 

@@ -130,7 +130,7 @@ impl Poly {
     }
 
     /// Number of terms.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 

@@ -30,17 +30,12 @@ fn parameters(info: &FamilyInfo) -> (Vec<Line>, Vec<Line>) {
         .parameters()
         .into_iter()
         .filter(|p| p.index().unwrap_or(0) == 0)
-        .partition::<Vec<_>, _>(|p| info.parameters.iter().any(|own| own.key == p.key()));
+        .partition::<Vec<_>, _>(|p| info.parameters.contains(&p.key()));
     let line = |p: Parameter| Line {
         key: p.key().to_owned(),
         unit: p.unit(),
         domain: p.domain().text(),
-        // The family's own words, where it has some.
-        meaning: info
-            .parameters
-            .iter()
-            .find(|own| own.key == p.key())
-            .map_or(p.meaning(), |own| own.meaning),
+        meaning: p.meaning(),
     };
     (own.into_iter().map(line).collect(), common.into_iter().map(line).collect())
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
 
-use super::report::{Failure, Notice, Quote};
+use super::report::{Failure, Notice, Quote, quoted};
 
 /// The flags that were given.
 #[derive(Clone, Debug, Default)]
@@ -95,12 +95,12 @@ impl Parsed<'_> {
             let (key, text) = &self.source.given[index];
             Quote { flag: flag(key), text: text.clone(), range, label: label(diagnostic.code) }
         });
-        // The library shows how the key is written in a macro.
-        let example = KeyInfo::find(key).map_or("", |info| info.example);
-        let help = diagnostic.help.replace(
-            &format!("{key} = {example}"),
-            &format!("{} {}", flag(key), super::report::quoted(example)),
-        );
+        let mut help = diagnostic.help.clone();
+        if diagnostic.code == "missing-key"
+            && let Some(info) = KeyInfo::find(key)
+        {
+            help.push_str(&format!(", for example {} {}", flag(key), quoted(info.example)));
+        }
         Notice {
             code: Some(diagnostic.code),
             title: diagnostic.message.clone(),

@@ -22,17 +22,6 @@ pub enum Family {
     ExpSum,
 }
 
-/// A parameter of a family.
-#[derive(Clone, Copy, Debug)]
-pub struct ParameterInfo {
-    /// Key, in the spec and in the emitted parameters.
-    pub key: &'static str,
-    /// Unit.
-    pub unit: &'static str,
-    /// Meaning.
-    pub meaning: &'static str,
-}
-
 /// What a user is told about a family.
 #[derive(Clone, Copy, Debug)]
 pub struct FamilyInfo {
@@ -50,16 +39,9 @@ pub struct FamilyInfo {
     pub atoms: &'static str,
     /// Decay rate of mu'.
     pub decay_rate: &'static str,
-    /// Its own parameters.
-    pub parameters: &'static [ParameterInfo],
+    /// Keys of its own parameters; [`Parameter`](crate::spec::Parameter) tells the rest of them.
+    pub parameters: &'static [&'static str],
 }
-
-const RATE: ParameterInfo =
-    ParameterInfo { key: "a", unit: "1/s", meaning: "rate of stretched time" };
-const EXPONENT: ParameterInfo =
-    ParameterInfo { key: "m", unit: "1", meaning: "exponent of the time-to-go in kappa" };
-const RATES: ParameterInfo =
-    ParameterInfo { key: "rates", unit: "1/s", meaning: "rates a_i of the exponential terms" };
 
 /// The families, in the order in which they are listed.
 pub static FAMILIES: [FamilyInfo; 7] = [
@@ -71,7 +53,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "(-1)^(k-1) a^k T",
         atoms: "T = time-to-go",
         decay_rate: "a",
-        parameters: &[RATE],
+        parameters: &["a"],
     },
     FamilyInfo {
         family: Family::Rational,
@@ -81,7 +63,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "(-1)^(k-1) k! (a/tau)^k T^(k+1)",
         atoms: "T = time-to-go",
         decay_rate: "0",
-        parameters: &[RATE],
+        parameters: &["a"],
     },
     FamilyInfo {
         family: Family::Power,
@@ -91,7 +73,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "(-1)^(k-1) prod_{i<k}(1 + i*m) a^k T P^k",
         atoms: "T = time-to-go, P = (T/tau)^m",
         decay_rate: "0",
-        parameters: &[RATE, EXPONENT],
+        parameters: &["a", "m"],
     },
     FamilyInfo {
         family: Family::Tan,
@@ -101,7 +83,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "(-1)^(k-1) (k-1)! (2*tau/pi) a^k sin(k*th) sin(th)^k",
         atoms: "y = cot(th), V = 1/(1 + y^2)",
         decay_rate: "0",
-        parameters: &[RATE],
+        parameters: &["a"],
     },
     FamilyInfo {
         family: Family::Tanh,
@@ -111,7 +93,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "2*tau*(-2*a)^k Li_{-k}(-E)",
         atoms: "T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)",
         decay_rate: "2*a",
-        parameters: &[RATE],
+        parameters: &["a"],
     },
     FamilyInfo {
         family: Family::Algebraic,
@@ -121,7 +103,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "tau a^k v^(1 + k/2) Q_k(s), s = 1 - T/tau, v = 1 - s^2, Q_1 = 1, Q_{k+1} = v Q_k' - (k+2) s Q_k",
         atoms: "y = a*t, h = 1/sqrt(1 + y^2)",
         decay_rate: "0",
-        parameters: &[RATE],
+        parameters: &["a"],
     },
     FamilyInfo {
         family: Family::ExpSum,
@@ -131,7 +113,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         r: "(-1)^(k-1) tau mean_i(a_i^k e_i)",
         atoms: "e_i = exp(-a_i*t)",
         decay_rate: "min_i a_i",
-        parameters: &[RATES],
+        parameters: &["rates"],
     },
 ];
 

@@ -6,7 +6,7 @@
 
 mod families;
 
-pub use families::{FAMILIES, Family, FamilyInfo, ParameterInfo};
+pub use families::{FAMILIES, Family, FamilyInfo};
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 

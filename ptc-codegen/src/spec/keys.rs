@@ -30,7 +30,7 @@ pub static KEYS: [KeyInfo; 10] = [
     KeyInfo {
         key: "name",
         meaning: "name of the controller: prefix of every emitted symbol, stem of the files",
-        legal: "an identifier of at most 48 letters, digits and _, no keyword of C or Rust",
+        legal: "an identifier of at most 48 letters, digits and _, no word of C or Rust",
         example: "roll",
     },
     KeyInfo {
@@ -49,7 +49,7 @@ pub static KEYS: [KeyInfo; 10] = [
         key: "gains",
         meaning: "gains k_1..k_n of the law pi0 = -sum k_i xi_i",
         legal: "n finite numbers",
-        example: "6,11,6",
+        example: "120,74,15",
     },
     KeyInfo {
         key: "tau",

@@ -3,6 +3,7 @@
 mod keys;
 mod parameter;
 mod read;
+mod reserved;
 mod value;
 
 pub use keys::{KEYS, KeyInfo};

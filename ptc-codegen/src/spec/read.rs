@@ -6,10 +6,10 @@ use num_traits::ToPrimitive;
 
 use super::{
     Argument, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, MAX_RATES, Node, Parameter, Precision, Spec,
-    Value, value::shorten,
+    Value, reserved::is_reserved, value::shorten,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
-use crate::mapping::{FAMILIES, Family};
+use crate::mapping::{FAMILIES, Family, FamilyInfo};
 
 /// Largest decimal exponent of a number.
 pub(crate) const MAX_EXPONENT: i32 = 400;
@@ -36,6 +36,13 @@ pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
     }
     let spec = reader.spec();
     reader.found.finish(spec)
+}
+
+/// What `mu` says: the family, its number of rates, and its parameters as far as they are fixed.
+struct Mu {
+    family: Family,
+    rates: usize,
+    fixed: Vec<(Parameter, Fixed)>,
 }
 
 struct Reader<'a> {
@@ -71,7 +78,7 @@ impl<'a> Reader<'a> {
 
     fn spec(&mut self) -> Option<Spec> {
         let n = self.order();
-        let family = self.mu();
+        let mu = self.mu();
         let name = self.name();
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
@@ -87,12 +94,11 @@ impl<'a> Reader<'a> {
             }
         }
         self.eps_below_tau(&fixed);
-        let (family, rates, own) = family?;
-        fixed.extend(own);
-        let n = n?;
         fixed.extend(self.gains(n));
+        fixed.extend(mu.iter().flat_map(|mu| mu.fixed.iter().cloned()));
         let precision = precision.unwrap_or(Precision::F64);
         self.representable(&fixed, precision);
+        let (n, Mu { family, rates, .. }) = (n?, mu?);
         Some(Spec { n, family, rates, name, precision, guard: guard.unwrap_or(Guard::Full), fixed })
     }
 
@@ -101,15 +107,9 @@ impl<'a> Reader<'a> {
     }
 
     fn missing(&mut self, key: &'static str) {
-        let info = KeyInfo::find(key);
-        let (legal, example) = info.map_or(("", ""), |i| (i.legal, i.example));
-        self.found.push(
-            "missing-key",
-            key,
-            None,
-            format!("`{key}` is missing"),
-            format!("give {legal}, for example {key} = {example}"),
-        );
+        let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+        let message = format!("`{key}` is missing");
+        self.found.push("missing-key", key, None, message, format!("give {legal}"));
     }
 
     fn order(&mut self) -> Option<usize> {
@@ -200,14 +200,17 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn gains(&mut self, n: usize) -> Vec<(Parameter, Fixed)> {
+    /// The gains as far as they are legal, whether or not the order is.
+    fn gains(&mut self, n: Option<usize>) -> Vec<(Parameter, Fixed)> {
         let Some(node) = self.keys.get("gains").copied() else { return Vec::new() };
         let single = std::slice::from_ref(node);
         let items = match &node.value {
             Value::List(items) => items.as_slice(),
             _ => single,
         };
-        if items.len() != n {
+        if let Some(n) = n
+            && items.len() != n
+        {
             let message = format!("{} gains for order n = {n}", items.len());
             let help = format!("give k_1..k_{n}, one for each of xi_1..xi_{n}");
             self.wrong("gains", Some(node.place), message, help);
@@ -221,8 +224,7 @@ impl<'a> Reader<'a> {
         items.iter().enumerate().filter_map(gain).collect()
     }
 
-    /// The family, its number of rates, and its parameters as far as they are fixed.
-    fn mu(&mut self) -> Option<(Family, usize, Vec<(Parameter, Fixed)>)> {
+    fn mu(&mut self) -> Option<Mu> {
         let Some(node) = self.keys.get("mu").copied() else {
             self.missing("mu");
             return None;
@@ -248,44 +250,43 @@ impl<'a> Reader<'a> {
             return None;
         };
         if info.family == Family::ExpSum {
-            let (rates, own) = self.rates(node, arguments)?;
-            return Some((info.family, rates, own));
+            return self.rates(node, arguments);
         }
-        let own = arguments.iter().filter_map(|a| self.own_parameter(info.name, a)).collect();
+        let fixed = arguments.iter().filter_map(|a| self.own_parameter(info, a)).collect();
         self.reject_twice(arguments);
-        Some((info.family, 0, own))
+        Some(Mu { family: info.family, rates: 0, fixed })
     }
 
     /// `a = 1` or `m = 2` of a family.
-    fn own_parameter(&mut self, family: &str, argument: &Argument) -> Option<(Parameter, Fixed)> {
-        let legal: &[(&str, Parameter)] = match family {
-            "power" => &[("a", Parameter::A), ("m", Parameter::M)],
-            _ => &[("a", Parameter::A)],
-        };
-        let names = legal.iter().map(|(name, _)| *name);
-        let all = names.clone().collect::<Vec<_>>().join(", ");
+    fn own_parameter(
+        &mut self,
+        info: &FamilyInfo,
+        argument: &Argument,
+    ) -> Option<(Parameter, Fixed)> {
+        let (family, names) = (info.name, info.parameters);
         let Some((name, place)) = &argument.name else {
             let message =
                 format!("{} in `{family}(...)` has no name", shown(&argument.value.value));
-            let help = format!(
-                "write {family}({}={})",
-                legal[0].0,
-                shown(&argument.value.value).trim_matches('`')
-            );
+            let value = shown(&argument.value.value);
+            let help = format!("write {family}({}={})", names[0], value.trim_matches('`'));
             self.wrong("mu", Some(argument.value.place), message, help);
             return None;
         };
-        let Some((_, parameter)) = legal.iter().find(|(key, _)| key == name) else {
+        let legal = [Parameter::A, Parameter::M].into_iter().filter(|p| names.contains(&p.key()));
+        let Some(parameter) = legal.into_iter().find(|p| p.key() == name) else {
             self.found.push(
                 "unknown-parameter",
                 format!("mu.{name}"),
                 Some(*place),
                 format!("`{family}` has no parameter `{}`", shorten(name)),
-                suggestion(near_miss(name, names), &format!("its parameters are {all}")),
+                suggestion(
+                    near_miss(name, names.iter().copied()),
+                    &format!("its parameters are {}", names.join(", ")),
+                ),
             );
             return None;
         };
-        self.parameter(&format!("mu.{name}"), *parameter, &argument.value).map(|v| (*parameter, v))
+        self.parameter(&format!("mu.{name}"), parameter, &argument.value).map(|v| (parameter, v))
     }
 
     fn reject_twice(&mut self, arguments: &[Argument]) {
@@ -300,16 +301,13 @@ impl<'a> Reader<'a> {
     }
 
     /// `exp_sum`, `exp_sum(2)` or `exp_sum(rates=[0.5, 1.5])`.
-    fn rates(
-        &mut self,
-        node: &Node,
-        arguments: &[Argument],
-    ) -> Option<(usize, Vec<(Parameter, Fixed)>)> {
+    fn rates(&mut self, node: &Node, arguments: &[Argument]) -> Option<Mu> {
+        let mu = |rates, fixed| Some(Mu { family: Family::ExpSum, rates, fixed });
         match arguments {
-            [] => return Some((2, Vec::new())),
+            [] => return mu(2, Vec::new()),
             [Argument { name: None, value }] => {
                 if let Some(count @ 2..) = count(value, MAX_RATES) {
-                    return Some((count, Vec::new()));
+                    return mu(count, Vec::new());
                 }
             }
             [Argument { name: Some((name, _)), value: Node { value: Value::List(items), .. } }]
@@ -320,7 +318,7 @@ impl<'a> Reader<'a> {
                     let key = format!("mu.rates[{index}]");
                     self.parameter(&key, parameter, item).map(|value| (parameter, value))
                 };
-                return Some((items.len(), items.iter().enumerate().filter_map(rate).collect()));
+                return mu(items.len(), items.iter().enumerate().filter_map(rate).collect());
             }
             _ => {}
         }
@@ -355,118 +353,4 @@ fn shown(value: &Value) -> String {
         Value::List(items) => format!("a list of {}", items.len()),
         Value::Call(name, _) => format!("`{}(...)`", shorten(name)),
     }
-}
-
-/// Whether `word` means something in C, C++ or Rust, or could never prefix a symbol.
-fn is_reserved(word: &str) -> bool {
-    const RESERVED: &[&str] = &[
-        "abstract",
-        "alignas",
-        "alignof",
-        "and",
-        "as",
-        "asm",
-        "async",
-        "auto",
-        "await",
-        "become",
-        "bool",
-        "box",
-        "break",
-        "case",
-        "catch",
-        "char",
-        "class",
-        "compl",
-        "const",
-        "constexpr",
-        "continue",
-        "crate",
-        "default",
-        "delete",
-        "do",
-        "double",
-        "dyn",
-        "else",
-        "enum",
-        "explicit",
-        "export",
-        "extern",
-        "false",
-        "final",
-        "float",
-        "fn",
-        "for",
-        "friend",
-        "gen",
-        "goto",
-        "if",
-        "impl",
-        "in",
-        "inline",
-        "int",
-        "let",
-        "long",
-        "loop",
-        "macro",
-        "main",
-        "match",
-        "mod",
-        "move",
-        "mut",
-        "mutable",
-        "namespace",
-        "new",
-        "not",
-        "nullptr",
-        "operator",
-        "or",
-        "override",
-        "priv",
-        "private",
-        "protected",
-        "ptc",
-        "ptc_status",
-        "pub",
-        "public",
-        "ref",
-        "register",
-        "restrict",
-        "return",
-        "self",
-        "Self",
-        "short",
-        "signed",
-        "sizeof",
-        "static",
-        "struct",
-        "super",
-        "switch",
-        "template",
-        "this",
-        "throw",
-        "trait",
-        "true",
-        "try",
-        "type",
-        "typedef",
-        "typeid",
-        "typename",
-        "typeof",
-        "union",
-        "unsafe",
-        "unsigned",
-        "unsized",
-        "use",
-        "using",
-        "virtual",
-        "void",
-        "volatile",
-        "where",
-        "while",
-        "xor",
-        "yield",
-    ];
-    // A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
-    word.starts_with('_') || RESERVED.contains(&word)
 }

@@ -91,7 +91,7 @@ fn list(forms: &Forms) -> String {
 
 /// A sum over several lines.
 fn broken(poly: &Poly) -> String {
-    if poly.len() <= TERMS_A_LINE {
+    if poly.terms().len() <= TERMS_A_LINE {
         return latex(poly);
     }
     let terms: Vec<_> = poly.terms().map(|(m, c)| (m.clone(), c.clone())).collect();

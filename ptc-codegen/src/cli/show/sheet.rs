@@ -87,7 +87,7 @@ impl Forms {
         const MOST_TERMS: usize = 8;
         const MOST_COLUMNS: usize = 10;
         const MOST_CHARACTERS: usize = 140;
-        if self.forms.iter().any(|form| form.poly.len() > MOST_TERMS) {
+        if self.forms.iter().any(|form| form.poly.terms().len() > MOST_TERMS) {
             return None;
         }
         let rows: Vec<Vec<&Poly>> = match self.index {

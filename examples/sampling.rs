@@ -1,0 +1,117 @@
+//! The longest sample period that the held gains bear.
+//!
+//! `cargo run --example sampling -- --mu "exp(a=1)" --gains 12,7 --tau 0.8 --eps 0.01`
+//!
+//! From time-to-go `eps` on the gains stand still, and with a zero-order hold of period h the loop
+//! is x(t + h) = M(h) x(t), M = exp(A h) + B(h) gain^T with A and B of the chain of integrators.
+//! The example finds the h up to which the spectral radius of M stays below one.
+
+use ptc_codegen::law::LinearLaw;
+use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::passes;
+use ptc_codegen::program::{Input, Program};
+use ptc_codegen::spec::{Entry, Spec, Value, parse, read};
+use ptc_codegen::{diagnostic::Place, lower};
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match spec(&arguments) {
+        Ok(spec) => {
+            let law = LinearLaw::new(spec.n, &spec.mapping());
+            let program = passes::optimise(lower::lower(&spec, &law), &mut |_, _| {});
+            let (gains, eps) = (held_gains(&program, &spec), fixed(&spec, "eps"));
+            let longest = longest_period(&gains, eps);
+            println!("order {}, held gains {gains:.4?}", spec.n);
+            println!("stable up to h = {longest:.4} s, which is {:.3} eps", longest / eps);
+        }
+        Err(told) => {
+            eprintln!("{told}\ngive --mu, --gains, --tau and --eps, with every parameter fixed");
+            std::process::exit(2);
+        }
+    }
+}
+
+/// The spec that the flags ask for; its order is the number of gains.
+fn spec(arguments: &[String]) -> Result<Spec, String> {
+    let mut entries = Vec::new();
+    let mut add = |key: &str, text: &str| {
+        let value = parse(key, text, &mut |_| Place(0)).map_err(|wrong| wrong.to_string())?;
+        if key == "gains" {
+            let count = if let Value::List(items) = &value.value { items.len() } else { 1 };
+            let text = count.to_string();
+            let n = parse("n", &text, &mut |_| Place(0)).map_err(|wrong| wrong.to_string())?;
+            entries.push(Entry { key: "n".to_owned(), place: Place(0), value: n });
+        }
+        entries.push(Entry { key: key.to_owned(), place: Place(0), value });
+        Ok::<_, String>(())
+    };
+    add("t0", "0")?;
+    add("u_max", "inf")?;
+    for pair in arguments.chunks(2) {
+        match pair {
+            [flag, text] => add(flag.trim_start_matches("--"), text)?,
+            _ => return Err("a flag without a value".to_owned()),
+        }
+    }
+    let spec = read(&entries).map_err(|found| format!("{}", found[0]))?;
+    let left = spec.run_time_parameters().next();
+    left.map_or(Ok(spec), |parameter| Err(format!("`{}` is not fixed", parameter.key())))
+}
+
+fn fixed(spec: &Spec, key: &str) -> f64 {
+    let value = spec.fixed.iter().find(|(parameter, _)| parameter.key() == key);
+    value.and_then(|(_, value)| value.to_string().parse().ok()).unwrap_or(f64::NAN)
+}
+
+/// The gains at and after the deadline.
+fn held_gains(program: &Program, spec: &Spec) -> Vec<f64> {
+    let tau = fixed(spec, "tau");
+    let input = |input| if input == Input::Time { tau } else { 0.0 };
+    let mut interpreter = Interpreter::new(program, &input);
+    program.gains.iter().map(|gain| interpreter.value(*gain)).collect()
+}
+
+/// The first h at which the spectral radius reaches one, by steps of 1 % and then bisection.
+fn longest_period(gains: &[f64], eps: f64) -> f64 {
+    let mut high = 1e-3 * eps;
+    while is_stable(gains, high) && high < 1e3 * eps {
+        high *= 1.01;
+    }
+    let mut low = high / 1.01;
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if is_stable(gains, middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// Whether the powers of M vanish.
+fn is_stable(gains: &[f64], h: f64) -> bool {
+    let n = gains.len();
+    let taylor = |k: usize| (1..=k).fold(1.0, |product, i| product * h / i as f64);
+    let entry = |i: usize, j: usize| {
+        let chain = if j >= i { taylor(j - i) } else { 0.0 };
+        chain + taylor(n - i) * gains[j]
+    };
+    // In units of h^i the entries are of one size, and so are those of the powers.
+    let scale = |i: usize| h.powi(i as i32);
+    let mut power: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| entry(i, j) * scale(i) / scale(j)).collect()).collect();
+    let mut log_size = 0.0;
+    for _ in 0..40 {
+        let product = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
+        let square: Vec<Vec<f64>> =
+            (0..n).map(|i| (0..n).map(|j| product(i, j)).collect()).collect();
+        let size = square.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        if size == 0.0 {
+            return true;
+        }
+        log_size = 2.0 * log_size + size.ln();
+        power = square.iter().map(|row| row.iter().map(|entry| entry / size).collect()).collect();
+    }
+    log_size < 0.0
+}

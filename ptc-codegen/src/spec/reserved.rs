@@ -1,0 +1,59 @@
+//! Words that cannot name a controller.
+
+/// Keywords of C, C++ and Rust, and the names that all controllers share.
+const RESERVED: &str = "
+    abstract alignas alignof and as asm async auto await become bool box break case catch char
+    class compl const constexpr continue crate default delete do double dyn else enum explicit
+    export extern false final float fn for friend gen goto if impl in inline int let long loop
+    macro main match mod move mut mutable namespace new not nullptr operator or override priv
+    private protected ptc ptc_status pub public ref register restrict return self Self short
+    signed sizeof static struct super switch template this throw trait true try type typedef
+    typeid typename typeof union unsafe unsigned unsized use using virtual void volatile where
+    while xor yield
+";
+
+/// What C's `math.h` and `stddef.h` declare beside functions.
+const DECLARED: &str = "NULL double_t float_t max_align_t ptrdiff_t size_t wchar_t";
+
+/// Functions of C's `math.h`, each of which also exists with the suffixes `f` and `l`.
+const FUNCTIONS: &str = "
+    acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp10 exp2
+    expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb isinf isnan j0 j1 jn
+    ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter
+    nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn signbit significand sin
+    sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn
+";
+
+/// Types that stand beside the controller's own in an emitted Rust file.
+const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
+
+/// Whether `word` means something in C, C++ or Rust or where the controller is emitted, or could
+/// never prefix a symbol.
+pub(super) fn is_reserved(word: &str) -> bool {
+    let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
+    let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
+    // A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
+    word.starts_with('_')
+        || among(RESERVED, word)
+        || among(DECLARED, word)
+        || among(FUNCTIONS, word)
+        || among(FUNCTIONS, stem)
+        || TYPES.contains(&super::type_name(word).as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_reserved;
+
+    #[test]
+    fn names_that_would_not_compile_are_reserved() {
+        for word in
+            ["int", "fn", "_x", "__", "exp", "expf", "sqrtl", "size_t", "status", "Error", "self"]
+        {
+            assert!(is_reserved(word), "{word}");
+        }
+        for word in ["roll", "ptc_exp3", "stage", "x_f", "Roll2", "state", "shelf", "level"] {
+            assert!(!is_reserved(word), "{word}");
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! The README's commands and C, as they stand there: run, compiled, and compared with its output.
+//! Its Rust is a doctest of the crate `ptc`.
+
+#![cfg(unix)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const README: &str = include_str!("../../README.md");
+
+/// The blocks of the README in `language`, without the indentation of the list they stand in.
+fn blocks(language: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open: Option<(bool, usize, String)> = None;
+    for line in README.lines() {
+        let text = line.trim_start();
+        match (&mut open, text.strip_prefix("```")) {
+            (None, Some(name)) => {
+                open = Some((name == language, line.len() - text.len(), String::new()));
+            }
+            (Some((wanted, _, block)), Some(_)) => {
+                if *wanted {
+                    found.push(std::mem::take(block));
+                }
+                open = None;
+            }
+            (Some((_, indent, block)), None) => {
+                block.push_str(line.get(*indent..).unwrap_or_default());
+                block.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    found
+}
+
+/// Runs a command of the README in `folder`, with the binary in place of `cargo run`.
+fn shell(command: &str, folder: &Path) -> String {
+    let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
+    let command = command.replace("cargo run --release -p ptc-codegen --", &binary);
+    let output = Command::new("sh").args(["-c", &command]).current_dir(folder).output();
+    let output = output.expect("a shell");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command}\n{told}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+/// The commands of the README that start with `start`.
+fn commands(start: &str) -> Vec<String> {
+    let blocks = blocks("sh");
+    let lines = blocks.iter().flat_map(|block| block.lines());
+    lines.filter(|line| line.starts_with(start)).map(ToOwned::to_owned).collect()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("removable");
+    }
+    fs::create_dir_all(&folder).expect("writable");
+    folder
+}
+
+#[test]
+fn from_plant_to_firmware() {
+    let folder = folder("readme");
+    let emitted = commands("cargo run --release -p ptc-codegen");
+    assert_eq!(emitted.len(), 2, "the first command, and that of the stage");
+    for command in &emitted {
+        shell(command, &folder);
+    }
+    for file in ["ptc_exp3.h", "ptc_exp3.c", "stage.h", "stage.c"] {
+        assert!(folder.join("out").join(file).is_file(), "{file}");
+    }
+    let [main] = &blocks("c")[..] else { panic!("one program in C") };
+    fs::write(folder.join("main.c"), main).expect("writable");
+    let [compile] = &commands("cc ")[..] else { panic!("one compilation") };
+    let strict = "cc -Wall -Wextra -Wpedantic -Wconversion -Werror ";
+    let found = shell(&compile.replacen("cc ", strict, 1), &folder);
+    let [expected] = &blocks("text")[..] else { panic!("one output") };
+    assert_eq!(&found, expected);
+}
+
+#[test]
+fn what_is_told_is_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let links = README.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    for link in links.filter(|link| !link.starts_with("http")) {
+        assert!(root.join(link).is_file(), "{link} is not there");
+    }
+    for family in &ptc_codegen::mapping::FAMILIES {
+        let row = format!("\n| `{}` | ", family.name);
+        assert!(README.contains(&row), "{} has no row", family.name);
+    }
+    let orders = format!("1..={}", ptc_codegen::spec::MAX_ORDER);
+    assert!(README.contains(&orders), "{orders}");
+}
