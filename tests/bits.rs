@@ -180,7 +180,9 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 
 
 /// The status and u that follow from the u of the law.
 fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32, f64) {
-    let held = i32::from(interpreter.held());
+    let (late, hold_from) =
+        (interpreter.value(program.limits.late), interpreter.value(program.limits.hold_from));
+    let held = i32::from(late >= hold_from);
     match program.limits.u_max.map(|limit| interpreter.value(limit)) {
         Some(limit) if u > limit => (2, limit),
         Some(limit) if u < -limit => (2, -limit),

@@ -20,30 +20,34 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
-            && isfinite(k1)) {
-            ptc_algebraic1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_algebraic1 built;
 
             const double K1 = k1 / a;
             const double c1_1 = (-K1) / tau;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
             built.tau = tau;
             built.c1_1 = c1_1;
             built.eps = eps;
-            built.f19 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.half_tau = half_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_1)
-                && isfinite(built.f19)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.half_tau)) {
                 status = ptc_algebraic1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -82,31 +86,29 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f19 - T));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
             const double row1 = self->c1_1 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
-
             double v = row1 * x1 * sec;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -120,15 +122,13 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f19 - T));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
         const double row1 = self->c1_1 * one_plus_y2;
         const double sec = sqrt(one_plus_y2);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * sec;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -147,24 +147,22 @@ ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

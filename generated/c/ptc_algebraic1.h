@@ -40,7 +40,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 4 + or -, 3 *, 2 /, 1 functions.
+ * Operations of one step: 6 + - or comparison, 3 *, 2 /, 1 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 82 cycles, Cortex-M4F about 51 cycles.
  */
 #ifndef PTC_ALGEBRAIC1_H
 #define PTC_ALGEBRAIC1_H
@@ -80,7 +81,8 @@ typedef struct ptc_algebraic1 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f19; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double half_tau; /* tau/2 */
     double u_max; /* bound of |u| */
 } ptc_algebraic1;

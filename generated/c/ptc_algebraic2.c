@@ -21,41 +21,45 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_algebraic2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_algebraic2 built;
 
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
             const double c1_2 = (-K1) / (tau * tau);
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
-            const double c2_0 = (-K2) / tau;
+            const double c2_2 = (-K2) / tau;
             const double c2_1 = 3.0 / tau;
             const double inv_tau = 1.0 / tau;
             built.tau = tau;
             built.c1_2 = c1_2;
             built.eps = eps;
-            built.f24 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.half_tau = half_tau;
-            built.c2_0 = c2_0;
+            built.c2_2 = c2_2;
             built.c2_1 = c2_1;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_2)
-                && isfinite(built.f24)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.half_tau)
-                && isfinite(built.c2_0)
+                && isfinite(built.c2_2)
                 && isfinite(built.c2_1)
                 && isfinite(built.inv_tau)) {
                 status = ptc_algebraic2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -96,34 +100,32 @@ ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const doubl
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f24 - T));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
             const double row1 = self->c1_2 * one_plus_y2 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
-            const double y = (1.0 - (T * self->inv_tau)) * sec;
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
-            const double row2 = (self->c2_0 * y_squared) + self->c2_0 + (self->c2_1 * y);
-
+            const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
             double v = ((row1 * x1 * sec) + (row2 * x2)) * sec;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -137,19 +139,17 @@ ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebra
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f24 - T));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
         const double row1 = self->c1_2 * one_plus_y2 * one_plus_y2;
         const double sec = sqrt(one_plus_y2);
-        const double y = (1.0 - (T * self->inv_tau)) * sec;
+        const double y = ((late * self->inv_tau) + 1.0) * sec;
         const double y_squared = one_plus_y2 - 1.0;
-        const double row2 = (self->c2_0 * y_squared) + self->c2_0 + (self->c2_1 * y);
-        gains->gain[0] = row1 * (sec * sec);
+        const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * sec * sec;
         gains->gain[1] = row2 * sec;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -170,25 +170,22 @@ ptc_status ptc_algebraic2_axis(const ptc_algebraic2_gains *gains, const double x
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

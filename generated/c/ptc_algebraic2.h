@@ -44,7 +44,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 9 + or -, 10 *, 2 /, 1 functions.
+ * Operations of one step: 11 + - or comparison, 10 *, 2 /, 1 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 130 cycles, Cortex-M4F about 63 cycles.
  */
 #ifndef PTC_ALGEBRAIC2_H
 #define PTC_ALGEBRAIC2_H
@@ -84,9 +85,10 @@ typedef struct ptc_algebraic2 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f24; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double half_tau; /* tau/2 */
-    double c2_0; /* coefficient of y^0 in the gain of x2 */
+    double c2_2; /* coefficient of y^2 in the gain of x2 */
     double c2_1; /* coefficient of y^1 in the gain of x2 */
     double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */

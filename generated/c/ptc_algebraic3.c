@@ -22,14 +22,14 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_algebraic3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_algebraic3 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (a * v1);
@@ -37,43 +37,47 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             const double K3 = k3 / a;
             const double v2 = tau * tau;
             const double c1_3 = (-K1) / (tau * v2);
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
             const double v3 = -K2;
             const double c2_0 = (v3 + 3.0) / v2;
-            const double c2_1 = (3.0 * K3) / v2;
+            const double c2_3 = (3.0 * K3) / v2;
             const double c2_2 = ((-(2.0 * K2)) - 12.0) / v2;
             const double c2_4 = v3 / v2;
             const double inv_tau = 1.0 / tau;
-            const double c3_0 = (-K3) / tau;
+            const double c3_2 = (-K3) / tau;
             const double c3_1 = 9.0 / tau;
             built.tau = tau;
             built.c1_3 = c1_3;
             built.eps = eps;
-            built.f28 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.half_tau = half_tau;
             built.c2_0 = c2_0;
-            built.c2_1 = c2_1;
+            built.c2_3 = c2_3;
             built.c2_2 = c2_2;
             built.c2_4 = c2_4;
             built.inv_tau = inv_tau;
-            built.c3_0 = c3_0;
+            built.c3_2 = c3_2;
             built.c3_1 = c3_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_3)
-                && isfinite(built.f28)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.half_tau)
                 && isfinite(built.c2_0)
-                && isfinite(built.c2_1)
+                && isfinite(built.c2_3)
                 && isfinite(built.c2_2)
                 && isfinite(built.c2_4)
                 && isfinite(built.inv_tau)
-                && isfinite(built.c3_0)
+                && isfinite(built.c3_2)
                 && isfinite(built.c3_1)) {
                 status = ptc_algebraic3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -116,36 +120,34 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f28 - T));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
             const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
-            const double y = (1.0 - (T * self->inv_tau)) * sec;
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double v1 = (((self->c2_4 * y_squared) + self->c2_2) * y_squared) + self->c2_0;
-            const double row2 = v1 + (((self->c2_1 * y_squared) + self->c2_1) * y);
-            const double row3 = (self->c3_0 * y_squared) + self->c3_0 + (self->c3_1 * y);
-
+            const double row2 = v1 + (((self->c2_3 * y_squared) + self->c2_3) * y);
+            const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
             double v = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -159,23 +161,20 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f28 - T));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
         const double row1 = self->c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
         const double sec = sqrt(one_plus_y2);
-        const double y = (1.0 - (T * self->inv_tau)) * sec;
+        const double y = ((late * self->inv_tau) + 1.0) * sec;
         const double y_squared = one_plus_y2 - 1.0;
         const double v1 = (((self->c2_4 * y_squared) + self->c2_2) * y_squared) + self->c2_0;
-        const double row2 = v1 + (((self->c2_1 * y_squared) + self->c2_1) * y);
-        const double row3 = (self->c3_0 * y_squared) + self->c3_0 + (self->c3_1 * y);
-        const double v2 = sec * sec;
-        gains->gain[0] = row1 * (v2 * sec);
-        gains->gain[1] = row2 * v2;
+        const double row2 = v1 + (((self->c2_3 * y_squared) + self->c2_3) * y);
+        const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (sec * sec) * sec;
+        gains->gain[1] = row2 * sec * sec;
         gains->gain[2] = row3 * sec;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -198,26 +197,23 @@ ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -50,7 +50,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 14 + or -, 17 *, 2 /, 1 functions.
+ * Operations of one step: 16 + - or comparison, 17 *, 2 /, 1 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 178 cycles, Cortex-M4F about 75 cycles.
  */
 #ifndef PTC_ALGEBRAIC3_H
 #define PTC_ALGEBRAIC3_H
@@ -90,14 +91,15 @@ typedef struct ptc_algebraic3 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f28; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double half_tau; /* tau/2 */
     double c2_0; /* coefficient of y^0 in the gain of x2 */
-    double c2_1; /* coefficient of y^1 in the gain of x2 */
+    double c2_3; /* coefficient of y^3 in the gain of x2 */
     double c2_2; /* coefficient of y^2 in the gain of x2 */
     double c2_4; /* coefficient of y^4 in the gain of x2 */
     double inv_tau; /* 1/tau */
-    double c3_0; /* coefficient of y^0 in the gain of x3 */
+    double c3_2; /* coefficient of y^2 in the gain of x3 */
     double c3_1; /* coefficient of y^1 in the gain of x3 */
     double u_max; /* bound of |u| */
 } ptc_algebraic3;

@@ -23,15 +23,15 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_algebraic4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_algebraic4 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (v1 * v1);
@@ -40,6 +40,8 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             const double K4 = k4 / a;
             const double v2 = tau * tau;
             const double c1_4 = (-K1) / (v2 * v2);
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
             const double v3 = -K2;
             const double v4 = tau * v2;
@@ -56,15 +58,16 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             const double inv_tau = 1.0 / tau;
             const double v8 = -K3;
             const double c3_0 = (v8 + 12.0) / v2;
-            const double c3_1 = v7 / v2;
+            const double c3_3 = v7 / v2;
             const double c3_2 = ((-(2.0 * K3)) - 75.0) / v2;
             const double c3_4 = v8 / v2;
-            const double c4_0 = (-K4) / tau;
+            const double c4_2 = (-K4) / tau;
             const double c4_1 = 18.0 / tau;
             built.tau = tau;
             built.c1_4 = c1_4;
             built.eps = eps;
-            built.f31 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.half_tau = half_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -75,15 +78,16 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             built.c2_6 = c2_6;
             built.inv_tau = inv_tau;
             built.c3_0 = c3_0;
-            built.c3_1 = c3_1;
+            built.c3_3 = c3_3;
             built.c3_2 = c3_2;
             built.c3_4 = c3_4;
-            built.c4_0 = c4_0;
+            built.c4_2 = c4_2;
             built.c4_1 = c4_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_4)
-                && isfinite(built.f31)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.half_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
@@ -94,15 +98,15 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
                 && isfinite(built.c2_6)
                 && isfinite(built.inv_tau)
                 && isfinite(built.c3_0)
-                && isfinite(built.c3_1)
+                && isfinite(built.c3_3)
                 && isfinite(built.c3_2)
                 && isfinite(built.c3_4)
-                && isfinite(built.c4_0)
+                && isfinite(built.c4_2)
                 && isfinite(built.c4_1)) {
                 status = ptc_algebraic4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -147,41 +151,39 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f31 - T));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
             const double v1 = one_plus_y2 * one_plus_y2;
             const double row1 = self->c1_4 * v1 * v1;
             const double sec = sqrt(one_plus_y2);
-            const double y = (1.0 - (T * self->inv_tau)) * sec;
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double v2 = (((self->c2_5 * y_squared) + self->c2_3) * y_squared) + self->c2_1;
             const double v3 = (((self->c2_6 * y_squared) + self->c2_4) * y_squared) + self->c2_2;
             const double row2 = (v3 * y_squared) + self->c2_0 + (v2 * y);
             const double v4 = (((self->c3_4 * y_squared) + self->c3_2) * y_squared) + self->c3_0;
-            const double row3 = v4 + (((self->c3_1 * y_squared) + self->c3_1) * y);
-            const double row4 = (self->c4_0 * y_squared) + self->c4_0 + (self->c4_1 * y);
+            const double row3 = v4 + (((self->c3_3 * y_squared) + self->c3_3) * y);
+            const double row4 = (self->c4_2 * y_squared) + self->c4_2 + (self->c4_1 * y);
             const double v5 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-
             double v = v5 * sec;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -195,29 +197,26 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f31 - T));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
         const double v1 = one_plus_y2 * one_plus_y2;
         const double row1 = self->c1_4 * v1 * v1;
         const double sec = sqrt(one_plus_y2);
-        const double y = (1.0 - (T * self->inv_tau)) * sec;
+        const double y = ((late * self->inv_tau) + 1.0) * sec;
         const double y_squared = one_plus_y2 - 1.0;
         const double v2 = (((self->c2_5 * y_squared) + self->c2_3) * y_squared) + self->c2_1;
         const double v3 = (((self->c2_6 * y_squared) + self->c2_4) * y_squared) + self->c2_2;
         const double row2 = (v3 * y_squared) + self->c2_0 + (v2 * y);
         const double v4 = (((self->c3_4 * y_squared) + self->c3_2) * y_squared) + self->c3_0;
-        const double row3 = v4 + (((self->c3_1 * y_squared) + self->c3_1) * y);
-        const double row4 = (self->c4_0 * y_squared) + self->c4_0 + (self->c4_1 * y);
+        const double row3 = v4 + (((self->c3_3 * y_squared) + self->c3_3) * y);
+        const double row4 = (self->c4_2 * y_squared) + self->c4_2 + (self->c4_1 * y);
         const double v5 = sec * sec;
-        const double v6 = v5 * sec;
-        gains->gain[0] = row1 * (v6 * sec);
-        gains->gain[1] = row2 * v6;
-        gains->gain[2] = row3 * v5;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * v5 * v5;
+        gains->gain[1] = row2 * v5 * sec;
+        gains->gain[2] = row3 * sec * sec;
         gains->gain[3] = row4 * sec;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -242,27 +241,23 @@ ptc_status ptc_algebraic4_axis(const ptc_algebraic4_gains *gains, const double x
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -58,7 +58,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 21 + or -, 25 *, 2 /, 1 functions.
+ * Operations of one step: 23 + - or comparison, 25 *, 2 /, 1 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 238 cycles, Cortex-M4F about 90 cycles.
  */
 #ifndef PTC_ALGEBRAIC4_H
 #define PTC_ALGEBRAIC4_H
@@ -98,7 +99,8 @@ typedef struct ptc_algebraic4 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f31; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double half_tau; /* tau/2 */
     double c2_0; /* coefficient of y^0 in the gain of x2 */
     double c2_1; /* coefficient of y^1 in the gain of x2 */
@@ -109,10 +111,10 @@ typedef struct ptc_algebraic4 {
     double c2_6; /* coefficient of y^6 in the gain of x2 */
     double inv_tau; /* 1/tau */
     double c3_0; /* coefficient of y^0 in the gain of x3 */
-    double c3_1; /* coefficient of y^1 in the gain of x3 */
+    double c3_3; /* coefficient of y^3 in the gain of x3 */
     double c3_2; /* coefficient of y^2 in the gain of x3 */
     double c3_4; /* coefficient of y^4 in the gain of x3 */
-    double c4_0; /* coefficient of y^0 in the gain of x4 */
+    double c4_2; /* coefficient of y^2 in the gain of x4 */
     double c4_1; /* coefficient of y^1 in the gain of x4 */
     double u_max; /* bound of |u| */
 } ptc_algebraic4;

@@ -24,7 +24,6 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -32,8 +31,9 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_algebraic5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_algebraic5 built;
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -45,6 +45,8 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             const double v3 = tau * tau;
             const double v4 = v3 * v3;
             const double c1_5 = (-K1) / (tau * v4);
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
             const double v5 = -K2;
             const double c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
@@ -73,15 +75,16 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             const double c3_6 = v9 / v10;
             const double v13 = -K4;
             const double c4_0 = (v13 + 30.0) / v3;
-            const double c4_1 = (18.0 * K5) / v3;
+            const double c4_3 = (18.0 * K5) / v3;
             const double c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
             const double c4_4 = v13 / v3;
-            const double c5_0 = (-K5) / tau;
+            const double c5_2 = (-K5) / tau;
             const double c5_1 = 30.0 / tau;
             built.tau = tau;
             built.c1_5 = c1_5;
             built.eps = eps;
-            built.f35 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.half_tau = half_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -101,15 +104,16 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             built.c3_5 = c3_5;
             built.c3_6 = c3_6;
             built.c4_0 = c4_0;
-            built.c4_1 = c4_1;
+            built.c4_3 = c4_3;
             built.c4_2 = c4_2;
             built.c4_4 = c4_4;
-            built.c5_0 = c5_0;
+            built.c5_2 = c5_2;
             built.c5_1 = c5_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_5)
-                && isfinite(built.f35)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.half_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
@@ -129,15 +133,15 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
                 && isfinite(built.c3_5)
                 && isfinite(built.c3_6)
                 && isfinite(built.c4_0)
-                && isfinite(built.c4_1)
+                && isfinite(built.c4_3)
                 && isfinite(built.c4_2)
                 && isfinite(built.c4_4)
-                && isfinite(built.c5_0)
+                && isfinite(built.c5_2)
                 && isfinite(built.c5_1)) {
                 status = ptc_algebraic5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -184,17 +188,14 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f35 - T));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
             const double v1 = one_plus_y2 * one_plus_y2;
             const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
             const double sec = sqrt(one_plus_y2);
-            const double y = (1.0 - (T * self->inv_tau)) * sec;
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
             const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
@@ -203,25 +204,26 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
             const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
             const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
             const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
-            const double row4 = v6 + (((self->c4_1 * y_squared) + self->c4_1) * y);
-            const double row5 = (self->c5_0 * y_squared) + self->c5_0 + (self->c5_1 * y);
+            const double row4 = v6 + (((self->c4_3 * y_squared) + self->c4_3) * y);
+            const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
             const double v7 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-
             double v = ((v7 * sec) + (row5 * x5)) * sec;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -235,17 +237,14 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->f35 - T));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
         const double v1 = one_plus_y2 * one_plus_y2;
         const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
         const double sec = sqrt(one_plus_y2);
-        const double y = (1.0 - (T * self->inv_tau)) * sec;
+        const double y = ((late * self->inv_tau) + 1.0) * sec;
         const double y_squared = one_plus_y2 - 1.0;
         const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
         const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
@@ -254,15 +253,14 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
         const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
         const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
         const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
-        const double row4 = v6 + (((self->c4_1 * y_squared) + self->c4_1) * y);
-        const double row5 = (self->c5_0 * y_squared) + self->c5_0 + (self->c5_1 * y);
+        const double row4 = v6 + (((self->c4_3 * y_squared) + self->c4_3) * y);
+        const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
         const double v7 = sec * sec;
-        const double v8 = v7 * sec;
-        const double v9 = v8 * sec;
-        gains->gain[0] = row1 * (v9 * sec);
-        gains->gain[1] = row2 * v9;
-        gains->gain[2] = row3 * v8;
-        gains->gain[3] = row4 * v7;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (v7 * sec) * v7;
+        gains->gain[1] = row2 * v7 * v7;
+        gains->gain[2] = row3 * v7 * sec;
+        gains->gain[3] = row4 * sec * sec;
         gains->gain[4] = row5 * sec;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -289,29 +287,23 @@ ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

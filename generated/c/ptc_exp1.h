@@ -38,7 +38,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 2 + or -, 1 *, 1 /, 0 functions.
+ * Operations of one step: 3 + - or comparison, 1 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 30 cycles, Cortex-M4F about 18 cycles.
  */
 #ifndef PTC_EXP1_H
 #define PTC_EXP1_H
@@ -72,12 +73,13 @@ typedef struct ptc_exp1_params {
 
 /* Controller: set by init and arm, read by step and tick. */
 typedef struct ptc_exp1 {
-    double c1; /* coefficient of x1 */
+    double K1; /* scaled gain k1/rate^1 */
     double t0; /* start time */
     double tau; /* prescribed settling time */
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double u_max; /* bound of |u| */
 } ptc_exp1;
 

@@ -21,30 +21,33 @@ ptc_status ptc_exp2_init(ptc_exp2 *self, const ptc_exp2_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_exp2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_exp2 built;
 
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
             const double c1 = -K1;
             const double c2 = (-K2) + 1.0;
+            const double hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
-                && isfinite(built.c2)) {
+                && isfinite(built.c2)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -85,29 +88,26 @@ ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], doub
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
-
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             double v = ((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -121,14 +121,11 @@ ptc_status ptc_exp2_tick(const ptc_exp2 *self, double t, ptc_exp2_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
-        gains->gain[0] = self->c1 * (inv_T * inv_T);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->c1 * inv_T * inv_T;
         gains->gain[1] = self->c2 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -149,25 +146,22 @@ ptc_status ptc_exp2_axis(const ptc_exp2_gains *gains, const double x[2], double 
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

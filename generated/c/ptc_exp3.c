@@ -22,14 +22,14 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_exp3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_exp3 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (a * v1);
@@ -38,20 +38,23 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             const double c1 = -K1;
             const double c2 = ((-K2) + K3) - 1.0;
             const double c3 = (-K3) + 3.0;
+            const double hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.c3 = c3;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
-                && isfinite(built.c3)) {
+                && isfinite(built.c3)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -94,30 +97,27 @@ ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], doub
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-
             double v = v1 * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -131,16 +131,12 @@ ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
-        const double v1 = inv_T * inv_T;
-        gains->gain[0] = self->c1 * (v1 * inv_T);
-        gains->gain[1] = self->c2 * v1;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = self->c2 * inv_T * inv_T;
         gains->gain[2] = self->c3 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -163,26 +159,23 @@ ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double 
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -22,14 +22,14 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             && (tau > 0.0f)
             && isfinite(t0)
             && (eps > 0.0f)
-            && (eps < tau)
             && (u_max > 0.0f)
             && isfinite(a)
             && (a > 0.0f)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_exp3_f32 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_exp3_f32 built;
 
             const float v1 = a * a;
             const float K1 = k1 / (a * v1);
@@ -38,20 +38,23 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             const float c1 = -K1;
             const float c2 = ((-K2) + K3) - 1.0f;
             const float c3 = (-K3) + 3.0f;
+            const float hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.c3 = c3;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
-                && isfinite(built.c3)) {
+                && isfinite(built.c3)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp3_f32_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -94,30 +97,27 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            float T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const float inv_T = 1.0f / T;
+            const float past = (t - self->deadline) - self->correction;
+            const float late = (past < self->hold_from) ? past : self->hold_from;
+            const float inv_T = (-1.0f) / late;
             const float v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-
             float v = v1 * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0f;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -131,16 +131,12 @@ ptc_status ptc_exp3_f32_tick(const ptc_exp3_f32 *self, float t, ptc_exp3_f32_gai
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        float T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const float inv_T = 1.0f / T;
-        const float v1 = inv_T * inv_T;
-        gains->gain[0] = self->c1 * (v1 * inv_T);
-        gains->gain[1] = self->c2 * v1;
+        const float past = (t - self->deadline) - self->correction;
+        const float late = (past < self->hold_from) ? past : self->hold_from;
+        const float inv_T = (-1.0f) / late;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = self->c2 * inv_T * inv_T;
         gains->gain[2] = self->c3 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -163,26 +159,23 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const float gain1 = gains->gain[0];
-            const float gain2 = gains->gain[1];
-            const float gain3 = gains->gain[2];
+            const float v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            float v = v1;
 
-            float v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0f;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

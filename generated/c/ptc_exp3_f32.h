@@ -47,7 +47,8 @@
  * Precision f32 (IEEE 754 binary32). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 4 + or -, 6 *, 1 /, 0 functions.
+ * Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
  */
 #ifndef PTC_EXP3_F32_H
 #define PTC_EXP3_F32_H
@@ -89,6 +90,7 @@ typedef struct ptc_exp3_f32 {
     float deadline; /* t0 + tau, rounded */
     float correction; /* what the rounding of t0 + tau left out */
     float eps; /* time-to-go at which the gains are held */
+    float hold_from; /* -eps: later than this the gains are held */
     float u_max; /* bound of |u| */
 } ptc_exp3_f32;
 

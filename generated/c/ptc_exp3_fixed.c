@@ -11,13 +11,11 @@ ptc_status ptc_exp3_fixed_init(ptc_exp3_fixed *self, const ptc_exp3_fixed_params
     (void)params;
     if (self != NULL) {
         {
-            ptc_exp3_fixed built;
+            struct ptc_exp3_fixed built;
 
-            if (1) {
-                status = ptc_exp3_fixed_arm(&built, 0.0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            status = ptc_exp3_fixed_arm(&built, 0.0);
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -60,30 +58,27 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= 0.001) {
-                T = 0.001;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < (-0.001)) ? past : (-0.001);
+            const double inv_T = (-1.0) / late;
             const double v1 = ((((-24.0) * x1 * inv_T) + ((-18.0) * x2)) * inv_T) + ((-6.0) * x3);
-
             double v = v1 * inv_T;
+
             if (v > 50.0) {
                 v = 50.0;
                 status = PTC_SATURATED;
             } else if (v < -50.0) {
                 v = -50.0;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < -0.001) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -97,16 +92,12 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= 0.001) {
-            T = 0.001;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
-        const double v1 = inv_T * inv_T;
-        gains->gain[0] = (-24.0) * (v1 * inv_T);
-        gains->gain[1] = (-18.0) * v1;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < (-0.001)) ? past : (-0.001);
+        const double inv_T = (-1.0) / late;
+        status = (late < -0.001) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = (-24.0) * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = (-18.0) * inv_T * inv_T;
         gains->gain[2] = (-6.0) * inv_T;
         gains->status = status;
     }
@@ -128,26 +119,23 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > 50.0) {
                 v = 50.0;
                 status = PTC_SATURATED;
             } else if (v < -50.0) {
                 v = -50.0;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -50,7 +50,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 4 + or -, 6 *, 1 /, 0 functions.
+ * Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
  */
 #ifndef PTC_EXP3_FIXED_H
 #define PTC_EXP3_FIXED_H

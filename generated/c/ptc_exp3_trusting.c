@@ -22,14 +22,14 @@ ptc_status ptc_exp3_trusting_init(ptc_exp3_trusting *self, const ptc_exp3_trusti
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_exp3_trusting built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_exp3_trusting built;
 
             const double v1 = a * a;
             const double K1 = k1 / (a * v1);
@@ -38,20 +38,23 @@ ptc_status ptc_exp3_trusting_init(ptc_exp3_trusting *self, const ptc_exp3_trusti
             const double c1 = -K1;
             const double c2 = ((-K2) + K3) - 1.0;
             const double c3 = (-K3) + 3.0;
+            const double hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.c3 = c3;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
-                && isfinite(built.c3)) {
+                && isfinite(built.c3)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp3_trusting_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -79,48 +82,43 @@ ptc_status ptc_exp3_trusting_arm(ptc_exp3_trusting *self, double t0)
 ptc_status ptc_exp3_trusting_step(const ptc_exp3_trusting *self, double t, const double x[3], double *u)
 {
     ptc_status status = PTC_OK;
-    const double x1 = x[0];
-    const double x2 = x[1];
-    const double x3 = x[2];
-    double T = (self->deadline - t) + self->correction;
-    if (T <= self->eps) {
-        T = self->eps;
-        status = PTC_HOLD;
-    }
-    const double inv_T = 1.0 / T;
-    const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-
+    const double past = (t - self->deadline) - self->correction;
+    const double late = (past < self->hold_from) ? past : self->hold_from;
+    const double inv_T = (-1.0) / late;
+    const double v1 = (((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T) + (self->c3 * x[2]);
     double v = v1 * inv_T;
+    /* Time-to-go, or NaN where v is not finite: one comparison tells tracking. */
+    const double margin = (v - v) - late;
     if (v > self->u_max) {
         v = self->u_max;
         status = PTC_SATURATED;
     } else if (v < -self->u_max) {
         v = -self->u_max;
         status = PTC_SATURATED;
+    } else if (!(margin > self->eps)) {
+        if (isnan(margin)) {
+            v = 0.0;
+            status = PTC_E_RANGE;
+        } else {
+            status = PTC_HOLD;
+        }
     } else {
-        /* within the bound */
+        /* tracking */
     }
     *u = v;
-    if (isnan(v - v)) {
-        *u = 0.0;
-        status = PTC_E_RANGE;
-    }
     return status;
 }
 
 ptc_status ptc_exp3_trusting_tick(const ptc_exp3_trusting *self, double t, ptc_exp3_trusting_gains *gains)
 {
-    ptc_status status = PTC_OK;
+    ptc_status status;
 
-    double T = (self->deadline - t) + self->correction;
-    if (T <= self->eps) {
-        T = self->eps;
-        status = PTC_HOLD;
-    }
-    const double inv_T = 1.0 / T;
-    const double v1 = inv_T * inv_T;
-    gains->gain[0] = self->c1 * (v1 * inv_T);
-    gains->gain[1] = self->c2 * v1;
+    const double past = (t - self->deadline) - self->correction;
+    const double late = (past < self->hold_from) ? past : self->hold_from;
+    const double inv_T = (-1.0) / late;
+    status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+    gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
+    gains->gain[1] = self->c2 * inv_T * inv_T;
     gains->gain[2] = self->c3 * inv_T;
     gains->u_max = self->u_max;
     gains->status = status;
@@ -130,27 +128,20 @@ ptc_status ptc_exp3_trusting_tick(const ptc_exp3_trusting *self, double t, ptc_e
 ptc_status ptc_exp3_trusting_axis(const ptc_exp3_trusting_gains *gains, const double x[3], double *u)
 {
     ptc_status status = gains->status;
-    const double x1 = x[0];
-    const double x2 = x[1];
-    const double x3 = x[2];
-    const double gain1 = gains->gain[0];
-    const double gain2 = gains->gain[1];
-    const double gain3 = gains->gain[2];
-
-    double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+    const double v1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]) + (gains->gain[2] * x[2]);
+    double v = v1;
     if (v > gains->u_max) {
         v = gains->u_max;
         status = PTC_SATURATED;
     } else if (v < -gains->u_max) {
         v = -gains->u_max;
         status = PTC_SATURATED;
+    } else if (isnan(v - v)) {
+        v = 0.0;
+        status = PTC_E_RANGE;
     } else {
         /* within the bound */
     }
     *u = v;
-    if (isnan(v - v)) {
-        *u = 0.0;
-        status = PTC_E_RANGE;
-    }
     return status;
 }

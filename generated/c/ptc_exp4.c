@@ -23,15 +23,15 @@ ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_exp4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_exp4 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (v1 * v1);
@@ -42,22 +42,25 @@ ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
             const double c2 = (((-K2) + K3) - K4) + 1.0;
             const double c3 = ((-K3) + (3.0 * K4)) - 7.0;
             const double c4 = (-K4) + 6.0;
+            const double hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.c3 = c3;
             built.c4 = c4;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
                 && isfinite(built.c3)
-                && isfinite(built.c4)) {
+                && isfinite(built.c4)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -102,30 +105,27 @@ ptc_status ptc_exp4_step(const ptc_exp4 *self, double t, const double x[4], doub
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-
             double v = ((v1 * inv_T) + (self->c4 * x4)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -139,18 +139,14 @@ ptc_status ptc_exp4_tick(const ptc_exp4 *self, double t, ptc_exp4_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double v1 = inv_T * inv_T;
-        const double v2 = v1 * inv_T;
-        gains->gain[0] = self->c1 * (v2 * inv_T);
-        gains->gain[1] = self->c2 * v2;
-        gains->gain[2] = self->c3 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->c1 * v1 * v1;
+        gains->gain[1] = self->c2 * v1 * inv_T;
+        gains->gain[2] = self->c3 * inv_T * inv_T;
         gains->gain[3] = self->c4 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -175,27 +171,23 @@ ptc_status ptc_exp4_axis(const ptc_exp4_gains *gains, const double x[4], double 
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

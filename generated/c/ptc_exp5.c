@@ -24,7 +24,6 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -32,8 +31,9 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_exp5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_exp5 built;
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -47,6 +47,7 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             const double c3 = (((-K3) + (3.0 * K4)) - (7.0 * K5)) + 15.0;
             const double c4 = ((-K4) + (6.0 * K5)) - 25.0;
             const double c5 = (-K5) + 10.0;
+            const double hold_from = -eps;
             built.c1 = c1;
             built.c2 = c2;
             built.c3 = c3;
@@ -54,17 +55,19 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             built.c5 = c5;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
                 && isfinite(built.c3)
                 && isfinite(built.c4)
-                && isfinite(built.c5)) {
+                && isfinite(built.c5)
+                && isfinite(built.hold_from)) {
                 status = ptc_exp5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -111,31 +114,28 @@ ptc_status ptc_exp5_step(const ptc_exp5 *self, double t, const double x[5], doub
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
             const double v2 = ((((v1 * inv_T) + (self->c4 * x4)) * inv_T) + (self->c5 * x5)) * inv_T;
-
             double v = v2;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -149,20 +149,15 @@ ptc_status ptc_exp5_tick(const ptc_exp5 *self, double t, ptc_exp5_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double v1 = inv_T * inv_T;
-        const double v2 = v1 * inv_T;
-        const double v3 = v2 * inv_T;
-        gains->gain[0] = self->c1 * (v3 * inv_T);
-        gains->gain[1] = self->c2 * v3;
-        gains->gain[2] = self->c3 * v2;
-        gains->gain[3] = self->c4 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->c1 * (v1 * inv_T) * v1;
+        gains->gain[1] = self->c2 * v1 * v1;
+        gains->gain[2] = self->c3 * v1 * inv_T;
+        gains->gain[3] = self->c4 * inv_T * inv_T;
         gains->gain[4] = self->c5 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -189,29 +184,23 @@ ptc_status ptc_exp5_axis(const ptc_exp5_gains *gains, const double x[5], double 
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -60,7 +60,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 6 + or -, 10 *, 1 /, 0 functions.
+ * Operations of one step: 7 + - or comparison, 10 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 82 cycles, Cortex-M4F about 31 cycles.
  */
 #ifndef PTC_EXP5_H
 #define PTC_EXP5_H
@@ -104,6 +105,7 @@ typedef struct ptc_exp5 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double u_max; /* bound of |u| */
 } ptc_exp5;
 

@@ -22,15 +22,16 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
             && isfinite(a2)
             && (a2 > 0.0)
-            && isfinite(k1)) {
-            ptc_exp_sum1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_exp_sum1 built;
 
+            const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
@@ -44,6 +45,7 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             built.a2 = a2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -53,7 +55,8 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             built.w1 = w1;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -61,9 +64,9 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
                 && isfinite(built.b1_2)
                 && isfinite(built.w1)) {
                 status = ptc_exp_sum1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -102,12 +105,9 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 2.0);
             const double v2 = v1 * self->mean_period;
@@ -149,22 +149,23 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
             const double v18 = ((v14 + v15) - target) / (v16 + v17);
             const double v19 = (self->b1_1 * (v14 - (v16 * v18))) + (self->b1_2 * (v15 - (v17 * v18)));
             const double inv_r1 = 1.0 / v19;
-
             double v = self->w1 * x1 * inv_r1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -178,12 +179,9 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 2.0);
         const double v2 = v1 * self->mean_period;
@@ -225,6 +223,7 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
         const double v18 = ((v14 + v15) - target) / (v16 + v17);
         const double v19 = (self->b1_1 * (v14 - (v16 * v18))) + (self->b1_2 * (v15 - (v17 * v18)));
         const double inv_r1 = 1.0 / v19;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = self->w1 * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -243,24 +242,22 @@ ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1],
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -23,16 +23,17 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
             && isfinite(a2)
             && (a2 > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_exp_sum2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_exp_sum2 built;
 
+            const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
@@ -49,6 +50,7 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             built.a2 = a2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -61,7 +63,8 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             built.w2 = w2;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -72,9 +75,9 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
                 && isfinite(built.w1)
                 && isfinite(built.w2)) {
                 status = ptc_exp_sum2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -115,12 +118,9 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 2.0);
             const double v2 = v1 * self->mean_period;
@@ -165,22 +165,23 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
             const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
             const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
             const double v21 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-
             double v = v21;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -194,12 +195,9 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 2.0);
         const double v2 = v1 * self->mean_period;
@@ -243,7 +241,8 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
         const double v20 = v15 - (v17 * v18);
         const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
         const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
-        gains->gain[0] = self->w1 * (inv_r1 * inv_r1);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * inv_r1 * inv_r1;
         gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -264,25 +263,22 @@ ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2],
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

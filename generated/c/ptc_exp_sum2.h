@@ -40,7 +40,9 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 25 + or -, 34 *, 5 /, 5 functions, one round of the iteration.
+ * Operations of one step: 29 + - or comparison, 34 *, 5 /, 0 sqrt, 5 calls, one round of the
+ *       iteration.
+ * Latencies added up: x86-64 about 622 cycles, Cortex-M4F about 883 cycles.
  */
 #ifndef PTC_EXP_SUM2_H
 #define PTC_EXP_SUM2_H
@@ -81,6 +83,7 @@ typedef struct ptc_exp_sum2 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double target_rate; /* N/tau, N the number of rates */
     double slowest; /* 1/min a_i */
     double mean_period; /* 1/mean a_i */

@@ -24,7 +24,6 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
@@ -33,9 +32,11 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             && isfinite(a3)
             && (a3 > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_exp_sum2_of_three built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_exp_sum2_of_three built;
 
+            const double hold_from = -eps;
             const double target_rate = 3.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = (a1 < a2) ? a2 : a1;
@@ -58,6 +59,7 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             built.a3 = a3;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -72,7 +74,8 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             built.w2 = w2;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -85,9 +88,9 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
                 && isfinite(built.w1)
                 && isfinite(built.w2)) {
                 status = ptc_exp_sum2_of_three_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -128,12 +131,9 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 3.0);
             const double v2 = v1 * self->mean_period;
@@ -183,22 +183,23 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
             const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
             const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
             const double v26 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-
             double v = v26;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -212,12 +213,9 @@ ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double 
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 3.0);
         const double v2 = v1 * self->mean_period;
@@ -266,7 +264,8 @@ ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double 
         const double v25 = v18 - (v21 * v22);
         const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
         const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
-        gains->gain[0] = self->w1 * (inv_r1 * inv_r1);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * inv_r1 * inv_r1;
         gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -287,25 +286,22 @@ ptc_status ptc_exp_sum2_of_three_axis(const ptc_exp_sum2_of_three_gains *gains, 
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

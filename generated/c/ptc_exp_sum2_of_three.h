@@ -40,7 +40,9 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 35 + or -, 42 *, 5 /, 7 functions, one round of the iteration.
+ * Operations of one step: 39 + - or comparison, 42 *, 5 /, 0 sqrt, 7 calls, one round of the
+ *       iteration.
+ * Latencies added up: x86-64 about 814 cycles, Cortex-M4F about 1201 cycles.
  */
 #ifndef PTC_EXP_SUM2_OF_THREE_H
 #define PTC_EXP_SUM2_OF_THREE_H
@@ -82,6 +84,7 @@ typedef struct ptc_exp_sum2_of_three {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double target_rate; /* N/tau, N the number of rates */
     double slowest; /* 1/min a_i */
     double mean_period; /* 1/mean a_i */

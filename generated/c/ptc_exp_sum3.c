@@ -24,7 +24,6 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
@@ -32,9 +31,11 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             && (a2 > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_exp_sum3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_exp_sum3 built;
 
+            const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
@@ -56,6 +57,7 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             built.a2 = a2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -71,7 +73,8 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             built.w3 = w3;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -85,9 +88,9 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
                 && isfinite(built.w2)
                 && isfinite(built.w3)) {
                 status = ptc_exp_sum3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -130,12 +133,9 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 2.0);
             const double v2 = v1 * self->mean_period;
@@ -182,22 +182,23 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
             const double p3 = ((self->b3_1 * v19) + (self->b3_2 * v20)) * inv_r1;
             const double row3 = (self->w3 + ((-6.0) * (p2 + p2))) * 0.5;
             const double v21 = (self->w1 * x1 * inv_r1) + ((self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * x2);
-
             double v = ((v21 * inv_r1) + (row3 * x3)) * inv_r1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -211,12 +212,9 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 2.0);
         const double v2 = v1 * self->mean_period;
@@ -262,9 +260,9 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
         const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
         const double p3 = ((self->b3_1 * v19) + (self->b3_2 * v20)) * inv_r1;
         const double row3 = (self->w3 + ((-6.0) * (p2 + p2))) * 0.5;
-        const double v21 = inv_r1 * inv_r1;
-        gains->gain[0] = self->w1 * (v21 * inv_r1);
-        gains->gain[1] = (self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * v21;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * (inv_r1 * inv_r1) * inv_r1;
+        gains->gain[1] = (self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1;
         gains->gain[2] = row3 * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -287,26 +285,23 @@ ptc_status ptc_exp_sum3_axis(const ptc_exp_sum3_gains *gains, const double x[3],
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

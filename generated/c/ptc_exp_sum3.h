@@ -44,7 +44,9 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 30 + or -, 42 *, 5 /, 5 functions, one round of the iteration.
+ * Operations of one step: 34 + - or comparison, 42 *, 5 /, 0 sqrt, 5 calls, one round of the
+ *       iteration.
+ * Latencies added up: x86-64 about 674 cycles, Cortex-M4F about 896 cycles.
  */
 #ifndef PTC_EXP_SUM3_H
 #define PTC_EXP_SUM3_H
@@ -85,6 +87,7 @@ typedef struct ptc_exp_sum3 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double target_rate; /* N/tau, N the number of rates */
     double slowest; /* 1/min a_i */
     double mean_period; /* 1/mean a_i */

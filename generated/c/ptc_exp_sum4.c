@@ -25,7 +25,6 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
@@ -34,9 +33,11 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_exp_sum4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_exp_sum4 built;
 
+            const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
@@ -61,6 +62,7 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             built.a2 = a2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -79,7 +81,8 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             built.w4 = w4;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -96,9 +99,9 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
                 && isfinite(built.w3)
                 && isfinite(built.w4)) {
                 status = ptc_exp_sum4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -143,12 +146,9 @@ ptc_status ptc_exp_sum4_step(const ptc_exp_sum4 *self, double t, const double x[
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 2.0);
             const double v2 = v1 * self->mean_period;
@@ -199,22 +199,23 @@ ptc_status ptc_exp_sum4_step(const ptc_exp_sum4 *self, double t, const double x[
             const double row4 = (self->w4 + ((-24.0) * (v21 + p2))) * 0.16666666666666666;
             const double v22 = (self->w2 + (self->w3 * p2) + (self->w4 * p3) + ((-24.0) * p4)) * x2;
             const double v23 = ((((self->w1 * x1 * inv_r1) + v22) * inv_r1) + (row3 * x3)) * inv_r1;
-
             double v = (v23 + (row4 * x4)) * inv_r1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -228,12 +229,9 @@ ptc_status ptc_exp_sum4_tick(const ptc_exp_sum4 *self, double t, ptc_exp_sum4_ga
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 2.0);
         const double v2 = v1 * self->mean_period;
@@ -283,11 +281,11 @@ ptc_status ptc_exp_sum4_tick(const ptc_exp_sum4 *self, double t, ptc_exp_sum4_ga
         const double row3 = (self->w3 + (self->w4 * v21) + ((-24.0) * (p3 + p3 + (p2 * p2)))) * 0.5;
         const double row4 = (self->w4 + ((-24.0) * (v21 + p2))) * 0.16666666666666666;
         const double v22 = inv_r1 * inv_r1;
-        const double v23 = v22 * inv_r1;
-        const double v24 = (self->w2 + (self->w3 * p2) + (self->w4 * p3) + ((-24.0) * p4)) * v23;
-        gains->gain[0] = self->w1 * (v23 * inv_r1);
-        gains->gain[1] = v24;
-        gains->gain[2] = row3 * v22;
+        const double v23 = (self->w2 + (self->w3 * p2) + (self->w4 * p3) + ((-24.0) * p4)) * v22;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * v22 * v22;
+        gains->gain[1] = v23 * inv_r1;
+        gains->gain[2] = row3 * inv_r1 * inv_r1;
         gains->gain[3] = row4 * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -312,27 +310,23 @@ ptc_status ptc_exp_sum4_axis(const ptc_exp_sum4_gains *gains, const double x[4],
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -26,7 +26,6 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a1)
             && (a1 > 0.0)
@@ -36,9 +35,11 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_exp_sum5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_exp_sum5 built;
 
+            const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
@@ -68,6 +69,7 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             built.a2 = a2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.target_rate = target_rate;
             built.slowest = slowest;
             built.mean_period = mean_period;
@@ -89,7 +91,8 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             built.w5 = w5;
             built.u_max = u_max;
 
-            if (isfinite(built.target_rate)
+            if (isfinite(built.hold_from)
+                && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)
                 && isfinite(built.tolerance)
@@ -109,9 +112,9 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
                 && isfinite(built.w4)
                 && isfinite(built.w5)) {
                 status = ptc_exp_sum5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -158,12 +161,9 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
             const double target = T * self->target_rate;
             const double v1 = -log(target / 2.0);
             const double v2 = v1 * self->mean_period;
@@ -221,22 +221,23 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             const double row4 = v27 * 0.16666666666666666;
             const double row5 = (self->w5 + ((-120.0) * (v26 + p2))) * 0.041666666666666664;
             const double v28 = ((((self->w1 * x1 * inv_r1) + (v21 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
-
             double v = (((v28 + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -250,12 +251,9 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
         const double target = T * self->target_rate;
         const double v1 = -log(target / 2.0);
         const double v2 = v1 * self->mean_period;
@@ -313,12 +311,11 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
         const double row4 = v27 * 0.16666666666666666;
         const double row5 = (self->w5 + ((-120.0) * (v26 + p2))) * 0.041666666666666664;
         const double v28 = inv_r1 * inv_r1;
-        const double v29 = v28 * inv_r1;
-        const double v30 = v29 * inv_r1;
-        gains->gain[0] = self->w1 * (v30 * inv_r1);
-        gains->gain[1] = v21 * v30;
-        gains->gain[2] = row3 * v29;
-        gains->gain[3] = row4 * v28;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * (v28 * inv_r1) * v28;
+        gains->gain[1] = v21 * v28 * v28;
+        gains->gain[2] = row3 * v28 * inv_r1;
+        gains->gain[3] = row4 * inv_r1 * inv_r1;
         gains->gain[4] = row5 * inv_r1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -345,29 +342,23 @@ ptc_status ptc_exp_sum5_axis(const ptc_exp_sum5_gains *gains, const double x[5],
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -55,7 +55,9 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 50 + or -, 64 *, 5 /, 5 functions, one round of the iteration.
+ * Operations of one step: 54 + - or comparison, 64 *, 5 /, 0 sqrt, 5 calls, one round of the
+ *       iteration.
+ * Latencies added up: x86-64 about 842 cycles, Cortex-M4F about 938 cycles.
  */
 #ifndef PTC_EXP_SUM5_H
 #define PTC_EXP_SUM5_H
@@ -96,6 +98,7 @@ typedef struct ptc_exp_sum5 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double target_rate; /* N/tau, N the number of rates */
     double slowest; /* 1/min a_i */
     double mean_period; /* 1/mean a_i */

@@ -21,28 +21,31 @@ ptc_status ptc_power1_init(ptc_power1 *self, const ptc_power1_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(m)
             && (m > 0.0)
-            && isfinite(k1)) {
-            ptc_power1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_power1 built;
 
             const double K1 = k1 / a;
             const double c1_1 = -K1;
+            const double hold_from = -eps;
             built.c1_1 = c1_1;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.m = m;
             built.u_max = u_max;
 
-            if (isfinite(built.c1_1)) {
+            if (isfinite(built.c1_1)
+                && isfinite(built.hold_from)) {
                 status = ptc_power1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -81,31 +84,28 @@ ptc_status ptc_power1_step(const ptc_power1 *self, double t, const double x[1], 
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double q = pow(self->tau * inv_T, self->m);
             const double row1 = self->c1_1 * q;
-
             double v = row1 * x1 * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -119,15 +119,12 @@ ptc_status ptc_power1_tick(const ptc_power1 *self, double t, ptc_power1_gains *g
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double q = pow(self->tau * inv_T, self->m);
         const double row1 = self->c1_1 * q;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -146,24 +143,22 @@ ptc_status ptc_power1_axis(const ptc_power1_gains *gains, const double x[1], dou
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -22,36 +22,39 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(m)
             && (m > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_power2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_power2 built;
 
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
             const double c1_2 = -K1;
+            const double hold_from = -eps;
             const double c2_0 = m + 1.0;
             const double c2_1 = -K2;
             built.c1_2 = c1_2;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_2)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)) {
                 status = ptc_power2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -92,32 +95,29 @@ ptc_status ptc_power2_step(const ptc_power2 *self, double t, const double x[2], 
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double q = pow(self->tau * inv_T, self->m);
             const double row1 = self->c1_2 * q * q;
             const double row2 = (self->c2_1 * q) + self->c2_0;
-
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -131,17 +131,14 @@ ptc_status ptc_power2_tick(const ptc_power2 *self, double t, ptc_power2_gains *g
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double q = pow(self->tau * inv_T, self->m);
         const double row1 = self->c1_2 * q * q;
         const double row2 = (self->c2_1 * q) + self->c2_0;
-        gains->gain[0] = row1 * (inv_T * inv_T);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -162,25 +159,22 @@ ptc_status ptc_power2_axis(const ptc_power2_gains *gains, const double x[2], dou
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -44,7 +44,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 4 + or -, 8 *, 1 /, 1 functions.
+ * Operations of one step: 5 + - or comparison, 8 *, 1 /, 0 sqrt, 1 calls.
+ * Latencies added up: x86-64 about 126 cycles, Cortex-M4F about 177 cycles.
  */
 #ifndef PTC_POWER2_H
 #define PTC_POWER2_H
@@ -85,6 +86,7 @@ typedef struct ptc_power2 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double m; /* exponent of the power mapping */
     double c2_0; /* coefficient of q^0 in the gain of x2 */
     double c2_1; /* coefficient of q^1 in the gain of x2 */

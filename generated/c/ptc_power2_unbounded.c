@@ -18,16 +18,18 @@ ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power
             && isfinite(t0)
             && (eps > 0.0)
             && (eps < tau)) {
-            ptc_power2_unbounded built;
+            struct ptc_power2_unbounded built;
 
+            const double hold_from = -eps;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
 
-            if (1) {
+            if (isfinite(built.hold_from)) {
                 status = ptc_power2_unbounded_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -68,25 +70,25 @@ ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t,
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = self->tau * inv_T;
             const double q = v1 * v1;
             const double v2 = (-4.0) * q;
             const double row1 = v2 * q;
             const double row2 = v2 + 3.0;
-
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+
+            if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -100,19 +102,16 @@ ptc_status ptc_power2_unbounded_tick(const ptc_power2_unbounded *self, double t,
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double v1 = self->tau * inv_T;
         const double q = v1 * v1;
         const double v2 = (-4.0) * q;
         const double row1 = v2 * q;
         const double row2 = v2 + 3.0;
-        gains->gain[0] = row1 * (inv_T * inv_T);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;
         gains->status = status;
     }
@@ -132,16 +131,14 @@ ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, co
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            status = gains->status;
+            if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
             }
+            *u = v;
         }
     }
     return status;

@@ -23,7 +23,6 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -31,15 +30,17 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             && (m > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_power3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_power3 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (a * v1);
             const double K2 = k2 / v1;
             const double K3 = k3 / a;
             const double c1_3 = -K1;
-            const double c2_0 = ((((-2.0) * m) + (-3.0)) * m) + (-1.0);
+            const double hold_from = -eps;
+            const double c2_0 = ((((-2.0) * m) - 3.0) * m) - 1.0;
             const double c2_1 = (m + 1.0) * K3;
             const double c2_2 = -K2;
             const double c3_0 = (3.0 * m) + 3.0;
@@ -47,6 +48,7 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             built.c1_3 = c1_3;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -56,15 +58,16 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_3)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
                 && isfinite(built.c3_0)
                 && isfinite(built.c3_1)) {
                 status = ptc_power3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -107,34 +110,31 @@ ptc_status ptc_power3_step(const ptc_power3 *self, double t, const double x[3], 
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double q = pow(self->tau * inv_T, self->m);
             const double row1 = self->c1_3 * q * q * q;
             const double row2 = (((self->c2_2 * q) + self->c2_1) * q) + self->c2_0;
             const double row3 = (self->c3_1 * q) + self->c3_0;
             const double v1 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = v1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -148,20 +148,16 @@ ptc_status ptc_power3_tick(const ptc_power3 *self, double t, ptc_power3_gains *g
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double q = pow(self->tau * inv_T, self->m);
         const double row1 = self->c1_3 * q * q * q;
         const double row2 = (((self->c2_2 * q) + self->c2_1) * q) + self->c2_0;
         const double row3 = (self->c3_1 * q) + self->c3_0;
-        const double v1 = inv_T * inv_T;
-        gains->gain[0] = row1 * (v1 * inv_T);
-        gains->gain[1] = row2 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = row2 * inv_T * inv_T;
         gains->gain[2] = row3 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -184,26 +180,23 @@ ptc_status ptc_power3_axis(const ptc_power3_gains *gains, const double x[3], dou
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -24,7 +24,6 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -33,8 +32,9 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_power4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_power4 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (v1 * v1);
@@ -42,12 +42,13 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             const double K3 = k3 / v1;
             const double K4 = k4 / a;
             const double c1_4 = -K1;
+            const double hold_from = -eps;
             const double v2 = 6.0 * m;
             const double c2_0 = ((((v2 + 11.0) * m) + 6.0) * m) + 1.0;
-            const double c2_1 = (((((-2.0) * m) + (-3.0)) * m) + (-1.0)) * K4;
+            const double c2_1 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
             const double c2_2 = (m + 1.0) * K3;
             const double c2_3 = -K2;
-            const double c3_0 = ((((-11.0) * m) + (-18.0)) * m) + (-7.0);
+            const double c3_0 = ((((-11.0) * m) - 18.0) * m) - 7.0;
             const double c3_1 = ((3.0 * m) + 3.0) * K4;
             const double c3_2 = -K3;
             const double c4_0 = v2 + 6.0;
@@ -55,6 +56,7 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             built.c1_4 = c1_4;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -68,6 +70,7 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_4)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -78,9 +81,9 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
                 && isfinite(built.c4_0)
                 && isfinite(built.c4_1)) {
                 status = ptc_power4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -125,13 +128,9 @@ ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], 
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double q = pow(self->tau * inv_T, self->m);
             const double v1 = q * q;
             const double row1 = self->c1_4 * v1 * v1;
@@ -139,22 +138,23 @@ ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], 
             const double row3 = (((self->c3_2 * q) + self->c3_1) * q) + self->c3_0;
             const double row4 = (self->c4_1 * q) + self->c4_0;
             const double v2 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (v2 + (row4 * x4)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -168,13 +168,9 @@ ptc_status ptc_power4_tick(const ptc_power4 *self, double t, ptc_power4_gains *g
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double q = pow(self->tau * inv_T, self->m);
         const double v1 = q * q;
         const double row1 = self->c1_4 * v1 * v1;
@@ -182,10 +178,10 @@ ptc_status ptc_power4_tick(const ptc_power4 *self, double t, ptc_power4_gains *g
         const double row3 = (((self->c3_2 * q) + self->c3_1) * q) + self->c3_0;
         const double row4 = (self->c4_1 * q) + self->c4_0;
         const double v2 = inv_T * inv_T;
-        const double v3 = v2 * inv_T;
-        gains->gain[0] = row1 * (v3 * inv_T);
-        gains->gain[1] = row2 * v3;
-        gains->gain[2] = row3 * v2;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * v2 * v2;
+        gains->gain[1] = row2 * v2 * inv_T;
+        gains->gain[2] = row3 * inv_T * inv_T;
         gains->gain[3] = row4 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -210,27 +206,23 @@ ptc_status ptc_power4_axis(const ptc_power4_gains *gains, const double x[4], dou
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

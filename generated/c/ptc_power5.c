@@ -25,7 +25,6 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -35,8 +34,9 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_power5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_power5 built;
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -46,25 +46,26 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double K4 = k4 / v1;
             const double K5 = k5 / a;
             const double c1_5 = -K1;
-            const double v3 = (((((((-24.0) * m) + (-50.0)) * m) + (-35.0)) * m) + (-10.0)) * m;
-            const double c2_0 = v3 + (-1.0);
-            const double v4 = 6.0 * m;
-            const double c2_1 = (((((v4 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
-            const double c2_2 = (((((-2.0) * m) + (-3.0)) * m) + (-1.0)) * K4;
+            const double hold_from = -eps;
+            const double c2_0 = ((((((((-24.0) * m) - 50.0) * m) - 35.0) * m) - 10.0) * m) - 1.0;
+            const double v3 = 6.0 * m;
+            const double c2_1 = (((((v3 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
+            const double c2_2 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
             const double c2_3 = (m + 1.0) * K3;
             const double c2_4 = -K2;
             const double c3_0 = (((((50.0 * m) + 105.0) * m) + 70.0) * m) + 15.0;
-            const double c3_1 = (((((-11.0) * m) + (-18.0)) * m) + (-7.0)) * K5;
+            const double c3_1 = (((((-11.0) * m) - 18.0) * m) - 7.0) * K5;
             const double c3_2 = ((3.0 * m) + 3.0) * K4;
             const double c3_3 = -K3;
-            const double c4_0 = ((((-35.0) * m) + (-60.0)) * m) + (-25.0);
-            const double c4_1 = (v4 + 6.0) * K5;
+            const double c4_0 = ((((-35.0) * m) - 60.0) * m) - 25.0;
+            const double c4_1 = (v3 + 6.0) * K5;
             const double c4_2 = -K4;
             const double c5_0 = (10.0 * m) + 10.0;
             const double c5_1 = -K5;
             built.c1_5 = c1_5;
             built.tau = tau;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -83,6 +84,7 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_5)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -98,9 +100,9 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
                 && isfinite(built.c5_0)
                 && isfinite(built.c5_1)) {
                 status = ptc_power5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -147,13 +149,9 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double q = pow(self->tau * inv_T, self->m);
             const double v1 = q * q;
             const double row1 = self->c1_5 * q * v1 * v1;
@@ -163,22 +161,23 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
             const double row5 = (self->c5_1 * q) + self->c5_0;
             const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -192,13 +191,9 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double q = pow(self->tau * inv_T, self->m);
         const double v1 = q * q;
         const double row1 = self->c1_5 * q * v1 * v1;
@@ -208,12 +203,11 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
         const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
         const double row5 = (self->c5_1 * q) + self->c5_0;
         const double v3 = inv_T * inv_T;
-        const double v4 = v3 * inv_T;
-        const double v5 = v4 * inv_T;
-        gains->gain[0] = row1 * (v5 * inv_T);
-        gains->gain[1] = row2 * v5;
-        gains->gain[2] = row3 * v4;
-        gains->gain[3] = row4 * v3;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (v3 * inv_T) * v3;
+        gains->gain[1] = row2 * v3 * v3;
+        gains->gain[2] = row3 * v3 * inv_T;
+        gains->gain[3] = row4 * inv_T * inv_T;
         gains->gain[4] = row5 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -240,29 +234,23 @@ ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], dou
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

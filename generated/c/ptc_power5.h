@@ -65,7 +65,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 16 + or -, 25 *, 1 /, 1 functions.
+ * Operations of one step: 17 + - or comparison, 25 *, 1 /, 0 sqrt, 1 calls.
+ * Latencies added up: x86-64 about 242 cycles, Cortex-M4F about 206 cycles.
  */
 #ifndef PTC_POWER5_H
 #define PTC_POWER5_H
@@ -106,6 +107,7 @@ typedef struct ptc_power5 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double m; /* exponent of the power mapping */
     double c2_0; /* coefficient of q^0 in the gain of x2 */
     double c2_1; /* coefficient of q^1 in the gain of x2 */

@@ -20,26 +20,29 @@ ptc_status ptc_rational1_init(ptc_rational1 *self, const ptc_rational1_params *p
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
-            && isfinite(k1)) {
-            ptc_rational1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_rational1 built;
 
             const double rate = a / tau;
             const double K1 = k1 / rate;
             const double c1_1 = -K1;
+            const double hold_from = -eps;
             built.tau = tau;
             built.c1_1 = c1_1;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.u_max = u_max;
 
-            if (isfinite(built.c1_1)) {
+            if (isfinite(built.c1_1)
+                && isfinite(built.hold_from)) {
                 status = ptc_rational1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -78,30 +81,27 @@ ptc_status ptc_rational1_step(const ptc_rational1 *self, double t, const double 
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double row1 = self->c1_1 * inv_T;
-
             double v = row1 * x1 * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -115,14 +115,11 @@ ptc_status ptc_rational1_tick(const ptc_rational1 *self, double t, ptc_rational1
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double row1 = self->c1_1 * inv_T;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -141,24 +138,22 @@ ptc_status ptc_rational1_axis(const ptc_rational1_gains *gains, const double x[1
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

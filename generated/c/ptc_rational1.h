@@ -38,7 +38,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 2 + or -, 3 *, 1 /, 0 functions.
+ * Operations of one step: 3 + - or comparison, 3 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 38 cycles, Cortex-M4F about 20 cycles.
  */
 #ifndef PTC_RATIONAL1_H
 #define PTC_RATIONAL1_H
@@ -78,6 +79,7 @@ typedef struct ptc_rational1 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double u_max; /* bound of |u| */
 } ptc_rational1;
 

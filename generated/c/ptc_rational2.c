@@ -21,31 +21,34 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_rational2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_rational2 built;
 
             const double rate = a / tau;
             const double K1 = k1 / (rate * rate);
             const double K2 = k2 / rate;
             const double c1_2 = -K1;
+            const double hold_from = -eps;
             const double c2_1 = -K2;
             built.tau = tau;
             built.c1_2 = c1_2;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.c2_1 = c2_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_2)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_1)) {
                 status = ptc_rational2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -86,31 +89,28 @@ ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double 
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double row1 = self->c1_2 * inv_T * inv_T;
             const double row2 = (self->c2_1 * inv_T) + 2.0;
-
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -124,16 +124,13 @@ ptc_status ptc_rational2_tick(const ptc_rational2 *self, double t, ptc_rational2
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double row1 = self->c1_2 * inv_T * inv_T;
         const double row2 = (self->c2_1 * inv_T) + 2.0;
-        gains->gain[0] = row1 * (inv_T * inv_T);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -154,25 +151,22 @@ ptc_status ptc_rational2_axis(const ptc_rational2_gains *gains, const double x[2
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

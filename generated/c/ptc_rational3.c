@@ -22,14 +22,14 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_rational3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_rational3 built;
 
             const double rate = a / tau;
             const double v1 = rate * rate;
@@ -37,25 +37,28 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
             const double c1_3 = -K1;
+            const double hold_from = -eps;
             const double c2_1 = 2.0 * K3;
             const double c2_2 = -K2;
             const double c3_1 = -K3;
             built.tau = tau;
             built.c1_3 = c1_3;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
             built.c3_1 = c3_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_3)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
                 && isfinite(built.c3_1)) {
                 status = ptc_rational3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -98,33 +101,30 @@ ptc_status ptc_rational3_step(const ptc_rational3 *self, double t, const double 
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double row1 = self->c1_3 * inv_T * inv_T * inv_T;
-            const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) + (-6.0);
+            const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) - 6.0;
             const double row3 = (self->c3_1 * inv_T) + 6.0;
             const double v1 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = v1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -138,19 +138,15 @@ ptc_status ptc_rational3_tick(const ptc_rational3 *self, double t, ptc_rational3
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double row1 = self->c1_3 * inv_T * inv_T * inv_T;
-        const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) + (-6.0);
+        const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) - 6.0;
         const double row3 = (self->c3_1 * inv_T) + 6.0;
-        const double v1 = inv_T * inv_T;
-        gains->gain[0] = row1 * (v1 * inv_T);
-        gains->gain[1] = row2 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = row2 * inv_T * inv_T;
         gains->gain[2] = row3 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -173,26 +169,23 @@ ptc_status ptc_rational3_axis(const ptc_rational3_gains *gains, const double x[3
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -23,15 +23,15 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_rational4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_rational4 built;
 
             const double rate = a / tau;
             const double v1 = rate * rate;
@@ -40,6 +40,7 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             const double K3 = k3 / v1;
             const double K4 = k4 / rate;
             const double c1_4 = -K1;
+            const double hold_from = -eps;
             const double c3_1 = 6.0 * K4;
             const double c2_1 = -c3_1;
             const double c2_2 = 2.0 * K3;
@@ -49,6 +50,7 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             built.tau = tau;
             built.c1_4 = c1_4;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.c3_1 = c3_1;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
@@ -58,6 +60,7 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             built.u_max = u_max;
 
             if (isfinite(built.c1_4)
+                && isfinite(built.hold_from)
                 && isfinite(built.c3_1)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -65,9 +68,9 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
                 && isfinite(built.c3_2)
                 && isfinite(built.c4_1)) {
                 status = ptc_rational4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -112,36 +115,33 @@ ptc_status ptc_rational4_step(const ptc_rational4 *self, double t, const double 
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = inv_T * inv_T;
             const double row1 = self->c1_4 * v1 * v1;
             const double v2 = ((((self->c2_3 * inv_T) + self->c2_2) * inv_T) + self->c2_1) * inv_T;
             const double row2 = v2 + 24.0;
-            const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) + (-36.0);
+            const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) - 36.0;
             const double row4 = (self->c4_1 * inv_T) + 12.0;
             const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (v3 + (row4 * x4)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -155,23 +155,19 @@ ptc_status ptc_rational4_tick(const ptc_rational4 *self, double t, ptc_rational4
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double v1 = inv_T * inv_T;
         const double row1 = self->c1_4 * v1 * v1;
         const double v2 = ((((self->c2_3 * inv_T) + self->c2_2) * inv_T) + self->c2_1) * inv_T;
         const double row2 = v2 + 24.0;
-        const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) + (-36.0);
+        const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) - 36.0;
         const double row4 = (self->c4_1 * inv_T) + 12.0;
-        const double v3 = v1 * inv_T;
-        gains->gain[0] = row1 * (v3 * inv_T);
-        gains->gain[1] = row2 * v3;
-        gains->gain[2] = row3 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * v1 * v1;
+        gains->gain[1] = row2 * v1 * inv_T;
+        gains->gain[2] = row3 * inv_T * inv_T;
         gains->gain[3] = row4 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -196,27 +192,23 @@ ptc_status ptc_rational4_axis(const ptc_rational4_gains *gains, const double x[4
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

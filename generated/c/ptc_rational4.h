@@ -53,7 +53,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 11 + or -, 17 *, 1 /, 0 functions.
+ * Operations of one step: 12 + - or comparison, 17 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 130 cycles, Cortex-M4F about 43 cycles.
  */
 #ifndef PTC_RATIONAL4_H
 #define PTC_RATIONAL4_H
@@ -93,6 +94,7 @@ typedef struct ptc_rational4 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double c3_1; /* coefficient of inv_T^1 in the gain of x3 */
     double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
     double c2_2; /* coefficient of inv_T^2 in the gain of x2 */

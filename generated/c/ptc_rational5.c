@@ -24,7 +24,6 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -32,8 +31,9 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_rational5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_rational5 built;
 
             const double rate = a / tau;
             const double v1 = rate * rate;
@@ -44,6 +44,7 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             const double K4 = k4 / v1;
             const double K5 = k5 / rate;
             const double c1_5 = -K1;
+            const double hold_from = -eps;
             const double c2_1 = 24.0 * K5;
             const double c3_2 = 6.0 * K4;
             const double c2_2 = -c3_2;
@@ -57,6 +58,7 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             built.tau = tau;
             built.c1_5 = c1_5;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.c2_1 = c2_1;
             built.c3_2 = c3_2;
             built.c2_2 = c2_2;
@@ -70,6 +72,7 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             built.u_max = u_max;
 
             if (isfinite(built.c1_5)
+                && isfinite(built.hold_from)
                 && isfinite(built.c2_1)
                 && isfinite(built.c3_2)
                 && isfinite(built.c2_2)
@@ -81,9 +84,9 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
                 && isfinite(built.c4_2)
                 && isfinite(built.c5_1)) {
                 status = ptc_rational5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -130,38 +133,35 @@ ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double 
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double inv_T = 1.0 / T;
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
             const double v1 = inv_T * inv_T;
             const double row1 = self->c1_5 * inv_T * v1 * v1;
             const double v2 = ((((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2) * inv_T;
-            const double row2 = ((v2 + self->c2_1) * inv_T) + (-120.0);
+            const double row2 = ((v2 + self->c2_1) * inv_T) - 120.0;
             const double v3 = ((((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1) * inv_T;
             const double row3 = v3 + 240.0;
-            const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) + (-120.0);
+            const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
             const double row5 = (self->c5_1 * inv_T) + 20.0;
             const double v4 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (((v4 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -175,27 +175,22 @@ ptc_status ptc_rational5_tick(const ptc_rational5 *self, double t, ptc_rational5
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double inv_T = 1.0 / T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
         const double v1 = inv_T * inv_T;
         const double row1 = self->c1_5 * inv_T * v1 * v1;
         const double v2 = ((((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2) * inv_T;
-        const double row2 = ((v2 + self->c2_1) * inv_T) + (-120.0);
+        const double row2 = ((v2 + self->c2_1) * inv_T) - 120.0;
         const double v3 = ((((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1) * inv_T;
         const double row3 = v3 + 240.0;
-        const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) + (-120.0);
+        const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
         const double row5 = (self->c5_1 * inv_T) + 20.0;
-        const double v4 = v1 * inv_T;
-        const double v5 = v4 * inv_T;
-        gains->gain[0] = row1 * (v5 * inv_T);
-        gains->gain[1] = row2 * v5;
-        gains->gain[2] = row3 * v4;
-        gains->gain[3] = row4 * v1;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (v1 * inv_T) * v1;
+        gains->gain[1] = row2 * v1 * v1;
+        gains->gain[2] = row3 * v1 * inv_T;
+        gains->gain[3] = row4 * inv_T * inv_T;
         gains->gain[4] = row5 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -222,29 +217,23 @@ ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -60,7 +60,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 16 + or -, 24 *, 1 /, 0 functions.
+ * Operations of one step: 17 + - or comparison, 24 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 178 cycles, Cortex-M4F about 55 cycles.
  */
 #ifndef PTC_RATIONAL5_H
 #define PTC_RATIONAL5_H
@@ -100,6 +101,7 @@ typedef struct ptc_rational5 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double c2_1; /* coefficient of inv_T^1 in the gain of x2 */
     double c3_2; /* coefficient of inv_T^2 in the gain of x3 */
     double c2_2; /* coefficient of inv_T^2 in the gain of x2 */

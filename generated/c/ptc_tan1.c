@@ -20,34 +20,37 @@ ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
-            && isfinite(k1)) {
-            ptc_tan1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_tan1 built;
 
             const double K1 = k1 / a;
             const double c1_1 = -K1;
             const double angle_rate = 1.5707963267948966 / tau;
             const double inv_angle_rate = 0.6366197723675814 * tau;
+            const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
             built.c1_1 = c1_1;
             built.tau = tau;
             built.angle_rate = angle_rate;
             built.inv_angle_rate = inv_angle_rate;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_1)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
+                && isfinite(built.hold_from)
                 && isfinite(built.inv_tau)) {
                 status = ptc_tan1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -86,42 +89,38 @@ ptc_status ptc_tan1_step(const ptc_tan1 *self, double t, const double x[1], doub
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = T * self->inv_tau;
-            const double inv_T_squared = 1.0 / (T * T);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-            const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-            const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-            const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-            const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-            const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-            const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-            const double th_cot_th = (v9 * v2) + 1.0;
+            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
             const double row1 = self->c1_1 * slope;
-
             double v = row1 * x1;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -135,26 +134,22 @@ ptc_status ptc_tan1_tick(const ptc_tan1 *self, double t, ptc_tan1_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = T * self->inv_tau;
-        const double inv_T_squared = 1.0 / (T * T);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = late * self->inv_tau;
+        const double inv_T_squared = 1.0 / (late * late);
         const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        const double th_cot_th = (v9 * v2) + 1.0;
+        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
         const double row1 = self->c1_1 * slope;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -173,24 +168,22 @@ ptc_status ptc_tan1_axis(const ptc_tan1_gains *gains, const double x[1], double 
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

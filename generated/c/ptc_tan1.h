@@ -38,7 +38,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 18 + or -, 23 *, 1 /, 0 functions.
+ * Operations of one step: 19 + - or comparison, 23 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 182 cycles, Cortex-M4F about 56 cycles.
  */
 #ifndef PTC_TAN1_H
 #define PTC_TAN1_H
@@ -80,6 +81,7 @@ typedef struct ptc_tan1 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */
 } ptc_tan1;

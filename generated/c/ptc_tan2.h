@@ -43,7 +43,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 21 + or -, 29 *, 1 /, 0 functions.
+ * Operations of one step: 23 + - or comparison, 29 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 222 cycles, Cortex-M4F about 66 cycles.
  */
 #ifndef PTC_TAN2_H
 #define PTC_TAN2_H
@@ -85,6 +86,7 @@ typedef struct ptc_tan2 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double inv_tau; /* 1/tau */
     double c2_0; /* coefficient of cot_rate^0 in the gain of x2 */
     double c2_2; /* coefficient of cot_rate^2 in the gain of x2 */

@@ -22,14 +22,14 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_tan3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_tan3 built;
 
             const double v1 = a * a;
             const double K1 = k1 / (a * v1);
@@ -38,6 +38,7 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             const double c1_3 = -K1;
             const double angle_rate = 1.5707963267948966 / tau;
             const double inv_angle_rate = 0.6366197723675814 * tau;
+            const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
             const double v2 = tau * tau;
             const double c2_0 = ((-(2.4674011002723395 * K2)) + 4.934802200544679) / v2;
@@ -52,6 +53,7 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             built.angle_rate = angle_rate;
             built.inv_angle_rate = inv_angle_rate;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.inv_tau = inv_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -65,6 +67,7 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             if (isfinite(built.c1_3)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
+                && isfinite(built.hold_from)
                 && isfinite(built.inv_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
@@ -74,9 +77,9 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
                 && isfinite(built.c3_0)
                 && isfinite(built.c3_2)) {
                 status = ptc_tan3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -119,46 +122,43 @@ ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], doub
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = T * self->inv_tau;
-            const double inv_T_squared = 1.0 / (T * T);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-            const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-            const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-            const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-            const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-            const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-            const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-            const double th_cot_th = (v9 * v2) + 1.0;
+            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
             const double row1 = self->c1_3 * slope * slope * slope;
+            const double T = -late;
             const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double v10 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-            const double row2 = v10 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
+            const double v9 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+            const double row2 = v9 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
             const double row3 = (self->c3_2 * cot_rate_squared) + self->c3_0 + (6.0 * cot_rate);
-
             double v = (row1 * x1) + (row2 * x2) + (row3 * x3);
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -172,30 +172,27 @@ ptc_status ptc_tan3_tick(const ptc_tan3 *self, double t, ptc_tan3_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = T * self->inv_tau;
-        const double inv_T_squared = 1.0 / (T * T);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = late * self->inv_tau;
+        const double inv_T_squared = 1.0 / (late * late);
         const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        const double th_cot_th = (v9 * v2) + 1.0;
+        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
         const double row1 = self->c1_3 * slope * slope * slope;
+        const double T = -late;
         const double cot_rate = T * inv_T_squared * th_cot_th;
-        const double v10 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-        const double row2 = v10 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
+        const double v9 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+        const double row2 = v9 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
         const double row3 = (self->c3_2 * cot_rate_squared) + self->c3_0 + (6.0 * cot_rate);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1;
         gains->gain[1] = row2;
         gains->gain[2] = row3;
@@ -220,26 +217,23 @@ ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double 
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

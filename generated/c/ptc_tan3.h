@@ -49,7 +49,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 26 + or -, 35 *, 1 /, 0 functions.
+ * Operations of one step: 28 + - or comparison, 35 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 266 cycles, Cortex-M4F about 77 cycles.
  */
 #ifndef PTC_TAN3_H
 #define PTC_TAN3_H
@@ -91,6 +92,7 @@ typedef struct ptc_tan3 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
     double inv_tau; /* 1/tau */
     double c2_0; /* coefficient of cot_rate^0 in the gain of x2 */
     double c2_1; /* coefficient of cot_rate^1 in the gain of x2 */

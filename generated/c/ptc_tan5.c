@@ -24,7 +24,6 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -32,8 +31,9 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_tan5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_tan5 built;
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
@@ -45,6 +45,7 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             const double c1_5 = -K1;
             const double angle_rate = 1.5707963267948966 / tau;
             const double inv_angle_rate = 0.6366197723675814 * tau;
+            const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
             const double v3 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
             const double v4 = tau * tau;
@@ -80,6 +81,7 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             built.angle_rate = angle_rate;
             built.inv_angle_rate = inv_angle_rate;
             built.eps = eps;
+            built.hold_from = hold_from;
             built.inv_tau = inv_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -109,6 +111,7 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             if (isfinite(built.c1_5)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
+                && isfinite(built.hold_from)
                 && isfinite(built.inv_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
@@ -134,9 +137,9 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
                 && isfinite(built.c5_0)
                 && isfinite(built.c5_2)) {
                 status = ptc_tan5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -183,56 +186,53 @@ ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], doub
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = T * self->inv_tau;
-            const double inv_T_squared = 1.0 / (T * T);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-            const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-            const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-            const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-            const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-            const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-            const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-            const double th_cot_th = (v9 * v2) + 1.0;
+            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-            const double v10 = slope * slope;
-            const double row1 = self->c1_5 * slope * v10 * v10;
+            const double v9 = slope * slope;
+            const double row1 = self->c1_5 * slope * v9 * v9;
+            const double T = -late;
             const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double v11 = ((self->c2_7 * cot_rate_squared) + self->c2_5) * cot_rate_squared;
-            const double v12 = (((v11 + self->c2_3) * cot_rate_squared) + self->c2_1) * cot_rate;
-            const double v13 = ((self->c2_8 * cot_rate_squared) + self->c2_6) * cot_rate_squared;
-            const double v14 = (((v13 + self->c2_4) * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-            const double row2 = v14 + self->c2_0 + v12;
-            const double v15 = ((self->c3_5 * cot_rate_squared) + self->c3_3) * cot_rate_squared;
-            const double v16 = ((self->c3_6 * cot_rate_squared) + self->c3_4) * cot_rate_squared;
-            const double row3 = ((v16 + self->c3_2) * cot_rate_squared) + self->c3_0 + ((v15 + self->c3_1) * cot_rate);
-            const double v17 = ((self->c4_4 * cot_rate_squared) + self->c4_2) * cot_rate_squared;
-            const double row4 = v17 + self->c4_0 + (((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate);
+            const double v10 = ((self->c2_7 * cot_rate_squared) + self->c2_5) * cot_rate_squared;
+            const double v11 = (((v10 + self->c2_3) * cot_rate_squared) + self->c2_1) * cot_rate;
+            const double v12 = ((self->c2_8 * cot_rate_squared) + self->c2_6) * cot_rate_squared;
+            const double v13 = (((v12 + self->c2_4) * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+            const double row2 = v13 + self->c2_0 + v11;
+            const double v14 = ((self->c3_5 * cot_rate_squared) + self->c3_3) * cot_rate_squared;
+            const double v15 = ((self->c3_6 * cot_rate_squared) + self->c3_4) * cot_rate_squared;
+            const double row3 = ((v15 + self->c3_2) * cot_rate_squared) + self->c3_0 + ((v14 + self->c3_1) * cot_rate);
+            const double v16 = ((self->c4_4 * cot_rate_squared) + self->c4_2) * cot_rate_squared;
+            const double row4 = v16 + self->c4_0 + (((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate);
             const double row5 = (self->c5_2 * cot_rate_squared) + self->c5_0 + (20.0 * cot_rate);
-            const double v18 = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
+            const double v17 = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
+            double v = v17;
 
-            double v = v18;
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -246,39 +246,36 @@ ptc_status ptc_tan5_tick(const ptc_tan5 *self, double t, ptc_tan5_gains *gains)
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = T * self->inv_tau;
-        const double inv_T_squared = 1.0 / (T * T);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = late * self->inv_tau;
+        const double inv_T_squared = 1.0 / (late * late);
         const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        const double v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        const double v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        const double v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        const double v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        const double v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        const double v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        const double th_cot_th = (v9 * v2) + 1.0;
+        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-        const double v10 = slope * slope;
-        const double row1 = self->c1_5 * slope * v10 * v10;
+        const double v9 = slope * slope;
+        const double row1 = self->c1_5 * slope * v9 * v9;
+        const double T = -late;
         const double cot_rate = T * inv_T_squared * th_cot_th;
-        const double v11 = ((self->c2_7 * cot_rate_squared) + self->c2_5) * cot_rate_squared;
-        const double v12 = (((v11 + self->c2_3) * cot_rate_squared) + self->c2_1) * cot_rate;
-        const double v13 = ((self->c2_8 * cot_rate_squared) + self->c2_6) * cot_rate_squared;
-        const double v14 = (((v13 + self->c2_4) * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-        const double row2 = v14 + self->c2_0 + v12;
-        const double v15 = ((self->c3_5 * cot_rate_squared) + self->c3_3) * cot_rate_squared;
-        const double v16 = ((self->c3_6 * cot_rate_squared) + self->c3_4) * cot_rate_squared;
-        const double row3 = ((v16 + self->c3_2) * cot_rate_squared) + self->c3_0 + ((v15 + self->c3_1) * cot_rate);
-        const double v17 = ((self->c4_4 * cot_rate_squared) + self->c4_2) * cot_rate_squared;
-        const double row4 = v17 + self->c4_0 + (((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate);
+        const double v10 = ((self->c2_7 * cot_rate_squared) + self->c2_5) * cot_rate_squared;
+        const double v11 = (((v10 + self->c2_3) * cot_rate_squared) + self->c2_1) * cot_rate;
+        const double v12 = ((self->c2_8 * cot_rate_squared) + self->c2_6) * cot_rate_squared;
+        const double v13 = (((v12 + self->c2_4) * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+        const double row2 = v13 + self->c2_0 + v11;
+        const double v14 = ((self->c3_5 * cot_rate_squared) + self->c3_3) * cot_rate_squared;
+        const double v15 = ((self->c3_6 * cot_rate_squared) + self->c3_4) * cot_rate_squared;
+        const double row3 = ((v15 + self->c3_2) * cot_rate_squared) + self->c3_0 + ((v14 + self->c3_1) * cot_rate);
+        const double v16 = ((self->c4_4 * cot_rate_squared) + self->c4_2) * cot_rate_squared;
+        const double row4 = v16 + self->c4_0 + (((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate);
         const double row5 = (self->c5_2 * cot_rate_squared) + self->c5_0 + (20.0 * cot_rate);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1;
         gains->gain[1] = row2;
         gains->gain[2] = row3;
@@ -309,29 +306,23 @@ ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double 
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -20,28 +20,32 @@ ptc_status ptc_tanh1_init(ptc_tanh1 *self, const ptc_tanh1_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
-            && isfinite(k1)) {
-            ptc_tanh1 built;
+            && isfinite(k1)
+            && (eps < tau)) {
+            struct ptc_tanh1 built;
 
             const double rate = 2.0 * a;
             const double K1 = k1 / rate;
             const double c1_1 = -K1;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             built.c1_1 = c1_1;
             built.tau = tau;
             built.eps = eps;
-            built.f20 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_1)
-                && isfinite(built.f20)) {
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)) {
                 status = ptc_tanh1_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -80,31 +84,28 @@ ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], do
         if (isfinite(t)
             && (t >= self->t0)
             && isfinite(x1)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double E = T * (T * (1.0 / (T * (self->f20 - T))));
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double E = late * (late * ((-1.0) / (late * (self->two_tau + late))));
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_1 * one_plus_E;
+            double v = ((-row1) * x1) / late;
 
-            double v = (row1 * x1) / T;
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -118,16 +119,13 @@ ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gain
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double E = T * (T * (1.0 / (T * (self->f20 - T))));
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double E = late * (late * ((-1.0) / (late * (self->two_tau + late))));
         const double one_plus_E = 1.0 + E;
         const double row1 = self->c1_1 * one_plus_E;
-        gains->gain[0] = row1 / T;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = (-row1) / late;
         gains->u_max = self->u_max;
         gains->status = status;
     }
@@ -145,24 +143,22 @@ ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], doubl
         const double x1 = x[0];
 
         if (isfinite(x1)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
+            double v = gains->gain[0] * x1;
 
-            double v = gain1 * x1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

@@ -21,37 +21,41 @@ ptc_status ptc_tanh2_init(ptc_tanh2 *self, const ptc_tanh2_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
-            && isfinite(k2)) {
-            ptc_tanh2 built;
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_tanh2 built;
 
             const double rate = 2.0 * a;
             const double K1 = k1 / (rate * rate);
             const double K2 = k2 / rate;
             const double c1_2 = -K1;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double v1 = -K2;
             const double c2_0 = v1 + 1.0;
             const double c2_1 = v1 - 1.0;
             built.c1_2 = c1_2;
             built.tau = tau;
             built.eps = eps;
-            built.f23 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.u_max = u_max;
 
             if (isfinite(built.c1_2)
-                && isfinite(built.f23)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)) {
                 status = ptc_tanh2_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -92,35 +96,32 @@ ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], do
             && (t >= self->t0)
             && isfinite(x1)
             && isfinite(x2)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = self->f23 - T;
-            const double v2 = 1.0 / (T * v1);
-            const double E = T * (T * v2);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = self->two_tau + late;
+            const double v2 = (-1.0) / (late * v1);
+            const double E = late * (late * v2);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_2 * one_plus_E * one_plus_E;
             const double row2 = (self->c2_1 * E) + self->c2_0;
             const double inv_T = v2 * v1;
-
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -134,20 +135,17 @@ ptc_status ptc_tanh2_tick(const ptc_tanh2 *self, double t, ptc_tanh2_gains *gain
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = self->f23 - T;
-        const double v2 = 1.0 / (T * v1);
-        const double E = T * (T * v2);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
         const double one_plus_E = 1.0 + E;
         const double row1 = self->c1_2 * one_plus_E * one_plus_E;
         const double row2 = (self->c2_1 * E) + self->c2_0;
         const double inv_T = v2 * v1;
-        gains->gain[0] = row1 * (inv_T * inv_T);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -168,25 +166,22 @@ ptc_status ptc_tanh2_axis(const ptc_tanh2_gains *gains, const double x[2], doubl
 
         if (isfinite(x1)
             && isfinite(x2)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
-            double v = (gain1 * x1) + (gain2 * x2);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

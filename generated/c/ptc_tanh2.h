@@ -43,7 +43,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 6 + or -, 11 *, 1 /, 0 functions.
+ * Operations of one step: 7 + - or comparison, 11 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 86 cycles, Cortex-M4F about 32 cycles.
  */
 #ifndef PTC_TANH2_H
 #define PTC_TANH2_H
@@ -83,7 +84,8 @@ typedef struct ptc_tanh2 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f23; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double c2_0; /* coefficient of E^0 in the gain of x2 */
     double c2_1; /* coefficient of E^1 in the gain of x2 */
     double u_max; /* bound of |u| */

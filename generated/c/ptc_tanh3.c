@@ -22,14 +22,14 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(k3)) {
-            ptc_tanh3 built;
+            && isfinite(k3)
+            && (eps < tau)) {
+            struct ptc_tanh3 built;
 
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
@@ -37,6 +37,8 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
             const double c1_3 = -K1;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double v2 = -K2;
             const double c2_0 = (v2 + K3) - 1.0;
             const double c2_1 = (-(2.0 * K2)) + 4.0;
@@ -47,7 +49,8 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             built.c1_3 = c1_3;
             built.tau = tau;
             built.eps = eps;
-            built.f26 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
@@ -56,16 +59,17 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_3)
-                && isfinite(built.f26)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
                 && isfinite(built.c3_0)
                 && isfinite(built.c3_1)) {
                 status = ptc_tanh3_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -108,37 +112,34 @@ ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], do
             && isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = self->f26 - T;
-            const double v2 = 1.0 / (T * v1);
-            const double E = T * (T * v2);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = self->two_tau + late;
+            const double v2 = (-1.0) / (late * v1);
+            const double E = late * (late * v2);
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
             const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
             const double row3 = (self->c3_1 * E) + self->c3_0;
             const double inv_T = v2 * v1;
             const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = v3;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -152,23 +153,19 @@ ptc_status ptc_tanh3_tick(const ptc_tanh3 *self, double t, ptc_tanh3_gains *gain
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = self->f26 - T;
-        const double v2 = 1.0 / (T * v1);
-        const double E = T * (T * v2);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
         const double one_plus_E = 1.0 + E;
         const double row1 = self->c1_3 * one_plus_E * one_plus_E * one_plus_E;
         const double row2 = (((self->c2_2 * E) + self->c2_1) * E) + self->c2_0;
         const double row3 = (self->c3_1 * E) + self->c3_0;
         const double inv_T = v2 * v1;
-        const double v3 = inv_T * inv_T;
-        gains->gain[0] = row1 * (v3 * inv_T);
-        gains->gain[1] = row2 * v3;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = row2 * inv_T * inv_T;
         gains->gain[2] = row3 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -191,26 +188,23 @@ ptc_status ptc_tanh3_axis(const ptc_tanh3_gains *gains, const double x[3], doubl
         if (isfinite(x1)
             && isfinite(x2)
             && isfinite(x3)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1;
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

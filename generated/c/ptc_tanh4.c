@@ -23,15 +23,15 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
-            && isfinite(k4)) {
-            ptc_tanh4 built;
+            && isfinite(k4)
+            && (eps < tau)) {
+            struct ptc_tanh4 built;
 
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
@@ -40,6 +40,8 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             const double K3 = k3 / v1;
             const double K4 = k4 / rate;
             const double c1_4 = -K1;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double v2 = -K2;
             const double c2_0 = ((v2 + K3) - K4) + 1.0;
             const double v3 = -(3.0 * K2);
@@ -57,7 +59,8 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             built.c1_4 = c1_4;
             built.tau = tau;
             built.eps = eps;
-            built.f29 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
@@ -70,7 +73,8 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_4)
-                && isfinite(built.f29)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -81,9 +85,9 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
                 && isfinite(built.c4_0)
                 && isfinite(built.c4_1)) {
                 status = ptc_tanh4_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -128,15 +132,11 @@ ptc_status ptc_tanh4_step(const ptc_tanh4 *self, double t, const double x[4], do
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = self->f29 - T;
-            const double v2 = 1.0 / (T * v1);
-            const double E = T * (T * v2);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = self->two_tau + late;
+            const double v2 = (-1.0) / (late * v1);
+            const double E = late * (late * v2);
             const double one_plus_E = 1.0 + E;
             const double v3 = one_plus_E * one_plus_E;
             const double row1 = self->c1_4 * v3 * v3;
@@ -145,22 +145,23 @@ ptc_status ptc_tanh4_step(const ptc_tanh4 *self, double t, const double x[4], do
             const double row4 = (self->c4_1 * E) + self->c4_0;
             const double inv_T = v2 * v1;
             const double v4 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (v4 + (row4 * x4)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -174,15 +175,11 @@ ptc_status ptc_tanh4_tick(const ptc_tanh4 *self, double t, ptc_tanh4_gains *gain
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = self->f29 - T;
-        const double v2 = 1.0 / (T * v1);
-        const double E = T * (T * v2);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
         const double one_plus_E = 1.0 + E;
         const double v3 = one_plus_E * one_plus_E;
         const double row1 = self->c1_4 * v3 * v3;
@@ -191,10 +188,10 @@ ptc_status ptc_tanh4_tick(const ptc_tanh4 *self, double t, ptc_tanh4_gains *gain
         const double row4 = (self->c4_1 * E) + self->c4_0;
         const double inv_T = v2 * v1;
         const double v4 = inv_T * inv_T;
-        const double v5 = v4 * inv_T;
-        gains->gain[0] = row1 * (v5 * inv_T);
-        gains->gain[1] = row2 * v5;
-        gains->gain[2] = row3 * v4;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * v4 * v4;
+        gains->gain[1] = row2 * v4 * inv_T;
+        gains->gain[2] = row3 * inv_T * inv_T;
         gains->gain[3] = row4 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -219,27 +216,23 @@ ptc_status ptc_tanh4_axis(const ptc_tanh4_gains *gains, const double x[4], doubl
             && isfinite(x2)
             && isfinite(x3)
             && isfinite(x4)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4);
 
-            double v = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

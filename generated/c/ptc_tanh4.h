@@ -55,7 +55,8 @@
  * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
  *       (-ffp-contract=off).
  *
- * Operations of one step: 13 + or -, 21 *, 1 /, 0 functions.
+ * Operations of one step: 14 + - or comparison, 21 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 154 cycles, Cortex-M4F about 49 cycles.
  */
 #ifndef PTC_TANH4_H
 #define PTC_TANH4_H
@@ -95,7 +96,8 @@ typedef struct ptc_tanh4 {
     double deadline; /* t0 + tau, rounded */
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
-    double f29; /* known when the parameters are */
+    double hold_from; /* -eps: later than this the gains are held */
+    double two_tau; /* 2*tau */
     double c2_0; /* coefficient of E^0 in the gain of x2 */
     double c2_1; /* coefficient of E^1 in the gain of x2 */
     double c2_2; /* coefficient of E^2 in the gain of x2 */

@@ -24,7 +24,6 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             && (tau > 0.0)
             && isfinite(t0)
             && (eps > 0.0)
-            && (eps < tau)
             && (u_max > 0.0)
             && isfinite(a)
             && (a > 0.0)
@@ -32,8 +31,9 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             && isfinite(k2)
             && isfinite(k3)
             && isfinite(k4)
-            && isfinite(k5)) {
-            ptc_tanh5 built;
+            && isfinite(k5)
+            && (eps < tau)) {
+            struct ptc_tanh5 built;
 
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
@@ -44,6 +44,8 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             const double K4 = k4 / v1;
             const double K5 = k5 / rate;
             const double c1_5 = -K1;
+            const double hold_from = -eps;
+            const double two_tau = 2.0 * tau;
             const double v3 = -K2;
             const double c2_0 = (((v3 + K3) - K4) + K5) - 1.0;
             const double v4 = -(4.0 * K2);
@@ -74,7 +76,8 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             built.c1_5 = c1_5;
             built.tau = tau;
             built.eps = eps;
-            built.f32 = 2.0 * tau;
+            built.hold_from = hold_from;
+            built.two_tau = two_tau;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
@@ -92,7 +95,8 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             built.u_max = u_max;
 
             if (isfinite(built.c1_5)
-                && isfinite(built.f32)
+                && isfinite(built.hold_from)
+                && isfinite(built.two_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -108,9 +112,9 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
                 && isfinite(built.c5_0)
                 && isfinite(built.c5_1)) {
                 status = ptc_tanh5_arm(&built, t0);
-                if (status == PTC_OK) {
-                    *self = built;
-                }
+            }
+            if (status == PTC_OK) {
+                *self = built;
             }
         }
     }
@@ -157,15 +161,11 @@ ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], do
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = PTC_OK;
-            double T = (self->deadline - t) + self->correction;
-            if (T <= self->eps) {
-                T = self->eps;
-                status = PTC_HOLD;
-            }
-            const double v1 = self->f32 - T;
-            const double v2 = 1.0 / (T * v1);
-            const double E = T * (T * v2);
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = self->two_tau + late;
+            const double v2 = (-1.0) / (late * v1);
+            const double E = late * (late * v2);
             const double one_plus_E = 1.0 + E;
             const double v3 = one_plus_E * one_plus_E;
             const double row1 = self->c1_5 * one_plus_E * v3 * v3;
@@ -176,22 +176,23 @@ ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], do
             const double row5 = (self->c5_1 * E) + self->c5_0;
             const double inv_T = v2 * v1;
             const double v5 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-
             double v = (((v5 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+
             if (v > self->u_max) {
                 v = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else {
-                /* within the bound */
-            }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
+            } else if (!isfinite(v)) {
+                v = 0.0;
                 status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
             }
+            *u = v;
         }
     }
     return status;
@@ -205,15 +206,11 @@ ptc_status ptc_tanh5_tick(const ptc_tanh5 *self, double t, ptc_tanh5_gains *gain
         && (gains != NULL)
         && isfinite(t)
         && (t >= self->t0)) {
-        status = PTC_OK;
-        double T = (self->deadline - t) + self->correction;
-        if (T <= self->eps) {
-            T = self->eps;
-            status = PTC_HOLD;
-        }
-        const double v1 = self->f32 - T;
-        const double v2 = 1.0 / (T * v1);
-        const double E = T * (T * v2);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
         const double one_plus_E = 1.0 + E;
         const double v3 = one_plus_E * one_plus_E;
         const double row1 = self->c1_5 * one_plus_E * v3 * v3;
@@ -224,12 +221,11 @@ ptc_status ptc_tanh5_tick(const ptc_tanh5 *self, double t, ptc_tanh5_gains *gain
         const double row5 = (self->c5_1 * E) + self->c5_0;
         const double inv_T = v2 * v1;
         const double v5 = inv_T * inv_T;
-        const double v6 = v5 * inv_T;
-        const double v7 = v6 * inv_T;
-        gains->gain[0] = row1 * (v7 * inv_T);
-        gains->gain[1] = row2 * v7;
-        gains->gain[2] = row3 * v6;
-        gains->gain[3] = row4 * v5;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * (v5 * inv_T) * v5;
+        gains->gain[1] = row2 * v5 * v5;
+        gains->gain[2] = row3 * v5 * inv_T;
+        gains->gain[3] = row4 * inv_T * inv_T;
         gains->gain[4] = row5 * inv_T;
         gains->u_max = self->u_max;
         gains->status = status;
@@ -256,29 +252,23 @@ ptc_status ptc_tanh5_axis(const ptc_tanh5_gains *gains, const double x[5], doubl
             && isfinite(x3)
             && isfinite(x4)
             && isfinite(x5)) {
-            status = gains->status;
-            const double gain1 = gains->gain[0];
-            const double gain2 = gains->gain[1];
-            const double gain3 = gains->gain[2];
-            const double gain4 = gains->gain[3];
-            const double gain5 = gains->gain[4];
-            const double v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
+            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
 
-            double v = v1;
+            status = gains->status;
             if (v > gains->u_max) {
                 v = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
+            } else if (!isfinite(v)) {
+                v = 0.0;
+                status = PTC_E_RANGE;
             } else {
                 /* within the bound */
             }
-            if (isfinite(v)) {
-                *u = v;
-            } else {
-                status = PTC_E_RANGE;
-            }
+            *u = v;
         }
     }
     return status;

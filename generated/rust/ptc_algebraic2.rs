@@ -43,7 +43,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 9 + or -, 10 *, 2 /, 1 functions.
+//! Operations of one step: 11 + - or comparison, 10 *, 2 /, 1 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 130 cycles, Cortex-M4F about 63 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -156,12 +157,14 @@ pub struct PtcAlgebraic2 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f24: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// tau/2
     half_tau: f64,
-    /// coefficient of y^0 in the gain of x2
-    c2_0: f64,
+    /// coefficient of y^2 in the gain of x2
+    c2_2: f64,
     /// coefficient of y^1 in the gain of x2
     c2_1: f64,
     /// 1/tau
@@ -196,32 +199,35 @@ impl PtcAlgebraic2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
-            && k2.is_finite())
+            && k2.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
         let K1 = k1 / (a * a);
         let K2 = k2 / a;
         let c1_2 = (-K1) / (tau * tau);
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
-        let c2_0 = (-K2) / tau;
+        let c2_2 = (-K2) / tau;
         let c2_1 = 3.0 / tau;
         let inv_tau = 1.0 / tau;
         let mut built = Self {
             tau,
             c1_2,
             eps,
-            f24: 2.0 * tau,
+            hold_from,
+            two_tau,
             half_tau,
-            c2_0,
+            c2_2,
             c2_1,
             inv_tau,
             u_max,
@@ -230,9 +236,10 @@ impl PtcAlgebraic2 {
             correction: 0.0,
         };
         if !(built.c1_2.is_finite()
-            && built.f24.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.half_tau.is_finite()
-            && built.c2_0.is_finite()
+            && built.c2_2.is_finite()
             && built.c2_1.is_finite()
             && built.inv_tau.is_finite())
         {
@@ -269,36 +276,38 @@ impl PtcAlgebraic2 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
         let [x1, x2] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f24 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let row2 = (self.c2_0 * y_squared) + self.c2_0 + (self.c2_1 * y);
-        let mut u = ((row1 * x1 * sec) + (row2 * x2)) * sec;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let row2 = (self.c2_2 * y_squared) + self.c2_2 + (self.c2_1 * y);
+        let u = ((row1 * x1 * sec) + (row2 * x2)) * sec;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -308,28 +317,26 @@ impl PtcAlgebraic2 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic2Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f24 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let row1 = self.c1_2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let row2 = (self.c2_0 * y_squared) + self.c2_0 + (self.c2_1 * y);
+        let row2 = (self.c2_2 * y_squared) + self.c2_2 + (self.c2_1 * y);
+        let held = late >= self.hold_from;
         Ok(PtcAlgebraic2Gains {
             gain: [
-                row1 * (sec * sec),
+                row1 * sec * sec,
                 row2 * sec,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -349,19 +356,18 @@ impl PtcAlgebraic2Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

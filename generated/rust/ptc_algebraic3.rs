@@ -49,7 +49,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 14 + or -, 17 *, 2 /, 1 functions.
+//! Operations of one step: 16 + - or comparison, 17 *, 2 /, 1 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 178 cycles, Cortex-M4F about 75 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -162,22 +163,24 @@ pub struct PtcAlgebraic3 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f28: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// tau/2
     half_tau: f64,
     /// coefficient of y^0 in the gain of x2
     c2_0: f64,
-    /// coefficient of y^1 in the gain of x2
-    c2_1: f64,
+    /// coefficient of y^3 in the gain of x2
+    c2_3: f64,
     /// coefficient of y^2 in the gain of x2
     c2_2: f64,
     /// coefficient of y^4 in the gain of x2
     c2_4: f64,
     /// 1/tau
     inv_tau: f64,
-    /// coefficient of y^0 in the gain of x3
-    c3_0: f64,
+    /// coefficient of y^2 in the gain of x3
+    c3_2: f64,
     /// coefficient of y^1 in the gain of x3
     c3_1: f64,
     /// bound of |u|
@@ -211,16 +214,16 @@ impl PtcAlgebraic3 {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
-            && k3.is_finite())
+            && k3.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -230,27 +233,30 @@ impl PtcAlgebraic3 {
         let K3 = k3 / a;
         let v2 = tau * tau;
         let c1_3 = (-K1) / (tau * v2);
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
         let v3 = -K2;
         let c2_0 = (v3 + 3.0) / v2;
-        let c2_1 = (3.0 * K3) / v2;
+        let c2_3 = (3.0 * K3) / v2;
         let c2_2 = ((-(2.0 * K2)) - 12.0) / v2;
         let c2_4 = v3 / v2;
         let inv_tau = 1.0 / tau;
-        let c3_0 = (-K3) / tau;
+        let c3_2 = (-K3) / tau;
         let c3_1 = 9.0 / tau;
         let mut built = Self {
             tau,
             c1_3,
             eps,
-            f28: 2.0 * tau,
+            hold_from,
+            two_tau,
             half_tau,
             c2_0,
-            c2_1,
+            c2_3,
             c2_2,
             c2_4,
             inv_tau,
-            c3_0,
+            c3_2,
             c3_1,
             u_max,
             t0: 0.0,
@@ -258,14 +264,15 @@ impl PtcAlgebraic3 {
             correction: 0.0,
         };
         if !(built.c1_3.is_finite()
-            && built.f28.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.half_tau.is_finite()
             && built.c2_0.is_finite()
-            && built.c2_1.is_finite()
+            && built.c2_3.is_finite()
             && built.c2_2.is_finite()
             && built.c2_4.is_finite()
             && built.inv_tau.is_finite()
-            && built.c3_0.is_finite()
+            && built.c3_2.is_finite()
             && built.c3_1.is_finite())
         {
             return Err(Error::Param);
@@ -301,38 +308,40 @@ impl PtcAlgebraic3 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f28 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let row2 = (((self.c2_4 * y_squared) + self.c2_2) * y_squared) + self.c2_0 + (((self.c2_1 * y_squared) + self.c2_1) * y);
-        let row3 = (self.c3_0 * y_squared) + self.c3_0 + (self.c3_1 * y);
-        let mut u = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let row2 = (((self.c2_4 * y_squared) + self.c2_2) * y_squared) + self.c2_0 + (((self.c2_3 * y_squared) + self.c2_3) * y);
+        let row3 = (self.c3_2 * y_squared) + self.c3_2 + (self.c3_1 * y);
+        let u = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -342,31 +351,28 @@ impl PtcAlgebraic3 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic3Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f28 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let row1 = self.c1_3 * one_plus_y2 * one_plus_y2 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let row2 = (((self.c2_4 * y_squared) + self.c2_2) * y_squared) + self.c2_0 + (((self.c2_1 * y_squared) + self.c2_1) * y);
-        let row3 = (self.c3_0 * y_squared) + self.c3_0 + (self.c3_1 * y);
-        let v1 = sec * sec;
+        let row2 = (((self.c2_4 * y_squared) + self.c2_2) * y_squared) + self.c2_0 + (((self.c2_3 * y_squared) + self.c2_3) * y);
+        let row3 = (self.c3_2 * y_squared) + self.c3_2 + (self.c3_1 * y);
+        let held = late >= self.hold_from;
         Ok(PtcAlgebraic3Gains {
             gain: [
-                row1 * (v1 * sec),
-                row2 * v1,
+                row1 * (sec * sec) * sec,
+                row2 * sec * sec,
                 row3 * sec,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -387,19 +393,18 @@ impl PtcAlgebraic3Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -57,7 +57,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 21 + or -, 25 *, 2 /, 1 functions.
+//! Operations of one step: 23 + - or comparison, 25 *, 2 /, 1 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 238 cycles, Cortex-M4F about 90 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -170,8 +171,10 @@ pub struct PtcAlgebraic4 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f31: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// tau/2
     half_tau: f64,
     /// coefficient of y^0 in the gain of x2
@@ -192,14 +195,14 @@ pub struct PtcAlgebraic4 {
     inv_tau: f64,
     /// coefficient of y^0 in the gain of x3
     c3_0: f64,
-    /// coefficient of y^1 in the gain of x3
-    c3_1: f64,
+    /// coefficient of y^3 in the gain of x3
+    c3_3: f64,
     /// coefficient of y^2 in the gain of x3
     c3_2: f64,
     /// coefficient of y^4 in the gain of x3
     c3_4: f64,
-    /// coefficient of y^0 in the gain of x4
-    c4_0: f64,
+    /// coefficient of y^2 in the gain of x4
+    c4_2: f64,
     /// coefficient of y^1 in the gain of x4
     c4_1: f64,
     /// bound of |u|
@@ -234,17 +237,17 @@ impl PtcAlgebraic4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
-            && k4.is_finite())
+            && k4.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -255,6 +258,8 @@ impl PtcAlgebraic4 {
         let K4 = k4 / a;
         let v2 = tau * tau;
         let c1_4 = (-K1) / (v2 * v2);
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
         let v3 = -K2;
         let v4 = tau * v2;
@@ -271,16 +276,17 @@ impl PtcAlgebraic4 {
         let inv_tau = 1.0 / tau;
         let v8 = -K3;
         let c3_0 = (v8 + 12.0) / v2;
-        let c3_1 = v7 / v2;
+        let c3_3 = v7 / v2;
         let c3_2 = ((-(2.0 * K3)) - 75.0) / v2;
         let c3_4 = v8 / v2;
-        let c4_0 = (-K4) / tau;
+        let c4_2 = (-K4) / tau;
         let c4_1 = 18.0 / tau;
         let mut built = Self {
             tau,
             c1_4,
             eps,
-            f31: 2.0 * tau,
+            hold_from,
+            two_tau,
             half_tau,
             c2_0,
             c2_1,
@@ -291,10 +297,10 @@ impl PtcAlgebraic4 {
             c2_6,
             inv_tau,
             c3_0,
-            c3_1,
+            c3_3,
             c3_2,
             c3_4,
-            c4_0,
+            c4_2,
             c4_1,
             u_max,
             t0: 0.0,
@@ -302,7 +308,8 @@ impl PtcAlgebraic4 {
             correction: 0.0,
         };
         if !(built.c1_4.is_finite()
-            && built.f31.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.half_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
@@ -313,10 +320,10 @@ impl PtcAlgebraic4 {
             && built.c2_6.is_finite()
             && built.inv_tau.is_finite()
             && built.c3_0.is_finite()
-            && built.c3_1.is_finite()
+            && built.c3_3.is_finite()
             && built.c3_2.is_finite()
             && built.c3_4.is_finite()
-            && built.c4_0.is_finite()
+            && built.c4_2.is_finite()
             && built.c4_1.is_finite())
         {
             return Err(Error::Param);
@@ -352,7 +359,8 @@ impl PtcAlgebraic4 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -360,36 +368,37 @@ impl PtcAlgebraic4 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f31 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
         let v2 = ((((self.c2_5 * y_squared) + self.c2_3) * y_squared) + self.c2_1) * y;
         let v3 = ((((self.c2_6 * y_squared) + self.c2_4) * y_squared) + self.c2_2) * y_squared;
         let row2 = v3 + self.c2_0 + v2;
-        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_1 * y_squared) + self.c3_1) * y);
-        let row4 = (self.c4_0 * y_squared) + self.c4_0 + (self.c4_1 * y);
+        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
+        let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
         let v4 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-        let mut u = v4 * sec;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v4 * sec;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -399,37 +408,34 @@ impl PtcAlgebraic4 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic4Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f31 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
         let v2 = ((((self.c2_5 * y_squared) + self.c2_3) * y_squared) + self.c2_1) * y;
         let v3 = ((((self.c2_6 * y_squared) + self.c2_4) * y_squared) + self.c2_2) * y_squared;
         let row2 = v3 + self.c2_0 + v2;
-        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_1 * y_squared) + self.c3_1) * y);
-        let row4 = (self.c4_0 * y_squared) + self.c4_0 + (self.c4_1 * y);
+        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
+        let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
         let v4 = sec * sec;
-        let v5 = v4 * sec;
+        let held = late >= self.hold_from;
         Ok(PtcAlgebraic4Gains {
             gain: [
-                row1 * (v5 * sec),
-                row2 * v5,
-                row3 * v4,
+                row1 * v4 * v4,
+                row2 * v4 * sec,
+                row3 * sec * sec,
                 row4 * sec,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -451,19 +457,18 @@ impl PtcAlgebraic4Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -67,7 +67,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 30 + or -, 36 *, 2 /, 1 functions.
+//! Operations of one step: 32 + - or comparison, 36 *, 2 /, 1 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 318 cycles, Cortex-M4F about 110 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -180,8 +181,10 @@ pub struct PtcAlgebraic5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f35: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// tau/2
     half_tau: f64,
     /// coefficient of y^0 in the gain of x2
@@ -220,14 +223,14 @@ pub struct PtcAlgebraic5 {
     c3_6: f64,
     /// coefficient of y^0 in the gain of x4
     c4_0: f64,
-    /// coefficient of y^1 in the gain of x4
-    c4_1: f64,
+    /// coefficient of y^3 in the gain of x4
+    c4_3: f64,
     /// coefficient of y^2 in the gain of x4
     c4_2: f64,
     /// coefficient of y^4 in the gain of x4
     c4_4: f64,
-    /// coefficient of y^0 in the gain of x5
-    c5_0: f64,
+    /// coefficient of y^2 in the gain of x5
+    c5_2: f64,
     /// coefficient of y^1 in the gain of x5
     c5_1: f64,
     /// bound of |u|
@@ -263,18 +266,18 @@ impl PtcAlgebraic5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -288,6 +291,8 @@ impl PtcAlgebraic5 {
         let v3 = tau * tau;
         let v4 = v3 * v3;
         let c1_5 = (-K1) / (tau * v4);
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
         let v5 = -K2;
         let c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
@@ -316,16 +321,17 @@ impl PtcAlgebraic5 {
         let c3_6 = v9 / v10;
         let v13 = -K4;
         let c4_0 = (v13 + 30.0) / v3;
-        let c4_1 = (18.0 * K5) / v3;
+        let c4_3 = (18.0 * K5) / v3;
         let c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
         let c4_4 = v13 / v3;
-        let c5_0 = (-K5) / tau;
+        let c5_2 = (-K5) / tau;
         let c5_1 = 30.0 / tau;
         let mut built = Self {
             tau,
             c1_5,
             eps,
-            f35: 2.0 * tau,
+            hold_from,
+            two_tau,
             half_tau,
             c2_0,
             c2_1,
@@ -345,10 +351,10 @@ impl PtcAlgebraic5 {
             c3_5,
             c3_6,
             c4_0,
-            c4_1,
+            c4_3,
             c4_2,
             c4_4,
-            c5_0,
+            c5_2,
             c5_1,
             u_max,
             t0: 0.0,
@@ -356,7 +362,8 @@ impl PtcAlgebraic5 {
             correction: 0.0,
         };
         if !(built.c1_5.is_finite()
-            && built.f35.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.half_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
@@ -376,10 +383,10 @@ impl PtcAlgebraic5 {
             && built.c3_5.is_finite()
             && built.c3_6.is_finite()
             && built.c4_0.is_finite()
-            && built.c4_1.is_finite()
+            && built.c4_3.is_finite()
             && built.c4_2.is_finite()
             && built.c4_4.is_finite()
-            && built.c5_0.is_finite()
+            && built.c5_2.is_finite()
             && built.c5_1.is_finite())
         {
             return Err(Error::Param);
@@ -415,7 +422,8 @@ impl PtcAlgebraic5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -424,17 +432,14 @@ impl PtcAlgebraic5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f35 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
         let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
         let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
@@ -442,21 +447,25 @@ impl PtcAlgebraic5 {
         let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
         let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
         let row3 = v5 + self.c3_0 + v4;
-        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_1 * y_squared) + self.c4_1) * y);
-        let row5 = (self.c5_0 * y_squared) + self.c5_0 + (self.c5_1 * y);
+        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
+        let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
         let v6 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-        let mut u = ((v6 * sec) + (row5 * x5)) * sec;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = ((v6 * sec) + (row5 * x5)) * sec;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -466,20 +475,17 @@ impl PtcAlgebraic5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.f35 - T));
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
-        let y = (1.0 - (T * self.inv_tau)) * sec;
+        let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
         let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
         let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
@@ -487,21 +493,20 @@ impl PtcAlgebraic5 {
         let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
         let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
         let row3 = v5 + self.c3_0 + v4;
-        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_1 * y_squared) + self.c4_1) * y);
-        let row5 = (self.c5_0 * y_squared) + self.c5_0 + (self.c5_1 * y);
+        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
+        let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
         let v6 = sec * sec;
-        let v7 = v6 * sec;
-        let v8 = v7 * sec;
+        let held = late >= self.hold_from;
         Ok(PtcAlgebraic5Gains {
             gain: [
-                row1 * (v8 * sec),
-                row2 * v8,
-                row3 * v7,
-                row4 * v6,
+                row1 * (v6 * sec) * v6,
+                row2 * v6 * v6,
+                row3 * v6 * sec,
+                row4 * sec * sec,
                 row5 * sec,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -524,20 +529,19 @@ impl PtcAlgebraic5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

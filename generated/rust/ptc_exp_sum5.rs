@@ -54,7 +54,9 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 50 + or -, 64 *, 5 /, 5 functions, one round of the iteration.
+//! Operations of one step: 54 + - or comparison, 64 *, 5 /, 0 sqrt, 5 calls, one round of the
+//!       iteration.
+//! Latencies added up: x86-64 about 842 cycles, Cortex-M4F about 938 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -181,6 +183,8 @@ pub struct PtcExpSum5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// N/tau, N the number of rates
     target_rate: f64,
     /// 1/min a_i
@@ -253,23 +257,24 @@ impl PtcExpSum5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a1.is_finite()
-            && a1 > 0.0
+            && (a1 > 0.0)
             && a2.is_finite()
-            && a2 > 0.0
+            && (a2 > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
+        let hold_from = -eps;
         let target_rate = 2.0 / tau;
         let v1 = 1.0 / a1;
         let v2 = 1.0 / a2;
@@ -300,6 +305,7 @@ impl PtcExpSum5 {
             a2,
             tau,
             eps,
+            hold_from,
             target_rate,
             slowest,
             mean_period,
@@ -324,7 +330,8 @@ impl PtcExpSum5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.target_rate.is_finite()
+        if !(built.hold_from.is_finite()
+            && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
             && built.tolerance.is_finite()
@@ -377,7 +384,8 @@ impl PtcExpSum5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -386,12 +394,9 @@ impl PtcExpSum5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -448,18 +453,22 @@ impl PtcExpSum5 {
         let row4 = (self.w4 + (self.w5 * v26) + ((-120.0) * (v23 + p3 + (v22 * p2)))) * 0.16666666666666666;
         let row5 = (self.w5 + ((-120.0) * (v26 + p2))) * 0.041666666666666664;
         let v27 = ((((self.w1 * x1 * inv_r1) + (v21 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
-        let mut u = (((v27 + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (((v27 + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -469,15 +478,12 @@ impl PtcExpSum5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
         let v2 = v1 * self.mean_period;
@@ -534,18 +540,17 @@ impl PtcExpSum5 {
         let row4 = (self.w4 + (self.w5 * v26) + ((-120.0) * (v23 + p3 + (v22 * p2)))) * 0.16666666666666666;
         let row5 = (self.w5 + ((-120.0) * (v26 + p2))) * 0.041666666666666664;
         let v27 = inv_r1 * inv_r1;
-        let v28 = v27 * inv_r1;
-        let v29 = v28 * inv_r1;
+        let held = late >= self.hold_from;
         Ok(PtcExpSum5Gains {
             gain: [
-                self.w1 * (v29 * inv_r1),
-                v21 * v29,
-                row3 * v28,
-                row4 * v27,
+                self.w1 * (v27 * inv_r1) * v27,
+                v21 * v27 * v27,
+                row3 * v27 * inv_r1,
+                row4 * inv_r1 * inv_r1,
                 row5 * inv_r1,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -568,20 +573,19 @@ impl PtcExpSum5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -55,7 +55,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 11 + or -, 18 *, 1 /, 1 functions.
+//! Operations of one step: 12 + - or comparison, 18 *, 1 /, 0 sqrt, 1 calls.
+//! Latencies added up: x86-64 about 194 cycles, Cortex-M4F about 194 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -170,6 +171,8 @@ pub struct PtcPower4 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
@@ -223,19 +226,19 @@ impl PtcPower4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && m.is_finite()
-            && m > 0.0
+            && (m > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
-            && k4.is_finite())
+            && k4.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -245,12 +248,13 @@ impl PtcPower4 {
         let K3 = k3 / v1;
         let K4 = k4 / a;
         let c1_4 = -K1;
+        let hold_from = -eps;
         let v2 = 6.0 * m;
         let c2_0 = ((((v2 + 11.0) * m) + 6.0) * m) + 1.0;
-        let c2_1 = (((((-2.0) * m) + (-3.0)) * m) + (-1.0)) * K4;
+        let c2_1 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
         let c2_2 = (m + 1.0) * K3;
         let c2_3 = -K2;
-        let c3_0 = ((((-11.0) * m) + (-18.0)) * m) + (-7.0);
+        let c3_0 = ((((-11.0) * m) - 18.0) * m) - 7.0;
         let c3_1 = ((3.0 * m) + 3.0) * K4;
         let c3_2 = -K3;
         let c4_0 = v2 + 6.0;
@@ -259,6 +263,7 @@ impl PtcPower4 {
             c1_4,
             tau,
             eps,
+            hold_from,
             m,
             c2_0,
             c2_1,
@@ -275,6 +280,7 @@ impl PtcPower4 {
             correction: 0.0,
         };
         if !(built.c1_4.is_finite()
+            && built.hold_from.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -318,7 +324,8 @@ impl PtcPower4 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -326,13 +333,9 @@ impl PtcPower4 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let q = math::pow(self.tau * inv_T, self.m);
         let v1 = q * q;
         let row1 = self.c1_4 * v1 * v1;
@@ -340,18 +343,22 @@ impl PtcPower4 {
         let row3 = (((self.c3_2 * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (self.c4_1 * q) + self.c4_0;
         let v2 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (v2 + (row4 * x4)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (v2 + (row4 * x4)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -361,16 +368,12 @@ impl PtcPower4 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcPower4Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let q = math::pow(self.tau * inv_T, self.m);
         let v1 = q * q;
         let row1 = self.c1_4 * v1 * v1;
@@ -378,16 +381,16 @@ impl PtcPower4 {
         let row3 = (((self.c3_2 * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (self.c4_1 * q) + self.c4_0;
         let v2 = inv_T * inv_T;
-        let v3 = v2 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcPower4Gains {
             gain: [
-                row1 * (v3 * inv_T),
-                row2 * v3,
-                row3 * v2,
+                row1 * v2 * v2,
+                row2 * v2 * inv_T,
+                row3 * inv_T * inv_T,
                 row4 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -409,19 +412,18 @@ impl PtcPower4Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

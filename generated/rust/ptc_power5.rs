@@ -64,7 +64,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 16 + or -, 25 *, 1 /, 1 functions.
+//! Operations of one step: 17 + - or comparison, 25 *, 1 /, 0 sqrt, 1 calls.
+//! Latencies added up: x86-64 about 242 cycles, Cortex-M4F about 206 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -179,6 +180,8 @@ pub struct PtcPower5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
@@ -243,20 +246,20 @@ impl PtcPower5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && m.is_finite()
-            && m > 0.0
+            && (m > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -268,19 +271,19 @@ impl PtcPower5 {
         let K4 = k4 / v1;
         let K5 = k5 / a;
         let c1_5 = -K1;
-        let v3 = (((((((-24.0) * m) + (-50.0)) * m) + (-35.0)) * m) + (-10.0)) * m;
-        let c2_0 = v3 + (-1.0);
-        let v4 = 6.0 * m;
-        let c2_1 = (((((v4 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
-        let c2_2 = (((((-2.0) * m) + (-3.0)) * m) + (-1.0)) * K4;
+        let hold_from = -eps;
+        let c2_0 = ((((((((-24.0) * m) - 50.0) * m) - 35.0) * m) - 10.0) * m) - 1.0;
+        let v3 = 6.0 * m;
+        let c2_1 = (((((v3 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
+        let c2_2 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
         let c2_3 = (m + 1.0) * K3;
         let c2_4 = -K2;
         let c3_0 = (((((50.0 * m) + 105.0) * m) + 70.0) * m) + 15.0;
-        let c3_1 = (((((-11.0) * m) + (-18.0)) * m) + (-7.0)) * K5;
+        let c3_1 = (((((-11.0) * m) - 18.0) * m) - 7.0) * K5;
         let c3_2 = ((3.0 * m) + 3.0) * K4;
         let c3_3 = -K3;
-        let c4_0 = ((((-35.0) * m) + (-60.0)) * m) + (-25.0);
-        let c4_1 = (v4 + 6.0) * K5;
+        let c4_0 = ((((-35.0) * m) - 60.0) * m) - 25.0;
+        let c4_1 = (v3 + 6.0) * K5;
         let c4_2 = -K4;
         let c5_0 = (10.0 * m) + 10.0;
         let c5_1 = -K5;
@@ -288,6 +291,7 @@ impl PtcPower5 {
             c1_5,
             tau,
             eps,
+            hold_from,
             m,
             c2_0,
             c2_1,
@@ -309,6 +313,7 @@ impl PtcPower5 {
             correction: 0.0,
         };
         if !(built.c1_5.is_finite()
+            && built.hold_from.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -357,7 +362,8 @@ impl PtcPower5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -366,13 +372,9 @@ impl PtcPower5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let q = math::pow(self.tau * inv_T, self.m);
         let v1 = q * q;
         let row1 = self.c1_5 * q * v1 * v1;
@@ -382,18 +384,22 @@ impl PtcPower5 {
         let row4 = (((self.c4_2 * q) + self.c4_1) * q) + self.c4_0;
         let row5 = (self.c5_1 * q) + self.c5_0;
         let v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -403,16 +409,12 @@ impl PtcPower5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcPower5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let q = math::pow(self.tau * inv_T, self.m);
         let v1 = q * q;
         let row1 = self.c1_5 * q * v1 * v1;
@@ -422,18 +424,17 @@ impl PtcPower5 {
         let row4 = (((self.c4_2 * q) + self.c4_1) * q) + self.c4_0;
         let row5 = (self.c5_1 * q) + self.c5_0;
         let v3 = inv_T * inv_T;
-        let v4 = v3 * inv_T;
-        let v5 = v4 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcPower5Gains {
             gain: [
-                row1 * (v5 * inv_T),
-                row2 * v5,
-                row3 * v4,
-                row4 * v3,
+                row1 * (v3 * inv_T) * v3,
+                row2 * v3 * v3,
+                row3 * v3 * inv_T,
+                row4 * inv_T * inv_T,
                 row5 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -456,20 +457,19 @@ impl PtcPower5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

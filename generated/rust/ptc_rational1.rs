@@ -37,7 +37,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 2 + or -, 3 *, 1 /, 0 functions.
+//! Operations of one step: 3 + - or comparison, 3 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 38 cycles, Cortex-M4F about 20 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -134,6 +135,8 @@ pub struct PtcRational1 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -163,30 +166,33 @@ impl PtcRational1 {
         let a = params.a;
         let k1 = params.k[0];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
-            && k1.is_finite())
+            && (a > 0.0)
+            && k1.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
         let rate = a / tau;
         let K1 = k1 / rate;
         let c1_1 = -K1;
+        let hold_from = -eps;
         let mut built = Self {
             tau,
             c1_1,
             eps,
+            hold_from,
             u_max,
             t0: 0.0,
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_1.is_finite())
+        if !(built.c1_1.is_finite()
+            && built.hold_from.is_finite())
         {
             return Err(Error::Param);
         }
@@ -221,31 +227,32 @@ impl PtcRational1 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
         let [x1] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let row1 = self.c1_1 * inv_T;
-        let mut u = row1 * x1 * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = row1 * x1 * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -255,23 +262,20 @@ impl PtcRational1 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcRational1Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let row1 = self.c1_1 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcRational1Gains {
             gain: [
                 row1 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -290,19 +294,18 @@ impl PtcRational1Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = gain1 * x1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = gain1 * x1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -46,7 +46,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 7 + or -, 12 *, 1 /, 0 functions.
+//! Operations of one step: 8 + - or comparison, 12 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 94 cycles, Cortex-M4F about 34 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -143,6 +144,8 @@ pub struct PtcRational3 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// coefficient of inv_T^1 in the gain of x2
     c2_1: f64,
     /// coefficient of inv_T^2 in the gain of x2
@@ -180,16 +183,16 @@ impl PtcRational3 {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
-            && k3.is_finite())
+            && k3.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -199,6 +202,7 @@ impl PtcRational3 {
         let K2 = k2 / v1;
         let K3 = k3 / rate;
         let c1_3 = -K1;
+        let hold_from = -eps;
         let c2_1 = 2.0 * K3;
         let c2_2 = -K2;
         let c3_1 = -K3;
@@ -206,6 +210,7 @@ impl PtcRational3 {
             tau,
             c1_3,
             eps,
+            hold_from,
             c2_1,
             c2_2,
             c3_1,
@@ -215,6 +220,7 @@ impl PtcRational3 {
             correction: 0.0,
         };
         if !(built.c1_3.is_finite()
+            && built.hold_from.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
             && built.c3_1.is_finite())
@@ -252,36 +258,37 @@ impl PtcRational3 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let row1 = self.c1_3 * inv_T * inv_T * inv_T;
-        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) + (-6.0);
+        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) - 6.0;
         let row3 = (self.c3_1 * inv_T) + 6.0;
         let v1 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -291,28 +298,24 @@ impl PtcRational3 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcRational3Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let row1 = self.c1_3 * inv_T * inv_T * inv_T;
-        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) + (-6.0);
+        let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) - 6.0;
         let row3 = (self.c3_1 * inv_T) + 6.0;
-        let v1 = inv_T * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcRational3Gains {
             gain: [
-                row1 * (v1 * inv_T),
-                row2 * v1,
+                row1 * (inv_T * inv_T) * inv_T,
+                row2 * inv_T * inv_T,
                 row3 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -333,19 +336,18 @@ impl PtcRational3Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

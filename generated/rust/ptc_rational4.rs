@@ -52,7 +52,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 11 + or -, 17 *, 1 /, 0 functions.
+//! Operations of one step: 12 + - or comparison, 17 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 130 cycles, Cortex-M4F about 43 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -149,6 +150,8 @@ pub struct PtcRational4 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// coefficient of inv_T^1 in the gain of x3
     c3_1: f64,
     /// coefficient of inv_T^1 in the gain of x2
@@ -193,17 +196,17 @@ impl PtcRational4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
-            && k4.is_finite())
+            && k4.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -214,6 +217,7 @@ impl PtcRational4 {
         let K3 = k3 / v1;
         let K4 = k4 / rate;
         let c1_4 = -K1;
+        let hold_from = -eps;
         let c3_1 = 6.0 * K4;
         let c2_1 = -c3_1;
         let c2_2 = 2.0 * K3;
@@ -224,6 +228,7 @@ impl PtcRational4 {
             tau,
             c1_4,
             eps,
+            hold_from,
             c3_1,
             c2_1,
             c2_2,
@@ -236,6 +241,7 @@ impl PtcRational4 {
             correction: 0.0,
         };
         if !(built.c1_4.is_finite()
+            && built.hold_from.is_finite()
             && built.c3_1.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -276,7 +282,8 @@ impl PtcRational4 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -284,32 +291,32 @@ impl PtcRational4 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
         let row1 = self.c1_4 * v1 * v1;
         let v2 = ((((self.c2_3 * inv_T) + self.c2_2) * inv_T) + self.c2_1) * inv_T;
         let row2 = v2 + 24.0;
-        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) + (-36.0);
+        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) - 36.0;
         let row4 = (self.c4_1 * inv_T) + 12.0;
         let v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (v3 + (row4 * x4)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (v3 + (row4 * x4)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -319,32 +326,28 @@ impl PtcRational4 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcRational4Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
         let row1 = self.c1_4 * v1 * v1;
         let v2 = ((((self.c2_3 * inv_T) + self.c2_2) * inv_T) + self.c2_1) * inv_T;
         let row2 = v2 + 24.0;
-        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) + (-36.0);
+        let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) - 36.0;
         let row4 = (self.c4_1 * inv_T) + 12.0;
-        let v3 = v1 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcRational4Gains {
             gain: [
-                row1 * (v3 * inv_T),
-                row2 * v3,
-                row3 * v1,
+                row1 * v1 * v1,
+                row2 * v1 * inv_T,
+                row3 * inv_T * inv_T,
                 row4 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -366,19 +369,18 @@ impl PtcRational4Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

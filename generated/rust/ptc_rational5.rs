@@ -59,7 +59,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 16 + or -, 24 *, 1 /, 0 functions.
+//! Operations of one step: 17 + - or comparison, 24 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 178 cycles, Cortex-M4F about 55 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -156,6 +157,8 @@ pub struct PtcRational5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// coefficient of inv_T^1 in the gain of x2
     c2_1: f64,
     /// coefficient of inv_T^2 in the gain of x3
@@ -209,18 +212,18 @@ impl PtcRational5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -233,6 +236,7 @@ impl PtcRational5 {
         let K4 = k4 / v1;
         let K5 = k5 / rate;
         let c1_5 = -K1;
+        let hold_from = -eps;
         let c2_1 = 24.0 * K5;
         let c3_2 = 6.0 * K4;
         let c2_2 = -c3_2;
@@ -247,6 +251,7 @@ impl PtcRational5 {
             tau,
             c1_5,
             eps,
+            hold_from,
             c2_1,
             c3_2,
             c2_2,
@@ -263,6 +268,7 @@ impl PtcRational5 {
             correction: 0.0,
         };
         if !(built.c1_5.is_finite()
+            && built.hold_from.is_finite()
             && built.c2_1.is_finite()
             && built.c3_2.is_finite()
             && built.c2_2.is_finite()
@@ -307,7 +313,8 @@ impl PtcRational5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -316,34 +323,34 @@ impl PtcRational5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
         let row1 = self.c1_5 * inv_T * v1 * v1;
         let v2 = ((((self.c2_4 * inv_T) + self.c2_3) * inv_T) + self.c2_2) * inv_T;
-        let row2 = ((v2 + self.c2_1) * inv_T) + (-120.0);
+        let row2 = ((v2 + self.c2_1) * inv_T) - 120.0;
         let v3 = ((((self.c3_3 * inv_T) + self.c3_2) * inv_T) + self.c3_1) * inv_T;
         let row3 = v3 + 240.0;
-        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) + (-120.0);
+        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) - 120.0;
         let row5 = (self.c5_1 * inv_T) + 20.0;
         let v4 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (((v4 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (((v4 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -353,36 +360,31 @@ impl PtcRational5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcRational5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let inv_T = 1.0 / T;
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
         let row1 = self.c1_5 * inv_T * v1 * v1;
         let v2 = ((((self.c2_4 * inv_T) + self.c2_3) * inv_T) + self.c2_2) * inv_T;
-        let row2 = ((v2 + self.c2_1) * inv_T) + (-120.0);
+        let row2 = ((v2 + self.c2_1) * inv_T) - 120.0;
         let v3 = ((((self.c3_3 * inv_T) + self.c3_2) * inv_T) + self.c3_1) * inv_T;
         let row3 = v3 + 240.0;
-        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) + (-120.0);
+        let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) - 120.0;
         let row5 = (self.c5_1 * inv_T) + 20.0;
-        let v4 = v1 * inv_T;
-        let v5 = v4 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcRational5Gains {
             gain: [
-                row1 * (v5 * inv_T),
-                row2 * v5,
-                row3 * v4,
-                row4 * v1,
+                row1 * (v1 * inv_T) * v1,
+                row2 * v1 * v1,
+                row3 * v1 * inv_T,
+                row4 * inv_T * inv_T,
                 row5 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -405,20 +407,19 @@ impl PtcRational5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

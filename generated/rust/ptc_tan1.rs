@@ -37,7 +37,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 18 + or -, 23 *, 1 /, 0 functions.
+//! Operations of one step: 19 + - or comparison, 23 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 182 cycles, Cortex-M4F about 56 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -138,6 +139,8 @@ pub struct PtcTan1 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// 1/tau
     inv_tau: f64,
     /// bound of |u|
@@ -169,14 +172,14 @@ impl PtcTan1 {
         let a = params.a;
         let k1 = params.k[0];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
-            && k1.is_finite())
+            && (a > 0.0)
+            && k1.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -184,6 +187,7 @@ impl PtcTan1 {
         let c1_1 = -K1;
         let angle_rate = 1.5707963267948966 / tau;
         let inv_angle_rate = 0.6366197723675814 * tau;
+        let hold_from = -eps;
         let inv_tau = 1.0 / tau;
         let mut built = Self {
             c1_1,
@@ -191,6 +195,7 @@ impl PtcTan1 {
             angle_rate,
             inv_angle_rate,
             eps,
+            hold_from,
             inv_tau,
             u_max,
             t0: 0.0,
@@ -200,6 +205,7 @@ impl PtcTan1 {
         if !(built.c1_1.is_finite()
             && built.angle_rate.is_finite()
             && built.inv_angle_rate.is_finite()
+            && built.hold_from.is_finite()
             && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
@@ -235,43 +241,43 @@ impl PtcTan1 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
         let [x1] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
         let row1 = self.c1_1 * slope;
-        let mut u = row1 * x1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = row1 * x1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -281,35 +287,31 @@ impl PtcTan1 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan1Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
         let row1 = self.c1_1 * slope;
+        let held = late >= self.hold_from;
         Ok(PtcTan1Gains {
             gain: [
                 row1,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -328,19 +330,18 @@ impl PtcTan1Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = gain1 * x1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = gain1 * x1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

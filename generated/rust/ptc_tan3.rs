@@ -48,7 +48,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 26 + or -, 35 *, 1 /, 0 functions.
+//! Operations of one step: 28 + - or comparison, 35 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 266 cycles, Cortex-M4F about 77 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -149,6 +150,8 @@ pub struct PtcTan3 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// 1/tau
     inv_tau: f64,
     /// coefficient of cot_rate^0 in the gain of x2
@@ -196,16 +199,16 @@ impl PtcTan3 {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
-            && k3.is_finite())
+            && k3.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -216,6 +219,7 @@ impl PtcTan3 {
         let c1_3 = -K1;
         let angle_rate = 1.5707963267948966 / tau;
         let inv_angle_rate = 0.6366197723675814 * tau;
+        let hold_from = -eps;
         let inv_tau = 1.0 / tau;
         let v2 = tau * tau;
         let c2_0 = ((-(2.4674011002723395 * K2)) + 4.934802200544679) / v2;
@@ -231,6 +235,7 @@ impl PtcTan3 {
             angle_rate,
             inv_angle_rate,
             eps,
+            hold_from,
             inv_tau,
             c2_0,
             c2_1,
@@ -247,6 +252,7 @@ impl PtcTan3 {
         if !(built.c1_3.is_finite()
             && built.angle_rate.is_finite()
             && built.inv_angle_rate.is_finite()
+            && built.hold_from.is_finite()
             && built.inv_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
@@ -289,49 +295,50 @@ impl PtcTan3 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
         let row1 = self.c1_3 * slope * slope * slope;
+        let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v10 = (((self.c2_4 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v10 + (((self.c2_3 * cot_rate_squared) + self.c2_1) * cot_rate);
+        let v9 = (((self.c2_4 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = v9 + (((self.c2_3 * cot_rate_squared) + self.c2_1) * cot_rate);
         let row3 = (self.c3_2 * cot_rate_squared) + self.c3_0 + (6.0 * cot_rate);
-        let mut u = (row1 * x1) + (row2 * x2) + (row3 * x3);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (row1 * x1) + (row2 * x2) + (row3 * x3);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -341,33 +348,30 @@ impl PtcTan3 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan3Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
         let row1 = self.c1_3 * slope * slope * slope;
+        let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v10 = (((self.c2_4 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v10 + (((self.c2_3 * cot_rate_squared) + self.c2_1) * cot_rate);
+        let v9 = (((self.c2_4 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = v9 + (((self.c2_3 * cot_rate_squared) + self.c2_1) * cot_rate);
         let row3 = (self.c3_2 * cot_rate_squared) + self.c3_0 + (6.0 * cot_rate);
+        let held = late >= self.hold_from;
         Ok(PtcTan3Gains {
             gain: [
                 row1,
@@ -375,7 +379,7 @@ impl PtcTan3 {
                 row3,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -396,19 +400,18 @@ impl PtcTan3Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

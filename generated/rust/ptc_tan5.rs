@@ -71,7 +71,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 42 + or -, 52 *, 1 /, 0 functions.
+//! Operations of one step: 44 + - or comparison, 52 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 398 cycles, Cortex-M4F about 110 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -172,6 +173,8 @@ pub struct PtcTan5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
     /// 1/tau
     inv_tau: f64,
     /// coefficient of cot_rate^0 in the gain of x2
@@ -253,18 +256,18 @@ impl PtcTan5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -278,6 +281,7 @@ impl PtcTan5 {
         let c1_5 = -K1;
         let angle_rate = 1.5707963267948966 / tau;
         let inv_angle_rate = 0.6366197723675814 * tau;
+        let hold_from = -eps;
         let inv_tau = 1.0 / tau;
         let v3 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
         let v4 = tau * tau;
@@ -314,6 +318,7 @@ impl PtcTan5 {
             angle_rate,
             inv_angle_rate,
             eps,
+            hold_from,
             inv_tau,
             c2_0,
             c2_1,
@@ -346,6 +351,7 @@ impl PtcTan5 {
         if !(built.c1_5.is_finite()
             && built.angle_rate.is_finite()
             && built.inv_angle_rate.is_finite()
+            && built.hold_from.is_finite()
             && built.inv_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
@@ -404,7 +410,8 @@ impl PtcTan5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -413,51 +420,51 @@ impl PtcTan5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
-        let v10 = slope * slope;
-        let row1 = self.c1_5 * slope * v10 * v10;
+        let v9 = slope * slope;
+        let row1 = self.c1_5 * slope * v9 * v9;
+        let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v11 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
-        let v12 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
-        let v13 = (((v12 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v13 + (((v11 * cot_rate_squared) + self.c2_1) * cot_rate);
-        let v14 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
-        let v15 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
-        let row3 = (v15 * cot_rate_squared) + self.c3_0 + (v14 * cot_rate);
-        let v16 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
-        let row4 = v16 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
+        let v10 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
+        let v11 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
+        let v12 = (((v11 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = v12 + (((v10 * cot_rate_squared) + self.c2_1) * cot_rate);
+        let v13 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
+        let v14 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
+        let row3 = (v14 * cot_rate_squared) + self.c3_0 + (v13 * cot_rate);
+        let v15 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
+        let row4 = v15 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
         let row5 = (self.c5_2 * cot_rate_squared) + self.c5_0 + (20.0 * cot_rate);
-        let v17 = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
-        let mut u = v17;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let v16 = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
+        let u = v16;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -467,41 +474,38 @@ impl PtcTan5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = T * self.inv_tau;
-        let inv_T_squared = 1.0 / (T * T);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = late * self.inv_tau;
+        let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) + (-1.6867939433688022e-7);
-        let v4 = (((v3 * v2) + 8.247582914168544e-8) * v2) + (-6.748341805449633e-7);
-        let v5 = (((v4 * v2) + (-1.7709607183780777e-6)) * v2) + (-7.696335899623563e-6);
-        let v6 = (((v5 * v2) + (-3.049467456647586e-5)) * v2) + (-0.00012208352032846455);
-        let v7 = (((v6 * v2) + (-0.0004884004503196425)) * v2) + (-0.001955067633906801);
-        let v8 = (((v7 * v2) + (-0.007844354338480027)) * v2) + (-0.031791970687246554);
-        let v9 = (((v8 * v2) + (-0.13529040421388916)) * v2) + (-0.8224670334241132);
-        let th_cot_th = (v9 * v2) + 1.0;
+        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
+        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
+        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
+        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
+        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
+        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
+        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
-        let v10 = slope * slope;
-        let row1 = self.c1_5 * slope * v10 * v10;
+        let v9 = slope * slope;
+        let row1 = self.c1_5 * slope * v9 * v9;
+        let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v11 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
-        let v12 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
-        let v13 = (((v12 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v13 + (((v11 * cot_rate_squared) + self.c2_1) * cot_rate);
-        let v14 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
-        let v15 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
-        let row3 = (v15 * cot_rate_squared) + self.c3_0 + (v14 * cot_rate);
-        let v16 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
-        let row4 = v16 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
+        let v10 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
+        let v11 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
+        let v12 = (((v11 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = v12 + (((v10 * cot_rate_squared) + self.c2_1) * cot_rate);
+        let v13 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
+        let v14 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
+        let row3 = (v14 * cot_rate_squared) + self.c3_0 + (v13 * cot_rate);
+        let v15 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
+        let row4 = v15 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
         let row5 = (self.c5_2 * cot_rate_squared) + self.c5_0 + (20.0 * cot_rate);
+        let held = late >= self.hold_from;
         Ok(PtcTan5Gains {
             gain: [
                 row1,
@@ -511,7 +515,7 @@ impl PtcTan5 {
                 row5,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -534,20 +538,19 @@ impl PtcTan5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -42,7 +42,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 6 + or -, 11 *, 1 /, 0 functions.
+//! Operations of one step: 7 + - or comparison, 11 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 86 cycles, Cortex-M4F about 32 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -139,8 +140,10 @@ pub struct PtcTanh2 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f23: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// coefficient of E^0 in the gain of x2
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2
@@ -175,15 +178,15 @@ impl PtcTanh2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
-            && k2.is_finite())
+            && k2.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -191,6 +194,8 @@ impl PtcTanh2 {
         let K1 = k1 / (rate * rate);
         let K2 = k2 / rate;
         let c1_2 = -K1;
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let v1 = -K2;
         let c2_0 = v1 + 1.0;
         let c2_1 = v1 - 1.0;
@@ -198,7 +203,8 @@ impl PtcTanh2 {
             c1_2,
             tau,
             eps,
-            f23: 2.0 * tau,
+            hold_from,
+            two_tau,
             c2_0,
             c2_1,
             u_max,
@@ -207,7 +213,8 @@ impl PtcTanh2 {
             correction: 0.0,
         };
         if !(built.c1_2.is_finite()
-            && built.f23.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite())
         {
@@ -244,37 +251,38 @@ impl PtcTanh2 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
         let [x1, x2] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite())
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f23 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_2 * one_plus_E * one_plus_E;
         let row2 = (self.c2_1 * E) + self.c2_0;
         let inv_T = v2 * v1;
-        let mut u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -284,29 +292,26 @@ impl PtcTanh2 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTanh2Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f23 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_2 * one_plus_E * one_plus_E;
         let row2 = (self.c2_1 * E) + self.c2_0;
         let inv_T = v2 * v1;
+        let held = late >= self.hold_from;
         Ok(PtcTanh2Gains {
             gain: [
-                row1 * (inv_T * inv_T),
+                row1 * inv_T * inv_T,
                 row2 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -326,19 +331,18 @@ impl PtcTanh2Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

@@ -54,7 +54,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 13 + or -, 21 *, 1 /, 0 functions.
+//! Operations of one step: 14 + - or comparison, 21 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 154 cycles, Cortex-M4F about 49 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -151,8 +152,10 @@ pub struct PtcTanh4 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f29: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// coefficient of E^0 in the gain of x2
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2
@@ -203,17 +206,17 @@ impl PtcTanh4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
-            && k4.is_finite())
+            && k4.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -224,6 +227,8 @@ impl PtcTanh4 {
         let K3 = k3 / v1;
         let K4 = k4 / rate;
         let c1_4 = -K1;
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let v2 = -K2;
         let c2_0 = ((v2 + K3) - K4) + 1.0;
         let v3 = -(3.0 * K2);
@@ -242,7 +247,8 @@ impl PtcTanh4 {
             c1_4,
             tau,
             eps,
-            f29: 2.0 * tau,
+            hold_from,
+            two_tau,
             c2_0,
             c2_1,
             c2_2,
@@ -258,7 +264,8 @@ impl PtcTanh4 {
             correction: 0.0,
         };
         if !(built.c1_4.is_finite()
-            && built.f29.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -302,7 +309,8 @@ impl PtcTanh4 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -310,15 +318,11 @@ impl PtcTanh4 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f29 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let v3 = one_plus_E * one_plus_E;
         let row1 = self.c1_4 * v3 * v3;
@@ -327,18 +331,22 @@ impl PtcTanh4 {
         let row4 = (self.c4_1 * E) + self.c4_0;
         let inv_T = v2 * v1;
         let v4 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (v4 + (row4 * x4)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (v4 + (row4 * x4)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -348,18 +356,14 @@ impl PtcTanh4 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTanh4Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f29 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let v3 = one_plus_E * one_plus_E;
         let row1 = self.c1_4 * v3 * v3;
@@ -368,16 +372,16 @@ impl PtcTanh4 {
         let row4 = (self.c4_1 * E) + self.c4_0;
         let inv_T = v2 * v1;
         let v4 = inv_T * inv_T;
-        let v5 = v4 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcTanh4Gains {
             gain: [
-                row1 * (v5 * inv_T),
-                row2 * v5,
-                row3 * v4,
+                row1 * v4 * v4,
+                row2 * v4 * inv_T,
+                row3 * inv_T * inv_T,
                 row4 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -399,19 +403,18 @@ impl PtcTanh4Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
-        let mut u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

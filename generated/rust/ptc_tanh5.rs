@@ -66,7 +66,8 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
-//! Operations of one step: 18 + or -, 28 *, 1 /, 0 functions.
+//! Operations of one step: 19 + - or comparison, 28 *, 1 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 202 cycles, Cortex-M4F about 61 cycles.
 #![forbid(unsafe_code)]
 
 /// How a valid u came about.
@@ -163,8 +164,10 @@ pub struct PtcTanh5 {
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
-    /// known when the parameters are
-    f32: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// 2*tau
+    two_tau: f64,
     /// coefficient of E^0 in the gain of x2
     c2_0: f64,
     /// coefficient of E^1 in the gain of x2
@@ -226,18 +229,18 @@ impl PtcTanh5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && tau > 0.0
+            && (tau > 0.0)
             && t0.is_finite()
-            && eps > 0.0
-            && eps < tau
-            && u_max > 0.0
+            && (eps > 0.0)
+            && (u_max > 0.0)
             && a.is_finite()
-            && a > 0.0
+            && (a > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
             && k4.is_finite()
-            && k5.is_finite())
+            && k5.is_finite()
+            && (eps < tau))
         {
             return Err(Error::Param);
         }
@@ -250,6 +253,8 @@ impl PtcTanh5 {
         let K4 = k4 / v1;
         let K5 = k5 / rate;
         let c1_5 = -K1;
+        let hold_from = -eps;
+        let two_tau = 2.0 * tau;
         let v3 = -K2;
         let c2_0 = (((v3 + K3) - K4) + K5) - 1.0;
         let v4 = -(4.0 * K2);
@@ -281,7 +286,8 @@ impl PtcTanh5 {
             c1_5,
             tau,
             eps,
-            f32: 2.0 * tau,
+            hold_from,
+            two_tau,
             c2_0,
             c2_1,
             c2_2,
@@ -302,7 +308,8 @@ impl PtcTanh5 {
             correction: 0.0,
         };
         if !(built.c1_5.is_finite()
-            && built.f32.is_finite()
+            && built.hold_from.is_finite()
+            && built.two_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -351,7 +358,8 @@ impl PtcTanh5 {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
         let [x1, x2, x3, x4, x5] = *x;
-        if !(t.is_finite() && t >= self.t0
+        if !(t.is_finite()
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -360,15 +368,11 @@ impl PtcTanh5 {
         {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f32 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let v3 = one_plus_E * one_plus_E;
         let row1 = self.c1_5 * one_plus_E * v3 * v3;
@@ -379,18 +383,22 @@ impl PtcTanh5 {
         let row5 = (self.c5_1 * E) + self.c5_0;
         let inv_T = v2 * v1;
         let v5 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-        let mut u = (((v5 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = (((v5 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
     }
 
     /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
@@ -400,18 +408,14 @@ impl PtcTanh5 {
     /// `Input`: `t` is not finite or lies before the start.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTanh5Gains, Error> {
-        if !(t.is_finite() && t >= self.t0) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
-        let mut T = (self.deadline - t) + self.correction;
-        let mut status = Status::Ok;
-        if T <= self.eps {
-            T = self.eps;
-            status = Status::Hold;
-        }
-        let v1 = self.f32 - T;
-        let v2 = 1.0 / (T * v1);
-        let E = T * (T * v2);
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let v1 = self.two_tau + late;
+        let v2 = (-1.0) / (late * v1);
+        let E = late * (late * v2);
         let one_plus_E = 1.0 + E;
         let v3 = one_plus_E * one_plus_E;
         let row1 = self.c1_5 * one_plus_E * v3 * v3;
@@ -422,18 +426,17 @@ impl PtcTanh5 {
         let row5 = (self.c5_1 * E) + self.c5_0;
         let inv_T = v2 * v1;
         let v5 = inv_T * inv_T;
-        let v6 = v5 * inv_T;
-        let v7 = v6 * inv_T;
+        let held = late >= self.hold_from;
         Ok(PtcTanh5Gains {
             gain: [
-                row1 * (v7 * inv_T),
-                row2 * v7,
-                row3 * v6,
-                row4 * v5,
+                row1 * (v5 * inv_T) * v5,
+                row2 * v5 * v5,
+                row3 * v5 * inv_T,
+                row4 * inv_T * inv_T,
                 row5 * inv_T,
             ],
             u_max: self.u_max,
-            status,
+            status: if held { Status::Hold } else { Status::Ok },
         })
     }
 }
@@ -456,20 +459,19 @@ impl PtcTanh5Gains {
         {
             return Err(Error::Input);
         }
-        let mut status = self.status;
         let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let mut u = v1;
-        if u > self.u_max {
-            u = self.u_max;
-            status = Status::Saturated;
-        } else if u < -self.u_max {
-            u = -self.u_max;
-            status = Status::Saturated;
+        let u = v1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
-        if !u.is_finite() {
-            return Err(Error::Range);
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        Ok(Control { u, status })
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
     }
 }
 

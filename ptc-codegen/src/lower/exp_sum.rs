@@ -157,12 +157,11 @@ fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value
 /// r_l/l! = sum_i b_li e_i with b_li = (-1)^(l-1) tau a_i^l/(N l!): all terms of one sign.
 fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value]) -> Taylor {
     let n = b.spec.n;
-    let factorial = factorials(n);
     let count = integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
     let mut terms = Vec::with_capacity(n);
-    for l in 1..=n {
+    for (l, factorial) in factorials(n).into_iter().enumerate().skip(1) {
         let sign = integer(if l % 2 == 1 { 1 } else { -1 });
-        let divisor = sign / (BigRational::from_integer(factorial[l].clone()) * &count);
+        let divisor = sign / (BigRational::from_integer(factorial) * &count);
         let mut sum = None;
         for (i, (rate, mode)) in rates.iter().zip(modes).enumerate() {
             let power = b.power(*rate, u32::try_from(l).unwrap_or(u32::MAX));

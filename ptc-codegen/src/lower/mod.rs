@@ -1,7 +1,7 @@
 //! From the law to a staged program.
 //!
-//! Here the closed forms become operations: coefficients in `init` ([`coefficient`]), quantities of
-//! time in `tick` ([`quantity`]), and the state enters last. Everything that may change rounding
+//! Here the closed forms become operations: coefficients in `init` (`coefficient`), quantities of
+//! time in `tick` (`quantity`), and the state enters last. Everything that may change rounding
 //! happens here or earlier; the passes after it keep every bit.
 
 mod builder;

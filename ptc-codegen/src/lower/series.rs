@@ -32,7 +32,7 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
     let mut rows = vec![Some(weight(0))];
     // power[d] = [z^(j+d)] p^j for d >= 1; [z^j] p^j = 1.
     let mut power: Vec<Value> = Vec::new();
-    for j in 1..n {
+    for (j, factorial) in factorial.iter().enumerate().take(n).skip(1) {
         power = if j == 1 { taylor.tail.clone() } else { times_series(b, &power, &taylor.tail) };
         power.truncate(n - j);
         let mut sum = weight(j);
@@ -40,7 +40,7 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
             let term = b.mul(weight(j + d + 1), *coefficient);
             sum = b.add(sum, term);
         }
-        let scale = b.number(BigRational::new(1.into(), factorial[j].clone()));
+        let scale = b.number(BigRational::new(1.into(), factorial.clone()));
         let row = b.mul(sum, scale);
         let meaning = format!("gain of x{} without its power of 1/r1", j + 1);
         rows.push(Some(b.name(row, &format!("row{}", j + 1), &meaning)));

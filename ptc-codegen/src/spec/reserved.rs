@@ -24,6 +24,16 @@ const FUNCTIONS: &str = "
     sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn
 ";
 
+/// What the emitted functions call their parameters and values; a number may follow each, as in
+/// `x1` or `c2_1`.
+const LOCALS: &str = "
+    a b built c correction cot_rate cot_rate_squared deadline eps f gain gains half_tau hold_from
+    inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau angle_rate k K late m margin mean_period none
+    one_plus_E one_plus_y2 p params past q rate rates row round sec self slope slowest status t t0
+    target target_rate tau th_cot_th tolerance two_tau u u_max v w x y y_high y_low y_next y_size
+    y_squared E T
+";
+
 /// Types that stand beside the controller's own in an emitted Rust file.
 const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
 
@@ -32,12 +42,15 @@ const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
 pub(super) fn is_reserved(word: &str) -> bool {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
+    let unnumbered = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
     // A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
     word.starts_with('_')
         || among(RESERVED, word)
         || among(DECLARED, word)
         || among(FUNCTIONS, word)
         || among(FUNCTIONS, stem)
+        || among(LOCALS, word)
+        || among(LOCALS, unnumbered)
         || TYPES.contains(&super::type_name(word).as_str())
 }
 
@@ -47,9 +60,10 @@ mod tests {
 
     #[test]
     fn names_that_would_not_compile_are_reserved() {
-        for word in
-            ["int", "fn", "_x", "__", "exp", "expf", "sqrtl", "size_t", "status", "Error", "self"]
-        {
+        for word in [
+            "int", "fn", "_x", "__", "exp", "expf", "sqrtl", "size_t", "status", "Error", "self",
+            "x1", "c2_1", "t", "inv_T",
+        ] {
             assert!(is_reserved(word), "{word}");
         }
         for word in ["roll", "ptc_exp3", "stage", "x_f", "Roll2", "state", "shelf", "level"] {

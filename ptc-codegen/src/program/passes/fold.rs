@@ -11,7 +11,7 @@ use crate::program::{Definition, Op, Program, Value, interpret, number};
 /// time, where they are reported; transcendental functions are left too, since the target's
 /// library may round them otherwise.
 pub(super) fn run(program: Program) -> Program {
-    rebuild(&program, |new, definition| fold(new, definition))
+    rebuild(&program, fold)
 }
 
 fn fold(new: &mut Program, definition: Definition) -> Value {
@@ -23,7 +23,7 @@ fn fold(new: &mut Program, definition: Definition) -> Value {
     append(new, op, definition.name)
 }
 
-fn constant<'a>(program: &'a Program, value: Value) -> Option<&'a crate::algebra::BigRational> {
+fn constant(program: &Program, value: Value) -> Option<&crate::algebra::BigRational> {
     match &program.get(value).op {
         Op::Number(number) => Some(number),
         _ => None,
