@@ -130,6 +130,7 @@ impl Poly {
     }
 
     /// Number of terms.
+    #[allow(clippy::len_without_is_empty)] // that is `is_zero`
     pub fn len(&self) -> usize {
         self.0.len()
     }
