@@ -33,7 +33,7 @@ static int same(double a, double b)
 
 static exp_2_params usual(void)
 {
-    const exp_2_params params = { 1.0, 0.0, 0.125, INFINITY, 1.0, { 6.0, 5.0 } };
+    const exp_2_params params = { 1.0, 0.0, 0.125, (double)INFINITY, 1.0, { 6.0, 5.0 } };
     return params;
 }
 
@@ -98,7 +98,7 @@ static void inputs(void)
 {
     const exp_2 self = armed();
     const double x[2] = { 1.0, 0.5 };
-    const double wrong[] = { NAN, INFINITY, -INFINITY };
+    const double wrong[] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
     exp_2_gains gains;
     double u = 7.0;
     size_t i;
@@ -180,12 +180,12 @@ static void pointers(void)
 static void parameters(void)
 {
     const exp_2_params params = usual();
-    const power_2_params power = { 1.0, 0.0, 0.125, INFINITY, 1.0, 2.0, { 6.0, 5.0 } };
-    const sum_2_params sum = { 1.0, 0.0, 0.125, INFINITY, { 0.5, 1.5 }, { 6.0, 5.0 } };
-    const double not_positive[] = { NAN, INFINITY, -INFINITY, 0.0, -0.0, -1.0 };
-    const double not_finite[] = { NAN, INFINITY, -INFINITY };
-    const double no_bound[] = { NAN, -INFINITY, 0.0, -1.0 };
-    const double no_eps[] = { NAN, INFINITY, -INFINITY, 0.0, -1.0, 1.0, 2.0 };
+    const power_2_params power = { 1.0, 0.0, 0.125, (double)INFINITY, 1.0, 2.0, { 6.0, 5.0 } };
+    const sum_2_params sum = { 1.0, 0.0, 0.125, (double)INFINITY, { 0.5, 1.5 }, { 6.0, 5.0 } };
+    const double not_positive[] = { (double)NAN, (double)INFINITY, -(double)INFINITY, 0.0, -0.0, -1.0 };
+    const double not_finite[] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
+    const double no_bound[] = { (double)NAN, -(double)INFINITY, 0.0, -1.0 };
+    const double no_eps[] = { (double)NAN, (double)INFINITY, -(double)INFINITY, 0.0, -1.0, 1.0, 2.0 };
     power_2 power_self;
     sum_2 sum_self;
 
@@ -217,7 +217,7 @@ static void arming(void)
 {
     exp_2 self = armed();
     exp_2 before;
-    const double wrong[] = { NAN, INFINITY, -INFINITY };
+    const double wrong[] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
     const double x[2] = { 0.3, -0.7 };
     double first = 7.0;
     double u = 7.0;
@@ -257,9 +257,9 @@ static void variants(void)
     CHECK((bounded_step(&some, 0.0, x, &u) == PTC_SATURATED) && same(u, -2.5));
     CHECK((bounded_step(&some, -1.0, x, &u) == PTC_E_INPUT) && same(u, 0.0));
     CHECK(single_init(&narrow, &narrow_params) == PTC_OK);
-    CHECK((single_step(&narrow, 0.0F, narrow_x, &narrow_u) == PTC_OK) && same(narrow_u, -8.0));
-    CHECK((single_step(&narrow, 2.0F, narrow_x, &narrow_u) == PTC_HOLD) && same(narrow_u, -400.0));
-    CHECK((single_step(&narrow, 0.5F, huge, &narrow_u) == PTC_E_RANGE) && same(narrow_u, 0.0));
+    CHECK((single_step(&narrow, 0.0F, narrow_x, &narrow_u) == PTC_OK) && same((double)narrow_u, -8.0));
+    CHECK((single_step(&narrow, 2.0F, narrow_x, &narrow_u) == PTC_HOLD) && same((double)narrow_u, -400.0));
+    CHECK((single_step(&narrow, 0.5F, huge, &narrow_u) == PTC_E_RANGE) && same((double)narrow_u, 0.0));
 }
 
 /* A closed loop of n = 1 or 2: the control and the exact state and u at time-to-go T. */
@@ -278,21 +278,21 @@ static rational_2 rational_order;
 
 static double first_control(double t, const double *x)
 {
-    double u = NAN;
+    double u = (double)NAN;
     CHECK(exp_1_step(&first_order, t, x, &u) == PTC_OK);
     return u;
 }
 
 static double second_control(double t, const double *x)
 {
-    double u = NAN;
+    double u = (double)NAN;
     CHECK(exp_2_step(&second_order, t, x, &u) == PTC_OK);
     return u;
 }
 
 static double rational_control(double t, const double *x)
 {
-    double u = NAN;
+    double u = (double)NAN;
     CHECK(rational_2_step(&rational_order, t, x, &u) == PTC_OK);
     return u;
 }
@@ -396,9 +396,9 @@ static void follow(const plant *p)
 
 static void closed_loops(void)
 {
-    const exp_1_params first = { 1.0, 0.0, 1e-4, INFINITY, 0.1, { 1.0 } };
-    const exp_2_params second = { 1.0, 0.0, 1e-4, INFINITY, 1.0, { 6.0, 5.0 } };
-    const rational_2_params rational = { 10.0, 0.0, 1e-3, INFINITY, 1.0, { 1.0, 2.0 } };
+    const exp_1_params first = { 1.0, 0.0, 1e-4, (double)INFINITY, 0.1, { 1.0 } };
+    const exp_2_params second = { 1.0, 0.0, 1e-4, (double)INFINITY, 1.0, { 6.0, 5.0 } };
+    const rational_2_params rational = { 10.0, 0.0, 1e-3, (double)INFINITY, 1.0, { 1.0, 2.0 } };
     const plant plants[] = {
         { "exp 1", 1, 1.0, 1.0, first_control, first_exact },
         { "exp 2", 2, 1.0, 2.0, second_control, second_exact },

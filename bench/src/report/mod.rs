@@ -18,7 +18,9 @@ use crate::tools::{machine, results, workspace};
 /// Keeps what was measured under `name` for the report.
 pub(crate) fn keep(name: &str, measured: &impl serde::Serialize) -> Result<()> {
     let path = results()?.join(format!("{name}.json"));
-    Ok(std::fs::write(path, serde_json::to_string(measured)?)?)
+    std::fs::write(&path, serde_json::to_string(measured)?)?;
+    println!("{name}: kept in {} (`report` writes it into the docs)", path.display());
+    Ok(())
 }
 
 /// What was kept under `name`; nothing where it never was.

@@ -51,7 +51,7 @@ fn lines(area: &Area<'_>, counts: &[Count]) -> Result<()> {
         .margin(12)
         .x_label_area_size(40)
         .y_label_area_size(60)
-        .build_cartesian_2d(1.0..12.0, (15.0..12000.0).log_scale())
+        .build_cartesian_2d(1.0..12.0, (10.0..12000.0).log_scale())
         .map_err(failed)?;
     chart
         .configure_mesh()

@@ -202,12 +202,14 @@ impl Printer<'_> {
             Op::Sub(a, b) => binary('-', a, b),
             Op::Mul(a, b) => binary('*', a, b),
             Op::Div(a, b) => binary('/', a, b),
-            Op::Max(a, b) => {
-                Expression { text: self.syntax.max(&operand(a), &operand(b)), operator: Some('?') }
-            }
-            Op::Min(a, b) => {
-                Expression { text: self.syntax.min(&operand(a), &operand(b)), operator: Some('?') }
-            }
+            Op::Max(a, b) => Expression {
+                text: self.syntax.max(&self.text(*a), &self.text(*b)),
+                operator: Some('?'),
+            },
+            Op::Min(a, b) => Expression {
+                text: self.syntax.min(&self.text(*a), &self.text(*b)),
+                operator: Some('?'),
+            },
             Op::Abs(a) => Expression::atom(self.syntax.abs(&self.text(*a))),
             Op::Sqrt(a) => call("sqrt", &[*a]),
             Op::Exp(a) => call("exp", &[*a]),

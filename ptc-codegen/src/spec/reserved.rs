@@ -12,8 +12,8 @@ const RESERVED: &str = "
     while xor yield
 ";
 
-/// What C's `math.h` and `stddef.h` declare beside functions.
-const DECLARED: &str = "NULL double_t float_t max_align_t ptrdiff_t size_t wchar_t";
+/// What C's `stddef.h` defines beside types, whose names all end in `_t`.
+const DECLARED: &str = "NULL";
 
 /// Functions of C's `math.h`, each of which also exists with the suffixes `f` and `l`.
 const FUNCTIONS: &str = "
@@ -43,8 +43,9 @@ pub(super) fn is_reserved(word: &str) -> bool {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
     let unnumbered = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
-    // A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
+    // POSIX reserves all names that end in _t. A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
     word.starts_with('_')
+        || word.ends_with("_t")
         || among(RESERVED, word)
         || among(DECLARED, word)
         || among(FUNCTIONS, word)
