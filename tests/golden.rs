@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
 use ptc_codegen::spec::Spec;
+use support::program::{Record, in_c, in_rust};
+use support::specs::Values;
 use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, specs, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
@@ -129,6 +131,45 @@ fn every_golden_in_rust_compiles_without_a_warning() {
         compiler.args(["--crate-type=lib", "--emit=metadata", "-o"]);
         run(compiler.arg(source.with_extension("rmeta")).arg(&crate_root));
     });
+}
+
+/// Each runs, in C and in Rust, over its whole time to the deadline and into the hold: the statuses
+/// are those of the time, and the two languages agree but for the last digits of a library.
+#[test]
+fn every_golden_runs() {
+    let controllers = controllers();
+    let folder = folder("golden_runs");
+    let programs = in_c(&folder, &controllers).into_iter().zip(in_rust(&folder, &controllers));
+    for (spec, (c, rust)) in controllers.iter().zip(programs) {
+        let gains: Vec<f64> = (1..=spec.n).map(|i| 2.0 + i as f64).collect();
+        let values = Values {
+            tau: 2.0,
+            t0: 0.0,
+            eps: 0.0078125,
+            u_max: 1e30,
+            a: 1.0,
+            m: 1.5,
+            rates: &[0.5, 1.5, 2.5][..spec.rates],
+            k: &gains,
+        };
+        let times: Vec<f64> = (0..=17).map(|i| f64::from(i) / 8.0).collect();
+        let record = |t: &f64| Record {
+            parameters: values.run_time(spec),
+            t: *t,
+            x: (0..spec.n).map(|j| 0.01 * (j as f64 + 1.0)).collect(),
+        };
+        let records: Vec<_> = times.iter().map(record).collect();
+        for ((t, c), rust) in times.iter().zip(c.run(&records)).zip(rust.run(&records)) {
+            let name = spec.name();
+            let expected = if *t < 1.99 { [0, 2] } else { [1, 2] };
+            assert!(c.init == 0 && expected.contains(&c.step.0), "{name} at {t}: {c:?}");
+            assert_eq!((c.step.0, c.axis.0), (rust.step.0, rust.axis.0), "{name} at {t}");
+            for (u, v) in [(c.step.1, rust.step.1), (c.axis.1, rust.axis.1), (c.step.1, c.axis.1)] {
+                let near = 1e-5 * u.abs().max(1e-3);
+                assert!(u.is_finite() && (u - v).abs() <= near, "{name} at {t}: {u} and {v}");
+            }
+        }
+    }
 }
 
 #[test]

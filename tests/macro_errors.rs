@@ -3,13 +3,30 @@
 //! `TRYBUILD=overwrite cargo test --test macro_errors` writes the expectations anew; they hold for
 //! Rust 1.95, as other compilers word and mark some of them differently.
 
+/// Whether the compiler is the one whose words the expectations hold.
+fn compiler_is_known() -> bool {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let version = std::process::Command::new(rustc).arg("--version").output().expect("rustc");
+    let known = version.stdout.starts_with(b"rustc 1.95.");
+    if !known {
+        eprintln!("not run: the expectations hold for Rust 1.95 only");
+    }
+    known
+}
+
 #[test]
 fn mistakes_are_told_at_their_token() {
+    if !compiler_is_known() {
+        return;
+    }
     trybuild::TestCases::new().compile_fail("tests/compile_fail/*.rs");
 }
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 #[test]
 fn a_missing_function_names_the_feature() {
+    if !compiler_is_known() {
+        return;
+    }
     trybuild::TestCases::new().compile_fail("tests/compile_fail_bare/*.rs");
 }

@@ -59,7 +59,7 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
             && isfinite(x2)
             && isfinite(x3)) {
             const double past = (t - self->deadline) - self->correction;
-            const double late = (past < (-0.001)) ? past : (-0.001);
+            const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
             const double v1 = ((((-24.0) * x1 * inv_T) + ((-18.0) * x2)) * inv_T) + ((-6.0) * x3);
             double v = v1 * inv_T;
@@ -93,7 +93,7 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
         && isfinite(t)
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
-        const double late = (past < (-0.001)) ? past : (-0.001);
+        const double late = (past < -0.001) ? past : -0.001;
         const double inv_T = (-1.0) / late;
         status = (late < -0.001) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = (-24.0) * (inv_T * inv_T) * inv_T;

@@ -45,7 +45,7 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             const double v5 = 1.0 / a3;
             const double slowest = (v4 < v5) ? v5 : v4;
             const double mean_period = 3.0 / (a1 + a2 + a3);
-            const double tolerance = 0.001 / ((v2 < a3) ? a3 : v2);
+            const double tolerance = 0.03 / ((v2 < a3) ? a3 : v2);
             const double b1_1 = 0.3333333333333333 * a1 * tau;
             const double b1_2 = 0.3333333333333333 * a2 * tau;
             const double b1_3 = 0.3333333333333333 * a3 * tau;
@@ -150,13 +150,14 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
                 const double v9 = v4 + v5 + v6;
                 const double v10 = self->a3 * v6;
                 const double v11 = (2.0 * (v9 - target)) / (v9 + target);
-                const double v12 = 1.0 / (v7 + v8 + v10);
-                const double v13 = v9 * v12;
-                const double v14 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v12 * v13;
-                const double v15 = v11 * v13 * (1.0 + (0.5 * v11 * (v14 - 1.0)));
-                const double y_next = y + v15;
-                const double y_size = fabs(v15);
-                if (v11 > 0.0) {
+                const double v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
+                const double v13 = 1.0 / (v7 + v8 + v10);
+                const double v14 = v9 * v13;
+                const double v15 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13 * v14;
+                const double v16 = v12 * v14 * (1.0 + (0.5 * v12 * (v15 - 1.0)));
+                const double y_next = y + v16;
+                const double y_size = fabs(v16);
+                if (v12 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -170,20 +171,26 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
                     break;
                 }
             }
-            const double v16 = exp(-(self->a1 * y));
-            const double v17 = exp(-(self->a2 * y));
-            const double v18 = exp(-(self->a3 * y));
-            const double v19 = self->a1 * v16;
-            const double v20 = self->a2 * v17;
-            const double v21 = self->a3 * v18;
-            const double v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
-            const double v23 = v16 - (v19 * v22);
-            const double v24 = v17 - (v20 * v22);
-            const double v25 = v18 - (v21 * v22);
-            const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
-            const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
-            const double v26 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-            double v = v26;
+            const double v17 = exp(-(self->a1 * y));
+            const double v18 = exp(-(self->a2 * y));
+            const double v19 = exp(-(self->a3 * y));
+            const double v20 = self->a1 * v17;
+            const double v21 = self->a2 * v18;
+            const double v22 = self->a3 * v19;
+            const double v23 = 1.0 / (v20 + v21 + v22);
+            const double v24 = ((v17 + v18 + v19) - target) * v23;
+            const double v25 = ((self->a1 * v20) + (self->a2 * v21) + (self->a3 * v22)) * v23 * v24;
+            const double v26 = v24 * (1.0 + (0.5 * v25));
+            const double v27 = self->a1 * v26;
+            const double v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
+            const double v29 = self->a2 * v26;
+            const double v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
+            const double v31 = self->a3 * v26;
+            const double v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
+            const double inv_r1 = 1.0 / ((self->b1_1 * v28) + (self->b1_2 * v30) + (self->b1_3 * v32));
+            const double p2 = ((self->b2_1 * v28) + (self->b2_2 * v30) + (self->b2_3 * v32)) * inv_r1;
+            const double v33 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
+            double v = v33;
 
             if (v > self->u_max) {
                 v = self->u_max;
@@ -232,13 +239,14 @@ ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double 
             const double v9 = v4 + v5 + v6;
             const double v10 = self->a3 * v6;
             const double v11 = (2.0 * (v9 - target)) / (v9 + target);
-            const double v12 = 1.0 / (v7 + v8 + v10);
-            const double v13 = v9 * v12;
-            const double v14 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v12 * v13;
-            const double v15 = v11 * v13 * (1.0 + (0.5 * v11 * (v14 - 1.0)));
-            const double y_next = y + v15;
-            const double y_size = fabs(v15);
-            if (v11 > 0.0) {
+            const double v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
+            const double v13 = 1.0 / (v7 + v8 + v10);
+            const double v14 = v9 * v13;
+            const double v15 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13 * v14;
+            const double v16 = v12 * v14 * (1.0 + (0.5 * v12 * (v15 - 1.0)));
+            const double y_next = y + v16;
+            const double y_size = fabs(v16);
+            if (v12 > 0.0) {
                 y_low = y;
             } else {
                 y_high = y;
@@ -252,18 +260,24 @@ ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double 
                 break;
             }
         }
-        const double v16 = exp(-(self->a1 * y));
-        const double v17 = exp(-(self->a2 * y));
-        const double v18 = exp(-(self->a3 * y));
-        const double v19 = self->a1 * v16;
-        const double v20 = self->a2 * v17;
-        const double v21 = self->a3 * v18;
-        const double v22 = ((v16 + v17 + v18) - target) / (v19 + v20 + v21);
-        const double v23 = v16 - (v19 * v22);
-        const double v24 = v17 - (v20 * v22);
-        const double v25 = v18 - (v21 * v22);
-        const double inv_r1 = 1.0 / ((self->b1_1 * v23) + (self->b1_2 * v24) + (self->b1_3 * v25));
-        const double p2 = ((self->b2_1 * v23) + (self->b2_2 * v24) + (self->b2_3 * v25)) * inv_r1;
+        const double v17 = exp(-(self->a1 * y));
+        const double v18 = exp(-(self->a2 * y));
+        const double v19 = exp(-(self->a3 * y));
+        const double v20 = self->a1 * v17;
+        const double v21 = self->a2 * v18;
+        const double v22 = self->a3 * v19;
+        const double v23 = 1.0 / (v20 + v21 + v22);
+        const double v24 = ((v17 + v18 + v19) - target) * v23;
+        const double v25 = ((self->a1 * v20) + (self->a2 * v21) + (self->a3 * v22)) * v23 * v24;
+        const double v26 = v24 * (1.0 + (0.5 * v25));
+        const double v27 = self->a1 * v26;
+        const double v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
+        const double v29 = self->a2 * v26;
+        const double v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
+        const double v31 = self->a3 * v26;
+        const double v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
+        const double inv_r1 = 1.0 / ((self->b1_1 * v28) + (self->b1_2 * v30) + (self->b1_3 * v32));
+        const double p2 = ((self->b2_1 * v28) + (self->b2_2 * v30) + (self->b2_3 * v32)) * inv_r1;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = self->w1 * inv_r1 * inv_r1;
         gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;

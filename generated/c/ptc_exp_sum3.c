@@ -41,7 +41,7 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             const double v2 = 1.0 / a2;
             const double slowest = (v1 < v2) ? v2 : v1;
             const double mean_period = 2.0 / (a1 + a2);
-            const double tolerance = 0.001 / ((a1 < a2) ? a2 : a1);
+            const double tolerance = 0.03 / ((a1 < a2) ? a2 : a1);
             const double b1_1 = 0.5 * a1 * tau;
             const double b1_2 = 0.5 * a2 * tau;
             const double v3 = a1 * a1;
@@ -150,13 +150,14 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
                 const double v7 = v4 + v5;
                 const double v8 = self->a2 * v5;
                 const double v9 = (2.0 * (v7 - target)) / (v7 + target);
-                const double v10 = 1.0 / (v6 + v8);
-                const double v11 = v7 * v10;
-                const double v12 = 0.5 * v9 * ((((self->a1 * v6) + (self->a2 * v8)) * v10 * v11) - 1.0);
-                const double v13 = v9 * v11 * (1.0 + v12);
-                const double y_next = y + v13;
-                const double y_size = fabs(v13);
-                if (v9 > 0.0) {
+                const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+                const double v11 = 1.0 / (v6 + v8);
+                const double v12 = v7 * v11;
+                const double v13 = 0.5 * v10 * ((((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0);
+                const double v14 = v10 * v12 * (1.0 + v13);
+                const double y_next = y + v14;
+                const double y_size = fabs(v14);
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -170,19 +171,24 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
                     break;
                 }
             }
-            const double v14 = exp(-(self->a1 * y));
-            const double v15 = exp(-(self->a2 * y));
-            const double v16 = self->a1 * v14;
-            const double v17 = self->a2 * v15;
-            const double v18 = ((v14 + v15) - target) / (v16 + v17);
-            const double v19 = v14 - (v16 * v18);
-            const double v20 = v15 - (v17 * v18);
-            const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
-            const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
-            const double p3 = ((self->b3_1 * v19) + (self->b3_2 * v20)) * inv_r1;
+            const double v15 = exp(-(self->a1 * y));
+            const double v16 = exp(-(self->a2 * y));
+            const double v17 = self->a1 * v15;
+            const double v18 = self->a2 * v16;
+            const double v19 = 1.0 / (v17 + v18);
+            const double v20 = ((v15 + v16) - target) * v19;
+            const double v21 = 1.0 + (0.5 * (((self->a1 * v17) + (self->a2 * v18)) * v19 * v20));
+            const double v22 = v20 * v21;
+            const double v23 = self->a1 * v22;
+            const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+            const double v25 = self->a2 * v22;
+            const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+            const double inv_r1 = 1.0 / ((self->b1_1 * v24) + (self->b1_2 * v26));
+            const double p2 = ((self->b2_1 * v24) + (self->b2_2 * v26)) * inv_r1;
+            const double p3 = ((self->b3_1 * v24) + (self->b3_2 * v26)) * inv_r1;
             const double row3 = (self->w3 + ((-6.0) * (p2 + p2))) * 0.5;
-            const double v21 = (self->w1 * x1 * inv_r1) + ((self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * x2);
-            double v = ((v21 * inv_r1) + (row3 * x3)) * inv_r1;
+            const double v27 = (self->w1 * x1 * inv_r1) + ((self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * x2);
+            double v = ((v27 * inv_r1) + (row3 * x3)) * inv_r1;
 
             if (v > self->u_max) {
                 v = self->u_max;
@@ -229,13 +235,14 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
             const double v7 = v4 + v5;
             const double v8 = self->a2 * v5;
             const double v9 = (2.0 * (v7 - target)) / (v7 + target);
-            const double v10 = 1.0 / (v6 + v8);
-            const double v11 = v7 * v10;
-            const double v12 = 0.5 * v9 * ((((self->a1 * v6) + (self->a2 * v8)) * v10 * v11) - 1.0);
-            const double v13 = v9 * v11 * (1.0 + v12);
-            const double y_next = y + v13;
-            const double y_size = fabs(v13);
-            if (v9 > 0.0) {
+            const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+            const double v11 = 1.0 / (v6 + v8);
+            const double v12 = v7 * v11;
+            const double v13 = 0.5 * v10 * ((((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0);
+            const double v14 = v10 * v12 * (1.0 + v13);
+            const double y_next = y + v14;
+            const double y_size = fabs(v14);
+            if (v10 > 0.0) {
                 y_low = y;
             } else {
                 y_high = y;
@@ -249,16 +256,21 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
                 break;
             }
         }
-        const double v14 = exp(-(self->a1 * y));
-        const double v15 = exp(-(self->a2 * y));
-        const double v16 = self->a1 * v14;
-        const double v17 = self->a2 * v15;
-        const double v18 = ((v14 + v15) - target) / (v16 + v17);
-        const double v19 = v14 - (v16 * v18);
-        const double v20 = v15 - (v17 * v18);
-        const double inv_r1 = 1.0 / ((self->b1_1 * v19) + (self->b1_2 * v20));
-        const double p2 = ((self->b2_1 * v19) + (self->b2_2 * v20)) * inv_r1;
-        const double p3 = ((self->b3_1 * v19) + (self->b3_2 * v20)) * inv_r1;
+        const double v15 = exp(-(self->a1 * y));
+        const double v16 = exp(-(self->a2 * y));
+        const double v17 = self->a1 * v15;
+        const double v18 = self->a2 * v16;
+        const double v19 = 1.0 / (v17 + v18);
+        const double v20 = ((v15 + v16) - target) * v19;
+        const double v21 = 1.0 + (0.5 * (((self->a1 * v17) + (self->a2 * v18)) * v19 * v20));
+        const double v22 = v20 * v21;
+        const double v23 = self->a1 * v22;
+        const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+        const double v25 = self->a2 * v22;
+        const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+        const double inv_r1 = 1.0 / ((self->b1_1 * v24) + (self->b1_2 * v26));
+        const double p2 = ((self->b2_1 * v24) + (self->b2_2 * v26)) * inv_r1;
+        const double p3 = ((self->b3_1 * v24) + (self->b3_2 * v26)) * inv_r1;
         const double row3 = (self->w3 + ((-6.0) * (p2 + p2))) * 0.5;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = self->w1 * (inv_r1 * inv_r1) * inv_r1;

@@ -193,7 +193,7 @@ impl PtcExp3Fixed {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < (-0.001) { past } else { (-0.001) };
+        let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
         let v1 = ((((-24.0) * x1 * inv_T) + ((-18.0) * x2)) * inv_T) + ((-6.0) * x3);
         let u = v1 * inv_T;
@@ -225,7 +225,7 @@ if u > 50.0 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < (-0.001) { past } else { (-0.001) };
+        let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
         let held = late >= -0.001;
         Ok(PtcExp3FixedGains {
