@@ -33,15 +33,18 @@ ptc_status ptc_power1_init(ptc_power1 *self, const ptc_power1_params *params)
             const double K1 = k1 / a;
             const double c1_1 = -K1;
             const double hold_from = -eps;
+            const double minus_tau = -tau;
             built.c1_1 = c1_1;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
             built.m = m;
             built.u_max = u_max;
 
             if (isfinite(built.c1_1)
-                && isfinite(built.hold_from)) {
+                && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)) {
                 status = ptc_power1_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -86,10 +89,10 @@ ptc_status ptc_power1_step(const ptc_power1 *self, double t, const double x[1], 
             && isfinite(x1)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double q = pow(self->tau * inv_T, self->m);
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
             const double row1 = self->c1_1 * q;
-            double v = row1 * x1 * inv_T;
+            double v = ((-row1) * x1) / late;
 
             if (v > self->u_max) {
                 v = self->u_max;
@@ -121,11 +124,11 @@ ptc_status ptc_power1_tick(const ptc_power1 *self, double t, ptc_power1_gains *g
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double q = pow(self->tau * inv_T, self->m);
+        const double inv_w = self->minus_tau / late;
+        const double q = pow(inv_w, self->m);
         const double row1 = self->c1_1 * q;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * inv_T;
+        gains->gain[0] = (-row1) / late;
         gains->u_max = self->u_max;
         gains->status = status;
     }

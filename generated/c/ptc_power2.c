@@ -36,21 +36,27 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
             const double K2 = k2 / a;
             const double c1_2 = -K1;
             const double hold_from = -eps;
+            const double minus_tau = -tau;
             const double c2_0 = m + 1.0;
             const double c2_1 = -K2;
+            const double inv_tau = 1.0 / tau;
             built.c1_2 = c1_2;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
+            built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_2)
                 && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)
-                && isfinite(built.c2_1)) {
+                && isfinite(built.c2_1)
+                && isfinite(built.inv_tau)) {
                 status = ptc_power2_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -97,10 +103,11 @@ ptc_status ptc_power2_step(const ptc_power2 *self, double t, const double x[2], 
             && isfinite(x2)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double q = pow(self->tau * inv_T, self->m);
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
             const double row1 = self->c1_2 * q * q;
             const double row2 = (self->c2_1 * q) + self->c2_0;
+            const double inv_T = inv_w * self->inv_tau;
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
 
             if (v > self->u_max) {
@@ -133,10 +140,11 @@ ptc_status ptc_power2_tick(const ptc_power2 *self, double t, ptc_power2_gains *g
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double q = pow(self->tau * inv_T, self->m);
+        const double inv_w = self->minus_tau / late;
+        const double q = pow(inv_w, self->m);
         const double row1 = self->c1_2 * q * q;
         const double row2 = (self->c2_1 * q) + self->c2_0;
+        const double inv_T = inv_w * self->inv_tau;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;

@@ -21,11 +21,17 @@ ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power
             struct ptc_power2_unbounded built;
 
             const double hold_from = -eps;
+            const double minus_tau = -tau;
+            const double inv_tau = 1.0 / tau;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
+            built.inv_tau = inv_tau;
 
-            if (isfinite(built.hold_from)) {
+            if (isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
+                && isfinite(built.inv_tau)) {
                 status = ptc_power2_unbounded_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -72,12 +78,12 @@ ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t,
             && isfinite(x2)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double v1 = self->tau * inv_T;
-            const double q = v1 * v1;
-            const double v2 = (-4.0) * q;
-            const double row1 = v2 * q;
-            const double row2 = v2 + 3.0;
+            const double inv_w = self->minus_tau / late;
+            const double q = inv_w * inv_w;
+            const double v1 = (-4.0) * q;
+            const double row1 = v1 * q;
+            const double row2 = v1 + 3.0;
+            const double inv_T = inv_w * self->inv_tau;
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
 
             if (!isfinite(v)) {
@@ -104,12 +110,12 @@ ptc_status ptc_power2_unbounded_tick(const ptc_power2_unbounded *self, double t,
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double v1 = self->tau * inv_T;
-        const double q = v1 * v1;
-        const double v2 = (-4.0) * q;
-        const double row1 = v2 * q;
-        const double row2 = v2 + 3.0;
+        const double inv_w = self->minus_tau / late;
+        const double q = inv_w * inv_w;
+        const double v1 = (-4.0) * q;
+        const double row1 = v1 * q;
+        const double row2 = v1 + 3.0;
+        const double inv_T = inv_w * self->inv_tau;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * inv_T * inv_T;
         gains->gain[1] = row2 * inv_T;

@@ -84,6 +84,8 @@ typedef struct ptc_power2_unbounded {
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double minus_tau; /* -tau */
+    double inv_tau; /* 1/tau */
 } ptc_power2_unbounded;
 
 /* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */

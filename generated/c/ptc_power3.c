@@ -40,30 +40,36 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             const double K3 = k3 / a;
             const double c1_3 = -K1;
             const double hold_from = -eps;
+            const double minus_tau = -tau;
             const double c2_0 = ((((-2.0) * m) - 3.0) * m) - 1.0;
             const double c2_1 = (m + 1.0) * K3;
             const double c2_2 = -K2;
             const double c3_0 = (3.0 * m) + 3.0;
             const double c3_1 = -K3;
+            const double inv_tau = 1.0 / tau;
             built.c1_3 = c1_3;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
             built.c2_2 = c2_2;
             built.c3_0 = c3_0;
             built.c3_1 = c3_1;
+            built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_3)
                 && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
                 && isfinite(built.c3_0)
-                && isfinite(built.c3_1)) {
+                && isfinite(built.c3_1)
+                && isfinite(built.inv_tau)) {
                 status = ptc_power3_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -112,11 +118,12 @@ ptc_status ptc_power3_step(const ptc_power3 *self, double t, const double x[3], 
             && isfinite(x3)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double q = pow(self->tau * inv_T, self->m);
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
             const double row1 = self->c1_3 * q * q * q;
             const double row2 = (((self->c2_2 * q) + self->c2_1) * q) + self->c2_0;
             const double row3 = (self->c3_1 * q) + self->c3_0;
+            const double inv_T = inv_w * self->inv_tau;
             const double v1 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
             double v = v1;
 
@@ -150,11 +157,12 @@ ptc_status ptc_power3_tick(const ptc_power3 *self, double t, ptc_power3_gains *g
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double q = pow(self->tau * inv_T, self->m);
+        const double inv_w = self->minus_tau / late;
+        const double q = pow(inv_w, self->m);
         const double row1 = self->c1_3 * q * q * q;
         const double row2 = (((self->c2_2 * q) + self->c2_1) * q) + self->c2_0;
         const double row3 = (self->c3_1 * q) + self->c3_0;
+        const double inv_T = inv_w * self->inv_tau;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
         gains->gain[1] = row2 * inv_T * inv_T;

@@ -92,12 +92,14 @@ typedef struct ptc_power3 {
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double minus_tau; /* -tau */
     double m; /* exponent of the power mapping */
     double c2_0; /* coefficient of q^0 in the gain of x2 */
     double c2_1; /* coefficient of q^1 in the gain of x2 */
     double c2_2; /* coefficient of q^2 in the gain of x2 */
     double c3_0; /* coefficient of q^0 in the gain of x3 */
     double c3_1; /* coefficient of q^1 in the gain of x3 */
+    double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */
 } ptc_power3;
 

@@ -43,6 +43,7 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             const double K4 = k4 / a;
             const double c1_4 = -K1;
             const double hold_from = -eps;
+            const double minus_tau = -tau;
             const double v2 = 6.0 * m;
             const double c2_0 = ((((v2 + 11.0) * m) + 6.0) * m) + 1.0;
             const double c2_1 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
@@ -53,10 +54,12 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             const double c3_2 = -K3;
             const double c4_0 = v2 + 6.0;
             const double c4_1 = -K4;
+            const double inv_tau = 1.0 / tau;
             built.c1_4 = c1_4;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -67,10 +70,12 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             built.c3_2 = c3_2;
             built.c4_0 = c4_0;
             built.c4_1 = c4_1;
+            built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_4)
                 && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -79,7 +84,8 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
                 && isfinite(built.c3_1)
                 && isfinite(built.c3_2)
                 && isfinite(built.c4_0)
-                && isfinite(built.c4_1)) {
+                && isfinite(built.c4_1)
+                && isfinite(built.inv_tau)) {
                 status = ptc_power4_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -130,13 +136,14 @@ ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], 
             && isfinite(x4)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double q = pow(self->tau * inv_T, self->m);
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
             const double v1 = q * q;
             const double row1 = self->c1_4 * v1 * v1;
             const double row2 = (((((self->c2_3 * q) + self->c2_2) * q) + self->c2_1) * q) + self->c2_0;
             const double row3 = (((self->c3_2 * q) + self->c3_1) * q) + self->c3_0;
             const double row4 = (self->c4_1 * q) + self->c4_0;
+            const double inv_T = inv_w * self->inv_tau;
             const double v2 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
             double v = (v2 + (row4 * x4)) * inv_T;
 
@@ -170,13 +177,14 @@ ptc_status ptc_power4_tick(const ptc_power4 *self, double t, ptc_power4_gains *g
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double q = pow(self->tau * inv_T, self->m);
+        const double inv_w = self->minus_tau / late;
+        const double q = pow(inv_w, self->m);
         const double v1 = q * q;
         const double row1 = self->c1_4 * v1 * v1;
         const double row2 = (((((self->c2_3 * q) + self->c2_2) * q) + self->c2_1) * q) + self->c2_0;
         const double row3 = (((self->c3_2 * q) + self->c3_1) * q) + self->c3_0;
         const double row4 = (self->c4_1 * q) + self->c4_0;
+        const double inv_T = inv_w * self->inv_tau;
         const double v2 = inv_T * inv_T;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * v2 * v2;

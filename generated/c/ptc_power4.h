@@ -99,6 +99,7 @@ typedef struct ptc_power4 {
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double minus_tau; /* -tau */
     double m; /* exponent of the power mapping */
     double c2_0; /* coefficient of q^0 in the gain of x2 */
     double c2_1; /* coefficient of q^1 in the gain of x2 */
@@ -109,6 +110,7 @@ typedef struct ptc_power4 {
     double c3_2; /* coefficient of q^2 in the gain of x3 */
     double c4_0; /* coefficient of q^0 in the gain of x4 */
     double c4_1; /* coefficient of q^1 in the gain of x4 */
+    double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */
 } ptc_power4;
 

@@ -47,6 +47,7 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double K5 = k5 / a;
             const double c1_5 = -K1;
             const double hold_from = -eps;
+            const double minus_tau = -tau;
             const double c2_0 = ((((((((-24.0) * m) - 50.0) * m) - 35.0) * m) - 10.0) * m) - 1.0;
             const double v3 = 6.0 * m;
             const double c2_1 = (((((v3 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
@@ -62,10 +63,12 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double c4_2 = -K4;
             const double c5_0 = (10.0 * m) + 10.0;
             const double c5_1 = -K5;
+            const double inv_tau = 1.0 / tau;
             built.c1_5 = c1_5;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
             built.m = m;
             built.c2_0 = c2_0;
             built.c2_1 = c2_1;
@@ -81,10 +84,12 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             built.c4_2 = c4_2;
             built.c5_0 = c5_0;
             built.c5_1 = c5_1;
+            built.inv_tau = inv_tau;
             built.u_max = u_max;
 
             if (isfinite(built.c1_5)
                 && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)
@@ -98,7 +103,8 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
                 && isfinite(built.c4_1)
                 && isfinite(built.c4_2)
                 && isfinite(built.c5_0)
-                && isfinite(built.c5_1)) {
+                && isfinite(built.c5_1)
+                && isfinite(built.inv_tau)) {
                 status = ptc_power5_arm(&built, t0);
             }
             if (status == PTC_OK) {
@@ -151,8 +157,8 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             && isfinite(x5)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double q = pow(self->tau * inv_T, self->m);
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
             const double v1 = q * q;
             const double row1 = self->c1_5 * q * v1 * v1;
             const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
@@ -160,6 +166,7 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
             const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
             const double row5 = (self->c5_1 * q) + self->c5_0;
+            const double inv_T = inv_w * self->inv_tau;
             const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
             double v = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
 
@@ -193,8 +200,8 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
         && (t >= self->t0)) {
         const double past = (t - self->deadline) - self->correction;
         const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double q = pow(self->tau * inv_T, self->m);
+        const double inv_w = self->minus_tau / late;
+        const double q = pow(inv_w, self->m);
         const double v1 = q * q;
         const double row1 = self->c1_5 * q * v1 * v1;
         const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
@@ -202,6 +209,7 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
         const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
         const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
         const double row5 = (self->c5_1 * q) + self->c5_0;
+        const double inv_T = inv_w * self->inv_tau;
         const double v3 = inv_T * inv_T;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = row1 * (v3 * inv_T) * v3;

@@ -108,6 +108,7 @@ typedef struct ptc_power5 {
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
+    double minus_tau; /* -tau */
     double m; /* exponent of the power mapping */
     double c2_0; /* coefficient of q^0 in the gain of x2 */
     double c2_1; /* coefficient of q^1 in the gain of x2 */
@@ -123,6 +124,7 @@ typedef struct ptc_power5 {
     double c4_2; /* coefficient of q^2 in the gain of x4 */
     double c5_0; /* coefficient of q^0 in the gain of x5 */
     double c5_1; /* coefficient of q^1 in the gain of x5 */
+    double inv_tau; /* 1/tau */
     double u_max; /* bound of |u| */
 } ptc_power5;
 

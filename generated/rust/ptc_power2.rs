@@ -161,12 +161,16 @@ pub struct PtcPower2 {
     eps: f64,
     /// -eps: later than this the gains are held
     hold_from: f64,
+    /// -tau
+    minus_tau: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
     c2_0: f64,
     /// coefficient of q^1 in the gain of x2
     c2_1: f64,
+    /// 1/tau
+    inv_tau: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -216,16 +220,20 @@ impl PtcPower2 {
         let K2 = k2 / a;
         let c1_2 = -K1;
         let hold_from = -eps;
+        let minus_tau = -tau;
         let c2_0 = m + 1.0;
         let c2_1 = -K2;
+        let inv_tau = 1.0 / tau;
         let mut built = Self {
             c1_2,
             tau,
             eps,
             hold_from,
+            minus_tau,
             m,
             c2_0,
             c2_1,
+            inv_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -233,8 +241,10 @@ impl PtcPower2 {
         };
         if !(built.c1_2.is_finite()
             && built.hold_from.is_finite()
+            && built.minus_tau.is_finite()
             && built.c2_0.is_finite()
-            && built.c2_1.is_finite())
+            && built.c2_1.is_finite()
+            && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -278,10 +288,11 @@ impl PtcPower2 {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let row1 = self.c1_2 * q * q;
         let row2 = (self.c2_1 * q) + self.c2_0;
+        let inv_T = inv_w * self.inv_tau;
         let u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
 if u > self.u_max {
             return Ok(Control { u: self.u_max, status: Status::Saturated });
@@ -312,10 +323,11 @@ if u > self.u_max {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let row1 = self.c1_2 * q * q;
         let row2 = (self.c2_1 * q) + self.c2_0;
+        let inv_T = inv_w * self.inv_tau;
         let held = late >= self.hold_from;
         Ok(PtcPower2Gains {
             gain: [

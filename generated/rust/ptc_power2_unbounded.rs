@@ -137,6 +137,10 @@ pub struct PtcPower2Unbounded {
     eps: f64,
     /// -eps: later than this the gains are held
     hold_from: f64,
+    /// -tau
+    minus_tau: f64,
+    /// 1/tau
+    inv_tau: f64,
 }
 
 /// Feedback gains of [`PtcPower2Unbounded`] at one time.
@@ -167,15 +171,21 @@ impl PtcPower2Unbounded {
             return Err(Error::Param);
         }
         let hold_from = -eps;
+        let minus_tau = -tau;
+        let inv_tau = 1.0 / tau;
         let mut built = Self {
             tau,
             eps,
             hold_from,
+            minus_tau,
+            inv_tau,
             t0: 0.0,
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.hold_from.is_finite())
+        if !(built.hold_from.is_finite()
+            && built.minus_tau.is_finite()
+            && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -219,12 +229,12 @@ impl PtcPower2Unbounded {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let v1 = self.tau * inv_T;
-        let q = v1 * v1;
-        let v2 = (-4.0) * q;
-        let row1 = v2 * q;
-        let row2 = v2 + 3.0;
+        let inv_w = self.minus_tau / late;
+        let q = inv_w * inv_w;
+        let v1 = (-4.0) * q;
+        let row1 = v1 * q;
+        let row2 = v1 + 3.0;
+        let inv_T = inv_w * self.inv_tau;
         let u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
         // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
         let margin = (u - u) - late;
@@ -249,12 +259,12 @@ impl PtcPower2Unbounded {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let v1 = self.tau * inv_T;
-        let q = v1 * v1;
-        let v2 = (-4.0) * q;
-        let row1 = v2 * q;
-        let row2 = v2 + 3.0;
+        let inv_w = self.minus_tau / late;
+        let q = inv_w * inv_w;
+        let v1 = (-4.0) * q;
+        let row1 = v1 * q;
+        let row2 = v1 + 3.0;
+        let inv_T = inv_w * self.inv_tau;
         let held = late >= self.hold_from;
         Ok(PtcPower2UnboundedGains {
             gain: [

@@ -166,6 +166,8 @@ pub struct PtcPower3 {
     eps: f64,
     /// -eps: later than this the gains are held
     hold_from: f64,
+    /// -tau
+    minus_tau: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
@@ -178,6 +180,8 @@ pub struct PtcPower3 {
     c3_0: f64,
     /// coefficient of q^1 in the gain of x3
     c3_1: f64,
+    /// 1/tau
+    inv_tau: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -231,22 +235,26 @@ impl PtcPower3 {
         let K3 = k3 / a;
         let c1_3 = -K1;
         let hold_from = -eps;
+        let minus_tau = -tau;
         let c2_0 = ((((-2.0) * m) - 3.0) * m) - 1.0;
         let c2_1 = (m + 1.0) * K3;
         let c2_2 = -K2;
         let c3_0 = (3.0 * m) + 3.0;
         let c3_1 = -K3;
+        let inv_tau = 1.0 / tau;
         let mut built = Self {
             c1_3,
             tau,
             eps,
             hold_from,
+            minus_tau,
             m,
             c2_0,
             c2_1,
             c2_2,
             c3_0,
             c3_1,
+            inv_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -254,11 +262,13 @@ impl PtcPower3 {
         };
         if !(built.c1_3.is_finite()
             && built.hold_from.is_finite()
+            && built.minus_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
             && built.c3_0.is_finite()
-            && built.c3_1.is_finite())
+            && built.c3_1.is_finite()
+            && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -303,11 +313,12 @@ impl PtcPower3 {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let row1 = self.c1_3 * q * q * q;
         let row2 = (((self.c2_2 * q) + self.c2_1) * q) + self.c2_0;
         let row3 = (self.c3_1 * q) + self.c3_0;
+        let inv_T = inv_w * self.inv_tau;
         let v1 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
         let u = v1;
 if u > self.u_max {
@@ -339,11 +350,12 @@ if u > self.u_max {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let row1 = self.c1_3 * q * q * q;
         let row2 = (((self.c2_2 * q) + self.c2_1) * q) + self.c2_0;
         let row3 = (self.c3_1 * q) + self.c3_0;
+        let inv_T = inv_w * self.inv_tau;
         let held = late >= self.hold_from;
         Ok(PtcPower3Gains {
             gain: [

@@ -173,6 +173,8 @@ pub struct PtcPower4 {
     eps: f64,
     /// -eps: later than this the gains are held
     hold_from: f64,
+    /// -tau
+    minus_tau: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
@@ -193,6 +195,8 @@ pub struct PtcPower4 {
     c4_0: f64,
     /// coefficient of q^1 in the gain of x4
     c4_1: f64,
+    /// 1/tau
+    inv_tau: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -249,6 +253,7 @@ impl PtcPower4 {
         let K4 = k4 / a;
         let c1_4 = -K1;
         let hold_from = -eps;
+        let minus_tau = -tau;
         let v2 = 6.0 * m;
         let c2_0 = ((((v2 + 11.0) * m) + 6.0) * m) + 1.0;
         let c2_1 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
@@ -259,11 +264,13 @@ impl PtcPower4 {
         let c3_2 = -K3;
         let c4_0 = v2 + 6.0;
         let c4_1 = -K4;
+        let inv_tau = 1.0 / tau;
         let mut built = Self {
             c1_4,
             tau,
             eps,
             hold_from,
+            minus_tau,
             m,
             c2_0,
             c2_1,
@@ -274,6 +281,7 @@ impl PtcPower4 {
             c3_2,
             c4_0,
             c4_1,
+            inv_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -281,6 +289,7 @@ impl PtcPower4 {
         };
         if !(built.c1_4.is_finite()
             && built.hold_from.is_finite()
+            && built.minus_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -289,7 +298,8 @@ impl PtcPower4 {
             && built.c3_1.is_finite()
             && built.c3_2.is_finite()
             && built.c4_0.is_finite()
-            && built.c4_1.is_finite())
+            && built.c4_1.is_finite()
+            && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -335,13 +345,14 @@ impl PtcPower4 {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let v1 = q * q;
         let row1 = self.c1_4 * v1 * v1;
         let row2 = (((((self.c2_3 * q) + self.c2_2) * q) + self.c2_1) * q) + self.c2_0;
         let row3 = (((self.c3_2 * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (self.c4_1 * q) + self.c4_0;
+        let inv_T = inv_w * self.inv_tau;
         let v2 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
         let u = (v2 + (row4 * x4)) * inv_T;
 if u > self.u_max {
@@ -373,13 +384,14 @@ if u > self.u_max {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let v1 = q * q;
         let row1 = self.c1_4 * v1 * v1;
         let row2 = (((((self.c2_3 * q) + self.c2_2) * q) + self.c2_1) * q) + self.c2_0;
         let row3 = (((self.c3_2 * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (self.c4_1 * q) + self.c4_0;
+        let inv_T = inv_w * self.inv_tau;
         let v2 = inv_T * inv_T;
         let held = late >= self.hold_from;
         Ok(PtcPower4Gains {

@@ -182,6 +182,8 @@ pub struct PtcPower5 {
     eps: f64,
     /// -eps: later than this the gains are held
     hold_from: f64,
+    /// -tau
+    minus_tau: f64,
     /// exponent of the power mapping
     m: f64,
     /// coefficient of q^0 in the gain of x2
@@ -212,6 +214,8 @@ pub struct PtcPower5 {
     c5_0: f64,
     /// coefficient of q^1 in the gain of x5
     c5_1: f64,
+    /// 1/tau
+    inv_tau: f64,
     /// bound of |u|
     u_max: f64,
 }
@@ -272,6 +276,7 @@ impl PtcPower5 {
         let K5 = k5 / a;
         let c1_5 = -K1;
         let hold_from = -eps;
+        let minus_tau = -tau;
         let c2_0 = ((((((((-24.0) * m) - 50.0) * m) - 35.0) * m) - 10.0) * m) - 1.0;
         let v3 = 6.0 * m;
         let c2_1 = (((((v3 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
@@ -287,11 +292,13 @@ impl PtcPower5 {
         let c4_2 = -K4;
         let c5_0 = (10.0 * m) + 10.0;
         let c5_1 = -K5;
+        let inv_tau = 1.0 / tau;
         let mut built = Self {
             c1_5,
             tau,
             eps,
             hold_from,
+            minus_tau,
             m,
             c2_0,
             c2_1,
@@ -307,6 +314,7 @@ impl PtcPower5 {
             c4_2,
             c5_0,
             c5_1,
+            inv_tau,
             u_max,
             t0: 0.0,
             deadline: 0.0,
@@ -314,6 +322,7 @@ impl PtcPower5 {
         };
         if !(built.c1_5.is_finite()
             && built.hold_from.is_finite()
+            && built.minus_tau.is_finite()
             && built.c2_0.is_finite()
             && built.c2_1.is_finite()
             && built.c2_2.is_finite()
@@ -327,7 +336,8 @@ impl PtcPower5 {
             && built.c4_1.is_finite()
             && built.c4_2.is_finite()
             && built.c5_0.is_finite()
-            && built.c5_1.is_finite())
+            && built.c5_1.is_finite()
+            && built.inv_tau.is_finite())
         {
             return Err(Error::Param);
         }
@@ -374,8 +384,8 @@ impl PtcPower5 {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let v1 = q * q;
         let row1 = self.c1_5 * q * v1 * v1;
         let v2 = (((((self.c2_4 * q) + self.c2_3) * q) + self.c2_2) * q) + self.c2_1;
@@ -383,6 +393,7 @@ impl PtcPower5 {
         let row3 = (((((self.c3_3 * q) + self.c3_2) * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (((self.c4_2 * q) + self.c4_1) * q) + self.c4_0;
         let row5 = (self.c5_1 * q) + self.c5_0;
+        let inv_T = inv_w * self.inv_tau;
         let v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
         let u = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
 if u > self.u_max {
@@ -414,8 +425,8 @@ if u > self.u_max {
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let q = math::pow(self.tau * inv_T, self.m);
+        let inv_w = self.minus_tau / late;
+        let q = math::pow(inv_w, self.m);
         let v1 = q * q;
         let row1 = self.c1_5 * q * v1 * v1;
         let v2 = (((((self.c2_4 * q) + self.c2_3) * q) + self.c2_2) * q) + self.c2_1;
@@ -423,6 +434,7 @@ if u > self.u_max {
         let row3 = (((((self.c3_3 * q) + self.c3_2) * q) + self.c3_1) * q) + self.c3_0;
         let row4 = (((self.c4_2 * q) + self.c4_1) * q) + self.c4_0;
         let row5 = (self.c5_1 * q) + self.c5_0;
+        let inv_T = inv_w * self.inv_tau;
         let v3 = inv_T * inv_T;
         let held = late >= self.hold_from;
         Ok(PtcPower5Gains {

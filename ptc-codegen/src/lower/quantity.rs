@@ -86,6 +86,10 @@ impl Builder<'_> {
             let (inverse, rest) = self.inverse_product();
             return self.mul(inverse, rest);
         }
+        if self.spec.family == Family::Power {
+            let (ratio, inverse_tau) = (self.inverse_share(), self.inverse_tau());
+            return self.mul(ratio, inverse_tau);
+        }
         let (minus_one, late) = (self.integer(-1), self.late());
         self.div(minus_one, late)
     }
@@ -115,11 +119,25 @@ impl Builder<'_> {
         self.mul(late, ratio)
     }
 
+    /// tau/T with one rounding, for the power family raises it to the power m (n+1-j).
+    fn inverse_share(&mut self) -> Value {
+        let (tau, late) = (self.parameter(Parameter::Tau), self.late());
+        let minus_tau = self.push(Op::Neg(tau));
+        let minus_tau = self.name(minus_tau, "minus_tau", "-tau");
+        let ratio = self.div(minus_tau, late);
+        self.name(ratio, "inv_w", "tau/T")
+    }
+
+    /// 1/tau.
+    fn inverse_tau(&mut self) -> Value {
+        let (one, tau) = (self.integer(1), self.parameter(Parameter::Tau));
+        let inverse_tau = self.div(one, tau);
+        self.name(inverse_tau, "inv_tau", "1/tau")
+    }
+
     /// q = (tau/T)^m: a multiplication chain for integer m, with a root for half an integer.
     fn inverse_power_ratio(&mut self) -> Value {
-        let tau = self.parameter(Parameter::Tau);
-        let inverse = self.quantity(Symbol::plain(Kind::InverseTimeToGo));
-        let ratio = self.mul(tau, inverse);
+        let ratio = self.inverse_share();
         let fixed = self.spec.fixed.get(&Parameter::M).and_then(Fixed::number);
         let small = |m: &BigRational| {
             m.is_integer().then(|| m.to_u32()).flatten().filter(|m| (1..=64).contains(m))
@@ -198,10 +216,7 @@ impl Builder<'_> {
 
     /// -T/tau.
     fn late_share(&mut self) -> Value {
-        let (one, tau) = (self.integer(1), self.parameter(Parameter::Tau));
-        let inverse_tau = self.div(one, tau);
-        let inverse_tau = self.name(inverse_tau, "inv_tau", "1/tau");
-        let late = self.late();
+        let (late, inverse_tau) = (self.late(), self.inverse_tau());
         self.mul(late, inverse_tau)
     }
 

@@ -28,7 +28,7 @@ const FUNCTIONS: &str = "
 /// `x1` or `c2_1`.
 const LOCALS: &str = "
     a b built c correction cot_rate cot_rate_squared deadline eps f gain gains half_tau hold_from
-    inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau angle_rate k K late m margin mean_period none
+    inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau inv_w minus_tau angle_rate k K late m margin mean_period none
     one_plus_E one_plus_y2 p params past q rate rates row round sec self slope slowest status t t0
     target target_rate tau th_cot_th tolerance two_tau u u_max v w x y y_high y_low y_next y_size
     y_squared E T
