@@ -1,7 +1,10 @@
-//! th cot(th) for th in (0, pi/2], as a polynomial in z = (2 th/pi)^2.
+//! The tan family: th cot(th) for th in (0, pi/2], as a polynomial in z = (2 th/pi)^2.
 
-use crate::algebra::BigRational;
-use crate::spec::{Precision, number};
+use super::builder::Builder;
+use super::coefficient::pi_power;
+use crate::algebra::{BigInt, BigRational, Kind, Symbol};
+use crate::program::Value;
+use crate::spec::{Parameter, Precision, number};
 
 /// Chebyshev interpolation of (th cot(th) - 1)/z on z in [0, 1]; `tools/cotangent.py` computes the
 /// digits. The error of the polynomial is below 1e-17 for doubles and 1e-9 for floats, under their
@@ -38,12 +41,62 @@ const SINGLE: [&str; 9] = [
 ];
 
 /// The coefficients by ascending power of z.
-pub(super) fn coefficients(precision: Precision) -> Vec<BigRational> {
+fn coefficients(precision: Precision) -> Vec<BigRational> {
     let digits: &[&str] = match precision {
         Precision::F64 => &DOUBLE,
         Precision::F32 => &SINGLE,
     };
     digits.iter().filter_map(|text| number(text)?.number().cloned()).collect()
+}
+
+impl Builder<'_> {
+    /// 1/T^2 and th cot(th), th = pi T/(2 tau), whose products make up the tan family:
+    /// (pi/(2 tau)) cot(th) = T (1/T^2) th cot(th), and its square is (1/T^2) (th cot(th))^2.
+    ///
+    /// th cot(th) is 1 at the deadline and smooth, so a polynomial in (T/tau)^2 gives it, and 1/T^2
+    /// carries the digits there with two roundings, where 1/tan(th)^2 has nine. No library function
+    /// is called, so every machine computes the same bits.
+    pub(super) fn tangent_parts(&mut self) -> (Value, Value) {
+        let (one, late, share) = (self.integer(1), self.late(), self.late_share());
+        let square = self.mul(late, late);
+        let inverse = self.div(one, square);
+        let inverse = self.name(inverse, "inv_T_squared", "1/T^2");
+        let square = self.mul(share, share);
+        let mut shape = one;
+        for (index, coefficient) in coefficients(self.spec.precision).into_iter().rev().enumerate()
+        {
+            let coefficient = self.number(coefficient);
+            shape = if index == 0 {
+                coefficient
+            } else {
+                let shifted = self.mul(shape, square);
+                self.add(shifted, coefficient)
+            };
+        }
+        let shape = self.name(shape, "th_cot_th", "th*cot(th), th = pi*T/(2*tau)");
+        (inverse, shape)
+    }
+
+    pub(super) fn cotangent_rate(&mut self) -> Value {
+        let (inverse, shape) = self.tangent_parts();
+        let time_to_go = self.time_to_go();
+        let inverse = self.mul(time_to_go, inverse);
+        self.mul(inverse, shape)
+    }
+
+    /// kappa'/a = pi/(2 tau) + (2 tau/pi) cot_rate^2.
+    pub(super) fn slope(&mut self) -> Value {
+        let half_pi = pi_power(1) / BigInt::from(2);
+        let tau = self.parameter(Parameter::Tau);
+        let (quarter, inverse) = (self.number(half_pi.clone()), self.number(half_pi.recip()));
+        let first = self.div(quarter, tau);
+        let first = self.name(first, "angle_rate", "pi/(2*tau)");
+        let scale = self.mul(inverse, tau);
+        let scale = self.name(scale, "inv_angle_rate", "2*tau/pi");
+        let square = self.square(Symbol::plain(Kind::CotangentRate));
+        let scaled = square.map(|square| self.mul(scale, square));
+        self.sum(Some(first), scaled).unwrap_or(first)
+    }
 }
 
 #[cfg(test)]

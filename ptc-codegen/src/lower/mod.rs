@@ -9,13 +9,16 @@ mod coefficient;
 mod cotangent;
 mod exp_sum;
 mod quantity;
+mod rows;
 mod series;
+mod time;
 
 use std::collections::BTreeMap;
 
 use builder::Builder;
+use rows::{Factor, Rows, factor};
 
-use crate::algebra::{Kind, Poly, Symbol};
+use crate::algebra::Poly;
 use crate::law::{GainForm, LinearLaw};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Guard, Parameter, Spec};
@@ -57,87 +60,6 @@ pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
     };
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
     b.finish(step, gains, axis, Limits { start_time, u_max, late, hold_from, eps })
-}
-
-/// Multiplication by 1/base.
-#[derive(Clone, Copy)]
-enum Factor {
-    /// By a value.
-    Multiply(Value),
-    /// By -1/value, where that inverse has no other use.
-    Divide(Value),
-}
-
-/// The factor 1/base. For n = 1 the 1/T of the exp family is used once, and one division does it.
-fn factor(b: &mut Builder<'_>, symbol: Symbol) -> Factor {
-    if b.spec.n == 1 && symbol.kind == Kind::InverseTimeToGo && !b.has_quantity(symbol) {
-        Factor::Divide(b.late())
-    } else {
-        Factor::Multiply(b.quantity(symbol))
-    }
-}
-
-/// gain_j = base_inverse^(n+1-j) rows[j - 1].
-struct Rows {
-    base: Option<Factor>,
-    rows: Vec<Option<Value>>,
-}
-
-impl Rows {
-    /// u by Horner's rule in 1/base over the rows: the state enters in 2n operations.
-    fn step(&self, b: &mut Builder<'_>) -> Value {
-        let mut sum: Option<Value> = None;
-        for (j, row) in self.rows.iter().enumerate() {
-            if j > 0 {
-                sum = sum.map(|s| self.times_base(b, s));
-            }
-            let x = b.push(Op::Input(Input::State(j + 1)));
-            let product = row.map(|row| b.mul(row, x));
-            sum = b.sum(sum, product);
-        }
-        let sum = sum.unwrap_or_else(|| b.integer(0));
-        self.times_base(b, sum)
-    }
-
-    fn times_base(&self, b: &mut Builder<'_>, value: Value) -> Value {
-        match self.base {
-            None => value,
-            Some(Factor::Multiply(inverse)) => b.mul(value, inverse),
-            Some(Factor::Divide(late)) => b.div(value, late),
-        }
-    }
-
-    /// The gains by themselves, for several axes that share one deadline. A power of 1/base meets
-    /// its row in two halves: the power alone would leave the range before the gain does.
-    fn gains(&self, b: &mut Builder<'_>) -> Vec<Value> {
-        let n = self.rows.len();
-        let half = n.div_ceil(2);
-        let mut powers: Vec<Value> = Vec::with_capacity(half);
-        if let Some(Factor::Multiply(inverse)) = self.base {
-            powers.push(inverse);
-            for k in 1..half {
-                powers.push(b.mul(powers[k - 1], inverse));
-            }
-        }
-        let mut gains = Vec::with_capacity(n);
-        for (j, row) in self.rows.iter().enumerate() {
-            let mut gain = row.unwrap_or_else(|| b.integer(0));
-            let exponent = n - j;
-            match self.base {
-                None => {}
-                Some(Factor::Divide(late)) => gain = b.div(gain, late),
-                Some(Factor::Multiply(_)) => {
-                    for part in [exponent.div_ceil(2), exponent / 2] {
-                        if part > 0 {
-                            gain = b.mul(gain, powers[part - 1]);
-                        }
-                    }
-                }
-            }
-            gains.push(gain);
-        }
-        gains
-    }
 }
 
 /// u = sum_j gain_j x_j.
