@@ -39,6 +39,9 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             built.two_tau = two_tau;
             built.half_tau = half_tau;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_1)
                 && isfinite(built.hold_from)
@@ -63,7 +66,7 @@ ptc_status ptc_algebraic1_arm(ptc_algebraic1 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -100,7 +103,7 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -146,7 +149,7 @@ ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
 
-        if (isfinite(x1)) {
+        if (isfinite(x1) != 0) {
             double v = gains->gain[0] * x1;
 
             status = gains->status;
@@ -156,7 +159,7 @@ ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -48,6 +48,9 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             built.c2_1 = c2_1;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_2)
                 && isfinite(built.hold_from)
@@ -75,7 +78,7 @@ ptc_status ptc_algebraic2_arm(ptc_algebraic2 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -117,7 +120,7 @@ ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const doubl
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -179,7 +182,7 @@ ptc_status ptc_algebraic2_axis(const ptc_algebraic2_gains *gains, const double x
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

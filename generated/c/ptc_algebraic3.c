@@ -62,6 +62,9 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             built.c3_2 = c3_2;
             built.c3_1 = c3_1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_3)
                 && isfinite(built.hold_from)
@@ -93,7 +96,7 @@ ptc_status ptc_algebraic3_arm(ptc_algebraic3 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -139,7 +142,7 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -207,7 +210,7 @@ ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -84,6 +84,9 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             built.c4_2 = c4_2;
             built.c4_1 = c4_1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_4)
                 && isfinite(built.hold_from)
@@ -122,7 +125,7 @@ ptc_status ptc_algebraic4_arm(ptc_algebraic4 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -175,7 +178,7 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -251,7 +254,7 @@ ptc_status ptc_algebraic4_axis(const ptc_algebraic4_gains *gains, const double x
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

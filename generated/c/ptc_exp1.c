@@ -34,6 +34,9 @@ ptc_status ptc_exp1_init(ptc_exp1 *self, const ptc_exp1_params *params)
             built.eps = eps;
             built.hold_from = hold_from;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.K1)
                 && isfinite(built.hold_from)) {
@@ -56,7 +59,7 @@ ptc_status ptc_exp1_arm(ptc_exp1 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -89,7 +92,7 @@ ptc_status ptc_exp1_step(const ptc_exp1 *self, double t, const double x[1], doub
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -131,7 +134,7 @@ ptc_status ptc_exp1_axis(const ptc_exp1_gains *gains, const double x[1], double 
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
 
-        if (isfinite(x1)) {
+        if (isfinite(x1) != 0) {
             double v = gains->gain[0] * x1;
 
             status = gains->status;
@@ -141,7 +144,7 @@ ptc_status ptc_exp1_axis(const ptc_exp1_gains *gains, const double x[1], double 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -46,6 +46,9 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             built.eps = eps;
             built.hold_from = hold_from;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
@@ -70,7 +73,7 @@ ptc_status ptc_exp3_arm(ptc_exp3 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -109,7 +112,7 @@ ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], doub
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -169,7 +172,7 @@ ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -46,6 +46,9 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             built.eps = eps;
             built.hold_from = hold_from;
             built.u_max = u_max;
+            built.t0 = 0.0f;
+            built.deadline = 0.0f;
+            built.correction = 0.0f;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
@@ -70,7 +73,7 @@ ptc_status ptc_exp3_f32_arm(ptc_exp3_f32 *self, float t0)
         const float v1 = deadline - t0;
         const float correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -109,7 +112,7 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0f;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -169,7 +172,7 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0f;
                 status = PTC_E_RANGE;
             } else {

@@ -13,6 +13,10 @@ ptc_status ptc_exp3_fixed_init(ptc_exp3_fixed *self, const ptc_exp3_fixed_params
         {
             struct ptc_exp3_fixed built;
 
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
+
             status = ptc_exp3_fixed_arm(&built, 0.0);
             if (status == PTC_OK) {
                 *self = built;
@@ -31,7 +35,7 @@ ptc_status ptc_exp3_fixed_arm(ptc_exp3_fixed *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (2.0 - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -70,7 +74,7 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
             } else if (v < -50.0) {
                 v = -50.0;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < -0.001) {
@@ -129,7 +133,7 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
             } else if (v < -50.0) {
                 v = -50.0;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

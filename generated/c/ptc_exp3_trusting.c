@@ -46,6 +46,8 @@ ptc_status ptc_exp3_trusting_init(ptc_exp3_trusting *self, const ptc_exp3_trusti
             built.eps = eps;
             built.hold_from = hold_from;
             built.u_max = u_max;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1)
                 && isfinite(built.c2)
@@ -70,7 +72,7 @@ ptc_status ptc_exp3_trusting_arm(ptc_exp3_trusting *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->deadline = deadline;
             self->correction = correction;
             status = PTC_OK;
@@ -96,7 +98,7 @@ ptc_status ptc_exp3_trusting_step(const ptc_exp3_trusting *self, double t, const
         v = -self->u_max;
         status = PTC_SATURATED;
     } else if (!(margin > self->eps)) {
-        if (isnan(margin)) {
+        if (isnan(margin) != 0) {
             v = 0.0;
             status = PTC_E_RANGE;
         } else {
@@ -136,7 +138,7 @@ ptc_status ptc_exp3_trusting_axis(const ptc_exp3_trusting_gains *gains, const do
     } else if (v < -gains->u_max) {
         v = -gains->u_max;
         status = PTC_SATURATED;
-    } else if (isnan(v - v)) {
+    } else if (isnan(v - v) != 0) {
         v = 0.0;
         status = PTC_E_RANGE;
     } else {

@@ -54,6 +54,9 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             built.b1_2 = b1_2;
             built.w1 = w1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.hold_from)
                 && isfinite(built.target_rate)
@@ -82,7 +85,7 @@ ptc_status ptc_exp_sum1_arm(ptc_exp_sum1 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -163,7 +166,7 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -253,7 +256,7 @@ ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1],
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
 
-        if (isfinite(x1)) {
+        if (isfinite(x1) != 0) {
             double v = gains->gain[0] * x1;
 
             status = gains->status;
@@ -263,7 +266,7 @@ ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1],
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

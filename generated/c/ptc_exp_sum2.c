@@ -62,6 +62,9 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             built.w1 = w1;
             built.w2 = w2;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.hold_from)
                 && isfinite(built.target_rate)
@@ -93,7 +96,7 @@ ptc_status ptc_exp_sum2_arm(ptc_exp_sum2 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -179,7 +182,7 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -284,7 +287,7 @@ ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2],
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

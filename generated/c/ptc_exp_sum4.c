@@ -80,6 +80,9 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             built.w3 = w3;
             built.w4 = w4;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.hold_from)
                 && isfinite(built.target_rate)
@@ -117,7 +120,7 @@ ptc_status ptc_exp_sum4_arm(ptc_exp_sum4 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -213,7 +216,7 @@ ptc_status ptc_exp_sum4_step(const ptc_exp_sum4 *self, double t, const double x[
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -332,7 +335,7 @@ ptc_status ptc_exp_sum4_axis(const ptc_exp_sum4_gains *gains, const double x[4],
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -28,6 +28,9 @@ ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power
             built.hold_from = hold_from;
             built.minus_tau = minus_tau;
             built.inv_tau = inv_tau;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.hold_from)
                 && isfinite(built.minus_tau)
@@ -51,7 +54,7 @@ ptc_status ptc_power2_unbounded_arm(ptc_power2_unbounded *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -86,7 +89,7 @@ ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t,
             const double inv_T = inv_w * self->inv_tau;
             double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
 
-            if (!isfinite(v)) {
+            if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -140,7 +143,7 @@ ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, co
             double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
 
             status = gains->status;
-            if (!isfinite(v)) {
+            if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             }

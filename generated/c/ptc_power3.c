@@ -60,6 +60,9 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             built.c3_1 = c3_1;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_3)
                 && isfinite(built.hold_from)
@@ -89,7 +92,7 @@ ptc_status ptc_power3_arm(ptc_power3 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -133,7 +136,7 @@ ptc_status ptc_power3_step(const ptc_power3 *self, double t, const double x[3], 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -198,7 +201,7 @@ ptc_status ptc_power3_axis(const ptc_power3_gains *gains, const double x[3], dou
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -72,6 +72,9 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             built.c4_1 = c4_1;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_4)
                 && isfinite(built.hold_from)
@@ -105,7 +108,7 @@ ptc_status ptc_power4_arm(ptc_power4 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -153,7 +156,7 @@ ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -224,7 +227,7 @@ ptc_status ptc_power4_axis(const ptc_power4_gains *gains, const double x[4], dou
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -86,6 +86,9 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             built.c5_1 = c5_1;
             built.inv_tau = inv_tau;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_5)
                 && isfinite(built.hold_from)
@@ -124,7 +127,7 @@ ptc_status ptc_power5_arm(ptc_power5 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -176,7 +179,7 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -252,7 +255,7 @@ ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], dou
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

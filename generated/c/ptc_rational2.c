@@ -41,6 +41,9 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
             built.hold_from = hold_from;
             built.c2_1 = c2_1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_2)
                 && isfinite(built.hold_from)
@@ -64,7 +67,7 @@ ptc_status ptc_rational2_arm(ptc_rational2 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -102,7 +105,7 @@ ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -160,7 +163,7 @@ ptc_status ptc_rational2_axis(const ptc_rational2_gains *gains, const double x[2
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

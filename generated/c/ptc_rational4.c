@@ -58,6 +58,9 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             built.c3_2 = c3_2;
             built.c4_1 = c4_1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_4)
                 && isfinite(built.hold_from)
@@ -86,7 +89,7 @@ ptc_status ptc_rational4_arm(ptc_rational4 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -133,7 +136,7 @@ ptc_status ptc_rational4_step(const ptc_rational4 *self, double t, const double 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -202,7 +205,7 @@ ptc_status ptc_rational4_axis(const ptc_rational4_gains *gains, const double x[4
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -70,6 +70,9 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             built.c4_2 = c4_2;
             built.c5_1 = c5_1;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_5)
                 && isfinite(built.hold_from)
@@ -102,7 +105,7 @@ ptc_status ptc_rational5_arm(ptc_rational5 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -153,7 +156,7 @@ ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double 
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -227,7 +230,7 @@ ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

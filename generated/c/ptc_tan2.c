@@ -48,6 +48,9 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
             built.c2_0 = c2_0;
             built.c2_2 = c2_2;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_2)
                 && isfinite(built.angle_rate)
@@ -75,7 +78,7 @@ ptc_status ptc_tan2_arm(ptc_tan2 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -126,7 +129,7 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -197,7 +200,7 @@ ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -63,6 +63,9 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             built.c3_0 = c3_0;
             built.c3_2 = c3_2;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_3)
                 && isfinite(built.angle_rate)
@@ -95,7 +98,7 @@ ptc_status ptc_tan3_arm(ptc_tan3 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -150,7 +153,7 @@ ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], doub
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -227,7 +230,7 @@ ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {

@@ -82,6 +82,9 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             built.c4_0 = c4_0;
             built.c4_2 = c4_2;
             built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
 
             if (isfinite(built.c1_4)
                 && isfinite(built.angle_rate)
@@ -121,7 +124,7 @@ ptc_status ptc_tan4_arm(ptc_tan4 *self, double t0)
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
@@ -182,7 +185,7 @@ ptc_status ptc_tan4_step(const ptc_tan4 *self, double t, const double x[4], doub
             } else if (v < -self->u_max) {
                 v = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else if (late < self->hold_from) {
@@ -266,7 +269,7 @@ ptc_status ptc_tan4_axis(const ptc_tan4_gains *gains, const double x[4], double 
             } else if (v < -gains->u_max) {
                 v = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (!isfinite(v)) {
+            } else if (isfinite(v) == 0) {
                 v = 0.0;
                 status = PTC_E_RANGE;
             } else {
