@@ -88,7 +88,7 @@ ptc_status ptc_exp3_result_step(const ptc_exp3_result *self, double t, const dou
     const double late = (past < self->hold_from) ? past : self->hold_from;
     const double inv_T = (-1.0) / late;
     const double v1 = (((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T) + (self->c3 * x[2]);
-    double v = v1 * inv_T + (t - t);
+    double v = (v1 * inv_T) + (t - t);
     /* Time-to-go, or NaN where v is not finite: one comparison tells tracking. */
     const double margin = (v - v) - late;
     if (v > self->u_max) {

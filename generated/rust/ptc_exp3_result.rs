@@ -252,7 +252,7 @@ impl PtcExp3Result {
         let late = if past < self.hold_from { past } else { self.hold_from };
         let inv_T = (-1.0) / late;
         let v1 = (((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T) + (self.c3 * x3);
-        let u = v1 * inv_T + (t - t);
+        let u = (v1 * inv_T) + (t - t);
 if u > self.u_max {
             return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
