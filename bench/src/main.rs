@@ -32,7 +32,7 @@ use failure::Result;
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Folder of the peers' generated code, one folder a peer, in it <mapping>_n<n>.c or .cc
+    /// Folder of the peers' generated code, one folder a peer, in it `<mapping>_n<n>.c` or `.cc`
     #[arg(long, global = true, value_name = "DIR")]
     contestants: Option<PathBuf>,
     /// Measure also what the macro costs; takes minutes
