@@ -35,7 +35,7 @@ use failure::Result;
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Folder of the peers' generated code, one folder a peer, in it <mapping>_n<n>.c or .cc;
+    /// Folder of the peers' generated code, one folder a peer, in it `MAPPING_nN.c` or `.cc`;
     /// without it the one that bench/peers/generate.py writes
     #[arg(long, global = true, value_name = "DIR")]
     contestants: Option<PathBuf>,

@@ -61,7 +61,7 @@ struct Peer {
 }
 
 /// How the contestants are made.
-const SET_UP: &str = "\
+const SET_UP: &str = "
     python3 -m venv bench/peers/venv
     bench/peers/venv/bin/pip install sympy symengine casadi symforce python-flint mpmath
     bench/peers/venv/bin/python bench/peers/generate.py";
@@ -72,7 +72,7 @@ pub(crate) fn measure(contestants: Option<&Path>) -> Result<Vec<Entry>> {
     let written = workspace().join("bench/peers/contestants");
     let contestants = contestants.unwrap_or(&written);
     if !contestants.is_dir() {
-        println!("peers: not run, there is no {}; make it with\n{SET_UP}", contestants.display());
+        println!("peers: not run, there is no {}; make it with{SET_UP}", contestants.display());
         return Ok(Vec::new());
     }
     callgrind::available()?;
