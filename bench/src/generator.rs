@@ -10,6 +10,7 @@ use ptc_codegen::mapping::FAMILIES;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Result;
+use crate::peers::OURS;
 use crate::tools::{binaries, parallel, run, scratch, workspace};
 use crate::{callgrind, tools};
 
@@ -18,6 +19,9 @@ const RUNS: usize = 20;
 
 /// Order up to which the Bell polynomials are expanded.
 const BELL: usize = 30;
+
+/// The orders at which other tools expand them.
+const BESIDE: [usize; 4] = [8, 12, 20, 30];
 
 /// The argument that makes this program expand them and nothing else.
 pub(crate) const PROBE: &str = "probe-bell";
@@ -28,6 +32,40 @@ pub(crate) struct Speed {
     pub(crate) what: String,
     pub(crate) instructions: u64,
     pub(crate) milliseconds: f64,
+}
+
+/// What a tool takes for the Bell polynomials.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Bell {
+    pub(crate) tool: String,
+    /// Order up to which they are expanded.
+    pub(crate) n: usize,
+    pub(crate) seconds: f64,
+    /// Terms of all of them.
+    pub(crate) terms: u64,
+}
+
+/// Ours and those of the peers' tools; only ours where their Python is not set up.
+pub(crate) fn bells() -> Result<Vec<Bell>> {
+    let mut bells = Vec::new();
+    for n in BESIDE {
+        let time = best(|| {
+            black_box(bell_table(black_box(n)));
+            Ok(())
+        })?;
+        let table = bell_table(n);
+        let terms = table.iter().flatten().map(|entry| entry.terms().count() as u64).sum();
+        bells.push(Bell { tool: OURS.to_owned(), n, seconds: time.as_secs_f64(), terms });
+    }
+    let folder = workspace().join("bench/peers");
+    let python = folder.join("venv/bin/python");
+    if python.is_file() {
+        let text = run(Command::new(python).arg(folder.join("bell.py")))?;
+        bells.extend(serde_json::from_str::<Vec<Bell>>(&text)?);
+    } else {
+        println!("Bell polynomials of other tools: not run, there is no {}", python.display());
+    }
+    Ok(bells)
 }
 
 /// Measures `emit` for each family at n = 3 and n = 12, and the Bell polynomials.

@@ -7,13 +7,16 @@ mod callgrind;
 mod calls;
 mod case;
 mod counts;
+mod equality;
 mod evaluate;
+mod extract;
 mod failure;
 mod gate;
 mod generator;
 mod macro_cost;
 mod peers;
 mod report;
+mod rewrites;
 mod tools;
 mod vectors;
 
@@ -26,13 +29,14 @@ use failure::Result;
 
 /// Measures the generated code and the generator.
 ///
-/// Without a command: counts, accuracy, peers, generator, then report.
+/// Without a command: counts, accuracy, peers, generator, egg, then report.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-bench")]
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Folder of the peers' generated code, one folder a peer, in it `<mapping>_n<n>.c` or `.cc`
+    /// Folder of the peers' generated code, one folder a peer, in it `MAPPING_nN.c` or `.cc`;
+    /// without it the one that bench/peers/generate.py writes
     #[arg(long, global = true, value_name = "DIR")]
     contestants: Option<PathBuf>,
     /// Measure also what the macro costs; takes minutes
@@ -46,10 +50,12 @@ enum Command {
     Counts,
     /// The worst scaled error of every family and order against tests/data
     Accuracy,
-    /// The C of other generators beside ours, from the folder given by --contestants
+    /// The C of other generators beside ours
     Peers,
     /// Instructions and time of generating; with --macro also the builds of a crate with the macro
     Generator,
+    /// What equality saturation finds beyond the passes, for small kernels
+    Egg,
     /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
     Report,
     /// Expand the Bell polynomials and end, for the profiler
@@ -84,12 +90,14 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Accuracy) => report::keep("accuracy", &accuracy::measure()?),
         Some(Command::Peers) => peers(line),
         Some(Command::Generator) => generator(line),
+        Some(Command::Egg) => report::keep("egg", &equality::measure()?),
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;
             report::keep("accuracy", &accuracy::measure()?)?;
             peers(line)?;
             generator(line)?;
+            report::keep("egg", &equality::measure()?)?;
             report::write()
         }
     }
@@ -101,6 +109,7 @@ fn peers(line: &CommandLine) -> Result<()> {
 
 fn generator(line: &CommandLine) -> Result<()> {
     report::keep("generator", &generator::measure()?)?;
+    report::keep("bell", &generator::bells()?)?;
     if line.macro_cost {
         report::keep("macro", &macro_cost::measure()?)?;
     }

@@ -2,8 +2,8 @@
 //!
 //! A peer is a folder of files `<mapping>_n<n>.c` (or `.cc`), each with one function
 //! `double ptc_u(const double *x, double t, const double *k, double tau, double t0, double a)`.
-//! The peers' rational, tan and tanh maps have the rate a = 1, so all are given it: a gain k_i of a
-//! reference vector becomes k_i a^(i-1-n), which is the same u.
+//! Mappings are named by kappa: `atanh` is the family tanh. All are given the rate a = 1, for peers
+//! that know no other: a gain k_i of a reference vector becomes k_i a^(i-1-n), which is the same u.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -16,16 +16,17 @@ use serde::{Deserialize, Serialize};
 use crate::calls::{CALLS, states, times};
 use crate::case::{Case, VARIANTS};
 use crate::failure::{Failure, Result, While};
-use crate::tools::{run, scratch};
+use crate::tools::{run, scratch, workspace};
 use crate::vectors::Vector;
 use crate::{c, callgrind, evaluate, vectors};
 
 /// Our families by the name of the peers' mapping.
-const MAPPINGS: [(&str, Family); 4] = [
+const MAPPINGS: [(&str, Family); 5] = [
     ("exp", Family::Exp),
     ("rational", Family::Rational),
     ("tan", Family::Tan),
     ("atanh", Family::Tanh),
+    ("algebraic", Family::Algebraic),
 ];
 
 const ORDERS: [usize; 3] = [3, 6, 12];
@@ -59,12 +60,21 @@ struct Peer {
     text: u64,
 }
 
-/// Measures the peers in `contestants` and ours; nothing where the folder is not there.
+/// How the contestants are made.
+const SET_UP: &str = "
+    python3 -m venv bench/peers/venv
+    bench/peers/venv/bin/pip install sympy symengine casadi symforce python-flint mpmath
+    bench/peers/venv/bin/python bench/peers/generate.py";
+
+/// Measures the peers in `contestants`, or in the folder that `generate.py` writes, and ours;
+/// nothing where the folder is not there.
 pub(crate) fn measure(contestants: Option<&Path>) -> Result<Vec<Entry>> {
-    let Some(contestants) = contestants.filter(|folder| folder.is_dir()) else {
-        println!("peers: no folder of contestants (--contestants DIR), left out");
+    let written = workspace().join("bench/peers/contestants");
+    let contestants = contestants.unwrap_or(&written);
+    if !contestants.is_dir() {
+        println!("peers: not run, there is no {}; make it with{SET_UP}", contestants.display());
         return Ok(Vec::new());
-    };
+    }
     callgrind::available()?;
     let folder = scratch("peers")?;
     let peers = compile(contestants, &folder)?;

@@ -1,5 +1,6 @@
 //! `report`: docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last.
 
+mod beside;
 mod plot;
 mod tables;
 
@@ -9,8 +10,9 @@ use serde::de::DeserializeOwned;
 
 use crate::accuracy::Accuracy;
 use crate::counts::Count;
+use crate::equality::Found;
 use crate::failure::Result;
-use crate::generator::Speed;
+use crate::generator::{Bell, Speed};
 use crate::macro_cost::MacroCost;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
@@ -39,8 +41,8 @@ measures everything and writes this page and its plot again:
 
     cargo run --release -p ptc-bench
 
-It needs gcc and valgrind. Counts of instructions repeat exactly on the same versions of compiler
-and mathematical library; times do not.
+It needs gcc and valgrind, and for the other generators Python, set up as below. Counts of
+instructions repeat exactly on the same versions of compiler and mathematical library; times do not.
 ";
 
 /// Writes both files.
@@ -62,11 +64,15 @@ pub(crate) fn write() -> Result<()> {
     if let Some(accuracy) = kept::<Vec<Accuracy>>("accuracy")? {
         tables::accuracy(&mut text, &accuracy);
     }
-    if let Some(peers) = peers.filter(|peers| !peers.is_empty()) {
-        tables::peers(&mut text, &peers);
-    }
+    beside::peers(&mut text, peers.as_deref().unwrap_or(&[]));
     if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
         tables::generator(&mut text, &speeds);
+    }
+    if let Some(bells) = kept::<Vec<Bell>>("bell")? {
+        beside::bells(&mut text, &bells);
+    }
+    if let Some(found) = kept::<Vec<Found>>("egg")? {
+        beside::saturation(&mut text, &found);
     }
     if let Some(cost) = kept::<MacroCost>("macro")? {
         tables::macro_cost(&mut text, cost);

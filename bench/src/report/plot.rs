@@ -123,7 +123,7 @@ fn bars(area: &Area<'_>, pairs: &[Pair]) -> Result<()> {
         .margin(12)
         .x_label_area_size(40)
         .y_label_area_size(12)
-        .build_cartesian_2d(-0.2 * most..most * 1.35, 0.0..pairs.len() as f64)
+        .build_cartesian_2d(-0.25 * most..most * 1.35, 0.0..pairs.len() as f64)
         .map_err(failed)?;
     chart
         .configure_mesh()
@@ -148,7 +148,7 @@ fn bars(area: &Area<'_>, pairs: &[Pair]) -> Result<()> {
             chart.draw_series([Rectangle::new(corners, colour.filled())]).map_err(failed)?;
             chart.draw_series([Text::new(text, place, ("sans-serif", 12))]).map_err(failed)?;
         }
-        let place = (-0.19 * most, row + 0.62);
+        let place = (-0.24 * most, row + 0.62);
         chart
             .draw_series([Text::new(pair.label.clone(), place, ("sans-serif", 13))])
             .map_err(failed)?;

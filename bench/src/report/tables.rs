@@ -8,10 +8,9 @@ use crate::case::{ORDERS, VARIANTS};
 use crate::counts::Count;
 use crate::generator::Speed;
 use crate::macro_cost::MacroCost;
-use crate::peers::Entry;
 
 /// A heading with the command that measures what follows.
-fn section(text: &mut String, title: &str, command: &str, about: &str) {
+pub(super) fn section(text: &mut String, title: &str, command: &str, about: &str) {
     let command = format!("cargo run --release -p ptc-bench -- {command}");
     let _ = write!(text, "\n## {title}\n\n    {command}\n\n{about}\n");
 }
@@ -39,7 +38,11 @@ time-to-go spread evenly from tau to 0.03 tau. Every parameter is set at run tim
 `gcc -std=c99 -O2`, Rust by `rustc -C opt-level=3`; in Rust each function is inlined into a wrapper
 that is not, so what a call costs is in the count, as it is in C. Guard `none` leaves out u_max;
 `result` and `full` take it at run time. `tick` and `axis` are `step` in two: time once, then each
-axis; `axis` costs the same for every family.";
+axis; `axis` costs the same for every family.
+
+Rust takes a few instructions more than C without a guard: its result goes through memory, with the
+address given back, and rustc pairs multiplications in vectors, which takes moves. Where that
+matters, `-C no-vectorize-slp` leaves the pairing out; with guard `full` it pays at high orders.";
 
 pub(super) fn counts(text: &mut String, counts: &[Count]) {
     section(text, "Instructions, code and stack", "counts", COUNTS);
@@ -109,32 +112,6 @@ pub(super) fn accuracy(text: &mut String, accuracy: &[Accuracy]) {
                 None => format!("not finite ({:.0e})", one.at),
             })
         });
-    }
-}
-
-const PEERS: &str = "\
-Other generators' C and C++ for the same law beside ours, in one binary, all parameters at run time,
-double precision, `gcc -O2`. `hand` and `hand_loop` are written by hand, the others are SymPy,
-CasADi and SymForce with the settings that did best. Errors are scaled as above: first for
-T/tau >= 0.01, then to 1e-12.";
-
-pub(super) fn peers(text: &mut String, peers: &[Entry]) {
-    section(text, "Beside other generators", "peers --contestants DIR", PEERS);
-    text.push_str("\n| family | n | generator | instructions | bytes of code | error | error at the deadline |\n");
-    text.push_str("| --- | ---: | --- | ---: | ---: | ---: | ---: |\n");
-    let mut sorted: Vec<_> = peers.iter().collect();
-    sorted.sort_by(|a, b| (&a.family, a.n).cmp(&(&b.family, b.n)).then(a.step.total_cmp(&b.step)));
-    let error = |value: Option<f64>| match value {
-        Some(value) => format!("{value:.1e}"),
-        None => "not finite".to_owned(),
-    };
-    for entry in sorted {
-        let Entry { name, family, n, step, text: bytes, early, deadline } = entry;
-        let (early, deadline) = (error(*early), error(*deadline));
-        let _ = writeln!(
-            text,
-            "| {family} | {n} | {name} | {step:.0} | {bytes} | {early} | {deadline} |"
-        );
     }
 }
 

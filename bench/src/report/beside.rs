@@ -1,0 +1,107 @@
+//! The sections that put ours beside other tools.
+
+use std::fmt::Write as _;
+
+use super::tables::section;
+use crate::equality::{Found, Outcome};
+use crate::generator::Bell;
+use crate::peers::{Entry, OURS};
+
+const PEERS: &str = "\
+Other generators' C and C++ for the same law beside ours, in one binary, all parameters at run time,
+double precision, `gcc -O2`. The others are given kappa and mu as the paper writes them, and by
+`_diff` and `_mu` two ways to r_k; `sympy_cse` is plain SymPy, `sympy_tuned` simplifies each r_k and
+writes powers as products; `hand` and `hand_loop` are written by hand. They have one function, which
+computes from the parameters at each call what ours keeps from `init`. Errors are scaled as above:
+first for T/tau >= 0.01, then to 1e-12. The ratio is of instructions, to the best of the others at
+that family and order. A peer that is not listed took longer than 60 s to generate or wrote more
+than 1 MB. Set up and generate with
+
+    python3 -m venv bench/peers/venv
+    bench/peers/venv/bin/pip install sympy symengine casadi symforce python-flint mpmath
+    bench/peers/venv/bin/python bench/peers/generate.py
+";
+
+pub(super) fn peers(text: &mut String, peers: &[Entry]) {
+    section(text, "Beside other generators", "peers", PEERS);
+    if peers.is_empty() {
+        text.push_str("\nNot run.\n");
+        return;
+    }
+    text.push_str("| family | n | generator | instructions | to the best other | bytes of code | error | error at the deadline |\n");
+    text.push_str("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: |\n");
+    let mut sorted: Vec<_> = peers.iter().collect();
+    sorted.sort_by(|a, b| (&a.family, a.n).cmp(&(&b.family, b.n)).then(a.step.total_cmp(&b.step)));
+    let error = |value: Option<f64>| match value {
+        Some(value) => format!("{value:.1e}"),
+        None => "not finite".to_owned(),
+    };
+    for entry in sorted {
+        let Entry { name, family, n, step, text: bytes, early, deadline } = entry;
+        let (early, deadline) = (error(*early), error(*deadline));
+        let others = peers.iter().filter(|other| {
+            other.name != OURS && (&other.family, other.n) == (&entry.family, entry.n)
+        });
+        let best = others.map(|other| other.step).fold(f64::INFINITY, f64::min);
+        let ratio = step / best;
+        let _ = writeln!(
+            text,
+            "| {family} | {n} | {name} | {step:.0} | {ratio:.2} | {bytes} | {early} | {deadline} |"
+        );
+    }
+}
+
+pub(super) fn bells(text: &mut String, bells: &[Bell]) {
+    text.push_str(
+        "\nAll B_{i,j} in free symbols beside other tools, the textbook recurrence with each tool's own\n\
+         expansion (`bench/peers/bell.py`), best of 5, ours in process, best of 20:\n\n",
+    );
+    if bells.iter().all(|bell| bell.tool == OURS) {
+        text.push_str("The other tools were not run: their Python is not set up.\n\n");
+    }
+    text.push_str("| up to | terms | tool | ms |\n| ---: | ---: | --- | ---: |\n");
+    let mut sorted: Vec<_> = bells.iter().collect();
+    sorted.sort_by(|a, b| a.n.cmp(&b.n).then(a.seconds.total_cmp(&b.seconds)));
+    for Bell { tool, n, seconds, terms } in sorted {
+        let _ = writeln!(text, "| {n} | {terms} | {tool} | {:.2} |", seconds * 1e3);
+    }
+}
+
+const SATURATION: &str = "\
+What equality saturation (the crate egg) finds beyond the passes: the part of `step` that time or the
+state decides, rewritten by commutativity, associativity, distributivity, signs and reciprocals in an
+e-graph of at most 100,000 nodes. The cost is the generator's model of x86-64, a shared value counted
+once, what parameters alone decide for nothing. Extraction is greedy with exchanges, so a cost is an
+upper bound of the best. First the time-to-go T is kept as it is computed, then it may be rewritten
+too; the difference is of u from the program's, relative, at t0 = 1000.1 with T/tau from 1 to 1e-9.";
+
+pub(super) fn saturation(text: &mut String, found: &[Found]) {
+    section(text, "Equality saturation", "egg", SATURATION);
+    text.push_str("\n| family | n | cycles before | T kept: best | nodes, classes | ms | ended by | T rewritten: best | difference |\n");
+    text.push_str("| --- | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: |\n");
+    for Found { family, n, before, kept, free } in found {
+        let Outcome { after, nodes, classes, seconds, stopped, .. } = kept;
+        let _ = writeln!(
+            text,
+            "| {family} | {n} | {before} | {after} | {nodes}, {classes} | {:.1} | {stopped} | {} | {:.0e} |",
+            seconds * 1e3,
+            free.after,
+            free.difference
+        );
+    }
+    let lower = found.iter().filter(|one| one.kept.after < one.before).count();
+    let saved = found.iter().map(|one| one.before.saturating_sub(one.free.after)).max();
+    let off = found.iter().map(|one| one.free.difference).fold(0.0, f64::max);
+    let _ = write!(
+        text,
+        "\nWith T kept it lowers the cost of {lower} of {} kernels. With T rewritten it saves at most {} \
+         cycles,\nand u is then wrong by up to {off:.0e} near the deadline: ",
+        found.len(),
+        saved.unwrap_or(0)
+    );
+    text.push_str(if lower == 0 {
+        "the saving is the compensation of the\nrounded deadline, left out. It does not earn its place in the generator.\n"
+    } else {
+        "that saving must not be taken,\nthe others may be worth a pass.\n"
+    });
+}
