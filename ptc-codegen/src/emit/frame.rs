@@ -1,7 +1,7 @@
 //! What the emitted functions consist of, as text that a template only has to place.
 
 use super::Controller;
-use super::plan::{Field, Function, Plan};
+use super::plan::{Field, Function, Plan, parameter_name};
 use super::print::{self, Syntax};
 use crate::program::{Op, Value, number};
 use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
@@ -77,7 +77,7 @@ impl Frame {
             };
         let limits = program.limits;
         let local = |parameter: Parameter| Assignment {
-            name: local_name(parameter),
+            name: parameter_name(parameter),
             value: match parameter.index() {
                 Some(index) => format!("{}[{index}]", parameter.key()),
                 None => parameter.key().to_owned(),
@@ -121,20 +121,11 @@ fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
     if value.is_sign_negative() { format!("-{text}") } else { text }
 }
 
-/// Name of a parameter in `init`.
-fn local_name(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::Gain(i) => format!("k{i}"),
-        Parameter::Rate(i) => format!("a{i}"),
-        parameter => parameter.key().to_owned(),
-    }
-}
-
 /// A parameter in `init`: its literal where it is fixed, else its local name.
 fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
     match spec.fixed.get(&parameter).and_then(Fixed::number) {
         Some(number) => literal(number::round(number, spec.precision), spec.precision, syntax),
-        None => local_name(parameter),
+        None => parameter_name(parameter),
     }
 }
 
@@ -143,7 +134,7 @@ fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
     let zero = syntax.literal("0.0");
     let mut tests = Vec::new();
     for parameter in spec.run_time_parameters() {
-        let name = local_name(parameter);
+        let name = parameter_name(parameter);
         let positive = format!("({name} > {zero})");
         match parameter.domain() {
             Domain::Finite => tests.push(syntax.finite(&name)),

@@ -135,14 +135,19 @@ impl<'a> Plan<'a> {
     }
 }
 
+/// Name of a parameter as a local value, in every language.
+pub(super) fn parameter_name(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Gain(i) => format!("k{i}"),
+        Parameter::Rate(i) => format!("a{i}"),
+        parameter => parameter.key().to_owned(),
+    }
+}
+
 /// Name of an input in every language.
 fn input_name(input: Input) -> String {
     match input {
-        Input::Parameter(parameter) => match parameter {
-            Parameter::Gain(i) => format!("k{i}"),
-            Parameter::Rate(i) => format!("a{i}"),
-            parameter => parameter.key().to_owned(),
-        },
+        Input::Parameter(parameter) => parameter_name(parameter),
         Input::StartTime => "t0".to_owned(),
         Input::Time => "t".to_owned(),
         Input::State(j) => format!("x{j}"),
