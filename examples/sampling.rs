@@ -6,7 +6,7 @@
 //! is x(t + h) = M(h) x(t), M = exp(A h) + B(h) gain^T with A and B of the chain of integrators.
 //! The example finds the h up to which the spectral radius of M stays below one.
 
-use ptc_codegen::law::LinearLaw;
+use ptc_codegen::law::Law;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::passes;
 use ptc_codegen::program::{Input, Program};
@@ -17,7 +17,7 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match spec(&arguments) {
         Ok(spec) => {
-            let law = LinearLaw::new(spec.n, &spec.mapping());
+            let law = Law::of(&spec);
             let program = passes::optimise(lower::lower(&spec, &law), &mut |_, _| {});
             let (gains, eps) = (held_gains(&program, &spec), fixed(&spec, "eps"));
             let longest = longest_period(&gains, eps);

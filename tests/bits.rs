@@ -6,7 +6,7 @@ mod support;
 use std::collections::BTreeMap;
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::law::LinearLaw;
+use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::mapping::Family;
 use ptc_codegen::program::interpret::Interpreter;
@@ -193,7 +193,7 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
 
 /// The program before the passes and after each of them, by name.
 fn stages(spec: &Spec) -> Vec<(&'static str, Program)> {
-    let program = lower(spec, &LinearLaw::new(spec.n, &spec.mapping()));
+    let program = lower(spec, &Law::of(spec));
     assert_eq!(program.check(), Ok(()));
     let mut stages = vec![("lower", program.clone())];
     passes::optimise(program, &mut |pass, program| stages.push((pass.name, program.clone())));

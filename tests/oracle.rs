@@ -4,7 +4,7 @@ mod support;
 
 use std::collections::BTreeMap;
 
-use ptc_codegen::law::LinearLaw;
+use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program};
@@ -111,7 +111,7 @@ fn add(worst: &mut Worst, spec: &Spec, vector: &Vector, outcome: &Outcome) -> Re
 /// unit vector, which double precision holds for all of single.jsonl.
 fn gains_fit(spec: &Spec, vector: &Vector) -> bool {
     let double = Spec { precision: Precision::F64, ..spec.clone() };
-    let program = lower(&double, &LinearLaw::new(spec.n, &spec.mapping()));
+    let program = lower(&double, &Law::of(&spec));
     let limit = match spec.precision {
         Precision::F64 => f64::MAX,
         Precision::F32 => f64::from(f32::MAX),

@@ -7,7 +7,7 @@
 use std::time::{Duration, Instant};
 
 use egg::{Id, RecExpr, Runner};
-use ptc_codegen::law::LinearLaw;
+use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::mapping::Family;
 use ptc_codegen::program::cost::{WEIGHTS, count};
@@ -60,7 +60,7 @@ pub(crate) fn measure() -> Result<Vec<Found>> {
         let variant = variant.ok_or_else(|| Failure::new("a family is not measured"))?;
         for n in 2..=4 {
             let spec = Case::new(variant, n, Precision::F64, Guard::None).spec;
-            let law = LinearLaw::new(n, &spec.mapping());
+            let law = Law::of(&spec);
             let program = passes::optimise(lower(&spec, &law), &mut |_, _| {});
             found.push(Found {
                 family: family.name().to_owned(),

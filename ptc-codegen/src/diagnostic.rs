@@ -51,6 +51,11 @@ impl Diagnostics {
         });
     }
 
+    /// Whether nothing was wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// `value`, if nothing was wrong.
     ///
     /// # Errors

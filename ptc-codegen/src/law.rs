@@ -1,6 +1,6 @@
-//! Theorem 1 for the linear law: u = kappa'^n (pi0(BB_n x) - b_n^T x), pi0 = -sum k_i xi_i, g = 1.
+//! Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x).
 //!
-//! So u = sum_j gain_j x_j with gain_j = -kappa'^n sum_{i=j..n+1} k_i B_{i-1,j-1}, k_{n+1} = 1.
+//! For the linear law pi0 = -sum k_i xi_i, with g = 1, u = sum_j gain_j x_j with gain_j = -kappa'^n sum_{i=j..n+1} k_i B_{i-1,j-1}, k_{n+1} = 1.
 //! kappa'^n is multiplied in symbolically: entries of BB_n vanish at the deadline like powers of T
 //! while kappa'^n blows up, and their product is a small power of 1/T with no cancellation.
 //!
@@ -10,10 +10,11 @@
 use crate::algebra::{Kind, Poly, Symbol, integer};
 use crate::expansion;
 use crate::mapping::{Mapping, expand};
+use crate::spec::{Feedback, Spec};
 
-/// The feedback gains of the linear law in the form in which they are computed.
+/// The form in which u is computed.
 #[derive(Clone, Debug)]
-pub enum GainForm {
+pub enum Form {
     /// gain_j = base_inverse^(n+1-j) row_j with polynomial rows (see the module's doc).
     Rows {
         /// The tick quantity 1/base; none where it is part of the rows' coefficients.
@@ -25,28 +26,40 @@ pub enum GainForm {
     /// p(z) = sum_l r_l/(r_1 l!) z^l is the normalised Taylor series of mu: for mappings whose r_1
     /// is no single term. It needs r_1..r_n as numbers and no expansion at all.
     Series,
+    /// u = (kappa'^n pi0(BB_n x, t_kappa) + sum_j h_j x_j)/g with h_j = -kappa'^n b_j: for a law that
+    /// is no sum of gains. BB_n and h come from the Taylor series of mu.
+    State,
 }
 
-/// Theorem 1, specialised to one order and mapping.
+/// Theorem 1, specialised to one order, mapping and law.
 #[derive(Clone, Debug)]
-pub struct LinearLaw {
+pub struct Law {
     /// Order n of the chain.
     pub n: usize,
     /// Rate of stretched time: K_i = k_i rate^-(n+1-i).
     pub rate: Poly,
-    /// How the gains are computed.
-    pub form: GainForm,
+    /// How u is computed.
+    pub form: Form,
 }
 
-impl LinearLaw {
-    /// The law for order `n` and `mapping`.
+impl Law {
+    /// The law that a spec asks for.
+    pub fn of(spec: &Spec) -> Self {
+        match (&spec.feedback, spec.ring()) {
+            (Feedback::Linear, Some(ring)) => Self::new(spec.n, &ring),
+            (Feedback::Linear, None) => Self { n: spec.n, rate: Poly::one(), form: Form::Series },
+            _ => Self { n: spec.n, rate: Poly::one(), form: Form::State },
+        }
+    }
+
+    /// The linear law for order `n` and `mapping`.
     pub fn new(n: usize, mapping: &Mapping) -> Self {
         let form = match mapping.r1.inverse() {
-            Some(kappa_prime) => GainForm::Rows {
+            Some(kappa_prime) => Form::Rows {
                 base_inverse: mapping.base_inverse,
                 rows: rows(n, mapping, &kappa_prime),
             },
-            None => GainForm::Series,
+            None => Form::Series,
         };
         Self { n, rate: mapping.rate.clone(), form }
     }
@@ -116,9 +129,9 @@ mod tests {
     use crate::mapping::Family;
 
     fn rows_of(family: Family, n: usize) -> Vec<String> {
-        match LinearLaw::new(n, &family.mapping(0)).form {
-            GainForm::Rows { rows, .. } => rows.iter().map(text).collect(),
-            GainForm::Series => Vec::new(),
+        match Law::new(n, &family.mapping(0)).form {
+            Form::Rows { rows, .. } => rows.iter().map(text).collect(),
+            Form::Series | Form::State => Vec::new(),
         }
     }
 
@@ -139,7 +152,7 @@ mod tests {
         assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
         for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
             let mapping = family.mapping(0);
-            let GainForm::Rows { rows, .. } = LinearLaw::new(5, &mapping).form else {
+            let Form::Rows { rows, .. } = Law::new(5, &mapping).form else {
                 panic!("r_1 of {family:?} is a single term");
             };
             for row in rows {

@@ -10,9 +10,11 @@
 //! [`spec::read`]; the same spec gives the same bytes on any machine.
 
 pub mod algebra;
+pub mod check;
 pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
+pub mod expression;
 pub mod law;
 pub mod lower;
 pub mod mapping;
@@ -21,7 +23,7 @@ pub mod spec;
 
 use diagnostic::{Diagnostic, Diagnostics};
 use emit::{Controller, File, Language};
-use law::LinearLaw;
+use law::Law;
 use program::{Op, Program, number, passes};
 use spec::{Precision, Spec};
 
@@ -30,7 +32,7 @@ use spec::{Precision, Spec};
 /// # Errors
 /// Everything in the spec that cannot be generated.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let law = Law::of(spec);
     let program = optimised(spec, &law)?;
     Ok(emit::emit(&Controller { spec, law: &law, program: &program }, language))
 }
@@ -41,7 +43,7 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// # Errors
 /// Everything in the spec that cannot be generated.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let law = Law::of(spec);
     let program = optimised(spec, &law)?;
     Ok(emit::emit_items(&Controller { spec, law: &law, program: &program }))
 }
@@ -49,7 +51,7 @@ pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
 /// text; `None` where there is no such pass.
 pub fn dump(spec: &Spec, name: &str) -> Option<String> {
-    let law = LinearLaw::new(spec.n, &spec.mapping());
+    let law = Law::of(spec);
     let lowered = lower::lower(spec, &law);
     if name == "lower" {
         return Some(program::dump::dump(&lowered));
@@ -64,7 +66,7 @@ pub fn dump(spec: &Spec, name: &str) -> Option<String> {
 }
 
 /// The staged program, with all passes run. What the spec fixes must leave every coefficient finite.
-fn optimised(spec: &Spec, law: &LinearLaw) -> Result<Program, Vec<Diagnostic>> {
+fn optimised(spec: &Spec, law: &Law) -> Result<Program, Vec<Diagnostic>> {
     let program = passes::optimise(lower::lower(spec, law), &mut |_, _| {});
     let overflow = program.values.iter().find(|definition| {
         matches!(&definition.op, Op::Number(value)

@@ -136,9 +136,10 @@ fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
     for parameter in spec.run_time_parameters() {
         let name = parameter_name(parameter);
         let positive = format!("({name} > {zero})");
-        match parameter.domain() {
+        match spec.domain(parameter) {
             Domain::Finite => tests.push(syntax.finite(&name)),
             Domain::Positive => tests.extend([syntax.finite(&name), positive]),
+            Domain::Within => tests.extend(within(spec, parameter, syntax)),
             Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive),
         }
     }
@@ -149,4 +150,15 @@ fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
         tests.push(format!("({} < {})", text(Parameter::Eps), text(Parameter::Tau)));
     }
     tests
+}
+
+/// The conditions that keep a parameter within the bounds that the user gave.
+fn within(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> Vec<String> {
+    let Some((least, greatest)) = spec.bounds.get(&parameter) else { return Vec::new() };
+    let name = parameter_name(parameter);
+    let text = |bound: &Fixed| {
+        bound.number().map(|n| literal(number::round(n, spec.precision), spec.precision, syntax))
+    };
+    let least = text(least).map(|bound| format!("({name} >= {bound})"));
+    least.into_iter().chain(text(greatest).map(|bound| format!("({name} <= {bound})"))).collect()
 }

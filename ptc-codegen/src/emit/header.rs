@@ -5,9 +5,11 @@ use std::collections::BTreeSet;
 use super::{Controller, Language};
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion;
-use crate::law::GainForm;
+use crate::expression::Subject;
+use crate::law::Form;
+use crate::mapping::{Custom, FamilyInfo, Mapping};
 use crate::program::{Stage, cost};
-use crate::spec::{Guard, Precision};
+use crate::spec::{Feedback, Guard, Precision, Spec, TimeMapping};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;
@@ -24,7 +26,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
             "Prescribed-time controller {}: order n = {}, mapping {}.",
             spec.name(),
             spec.n,
-            spec.family.name()
+            spec.mapping_name()
         ),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
@@ -51,7 +53,7 @@ fn parameters(controller: &Controller<'_>) -> Vec<String> {
             "{} [{}], {}",
             parameter.meaning(),
             parameter.unit(),
-            parameter.domain().text()
+            controller.spec.domain(parameter).text()
         );
         match controller.spec.fixed.get(&parameter) {
             Some(value) => {
@@ -68,27 +70,59 @@ fn parameters(controller: &Controller<'_>) -> Vec<String> {
 
 fn mapping(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec;
-    let info = spec.family.info();
-    let mut lines = vec![
+    let head = [
         String::new(),
         "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):"
             .to_owned(),
+    ];
+    let own = match &spec.time_mapping {
+        TimeMapping::Family { family, rates } => {
+            closed_forms(spec, family.info(), &family.mapping(*rates))
+        }
+        TimeMapping::Custom(custom) => as_given(custom),
+    };
+    head.into_iter().chain(own).collect()
+}
+
+/// What is told of a mapping that the user wrote down.
+fn as_given(custom: &Custom) -> Vec<String> {
+    let mut lines = Vec::new();
+    if custom.subject == Subject::Mu {
+        lines.push(format!("  mu(t)       = {}, t the stretched time since t0", custom.given));
+        lines.push(format!("  tau - mu(t) = {}", custom.form));
+        lines.push(match &custom.inverse {
+            Some(inverse) => format!("  kappa       = {inverse}"),
+            None => {
+                "  kappa       = the root t of tau - mu(t) = T, by a bounded iteration".to_owned()
+            }
+        });
+    } else {
+        lines.push(format!("  kappa(dt) = {}", custom.given));
+        lines.push(format!("            = {}", custom.form));
+    }
+    lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned());
+    lines
+}
+
+/// The closed forms of a family.
+fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
+    let shown = spec.n.min(SHOWN);
+    let mut lines = vec![
         format!("  mu(t)     = {}", info.mu),
         format!("  kappa(Dt) = {}", info.kappa),
         format!("  atoms: {}", info.atoms),
         "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
         format!("  r_k = {}", info.r),
     ];
-    let (ring, shown) = (spec.mapping(), spec.n.min(SHOWN));
-    for (index, r) in expansion::r(&ring, shown).iter().enumerate() {
+    for (index, r) in expansion::r(ring, shown).iter().enumerate() {
         lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
     }
     lines
         .push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
-    let table = if spec.family.is_iterated() {
+    let table = if info.family.is_iterated() {
         expansion::bell::bell_table(shown)
     } else {
-        expansion::table(&ring, shown)
+        expansion::table(ring, shown)
     };
     for (i, row) in table.iter().enumerate() {
         let columns = if i == shown { &row[..i] } else { &row[..] };
@@ -99,8 +133,7 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
     if shown < spec.n {
         lines.push(format!(
             "  (to order {shown}; all of them: ptc-codegen show matrix --n {} --mu {})",
-            spec.n,
-            spec.family.name()
+            spec.n, info.name
         ));
     }
     lines
@@ -108,13 +141,23 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
 
 fn law(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec;
+    let pi0 = match &spec.feedback {
+        Feedback::Linear => "-(k_1 xi_1 + ... + k_n xi_n)".to_owned(),
+        Feedback::Expression(law) => law.to_string(),
+        Feedback::Extern => "a function of yours, called with xi and t_kappa".to_owned(),
+    };
+    let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
     let mut lines = vec![
         String::new(),
-        "Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:".to_owned(),
-        "  u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j".to_owned(),
+        "Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)".to_owned(),
+        format!("  pi0 = {pi0}"),
+        format!("  g   = {gain}"),
     ];
+    if spec.feedback == Feedback::Linear {
+        lines.push("  u = sum_j gain_j x_j / g".to_owned());
+    }
     match &controller.law.form {
-        GainForm::Rows { base_inverse, rows } => {
+        Form::Rows { base_inverse, rows } => {
             let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
             lines.push(format!("  gain_j = {base}row_j"));
             lines.push(format!("  K_i = k_i/({})^(n+1-i)", algebra::text(&controller.law.rate)));
@@ -126,15 +169,20 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
                 lines.push(format!(
                     "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
                     spec.n,
-                    spec.family.name()
+                    spec.mapping_name()
                 ));
             }
         }
-        GainForm::Series => {
+        Form::Series => {
             lines.push("  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1".to_owned());
             lines.push(
                 "  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned(),
             );
+            lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
+        }
+        Form::State => {
+            lines
+                .push("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j".to_owned());
             lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
         }
     }
@@ -176,8 +224,7 @@ fn behaviour(controller: &Controller<'_>) -> Vec<String> {
 fn count(controller: &Controller<'_>) -> Vec<String> {
     let program = controller.program;
     let step = cost::count(program, &[program.step], Stage::Tick);
-    let loops =
-        if controller.spec.family.is_iterated() { ", one round of the iteration" } else { "" };
+    let loops = if controller.spec.is_iterated() { ", one round of the iteration" } else { "" };
     let cycles: Vec<_> = cost::WEIGHTS
         .iter()
         .map(|w| format!("{} about {} cycles", w.target, step.cycles(w)))

@@ -10,7 +10,7 @@ mod plan;
 mod print;
 mod rust;
 
-use crate::law::LinearLaw;
+use crate::law::Law;
 use crate::program::Program;
 use crate::spec::Spec;
 
@@ -38,7 +38,7 @@ pub struct Controller<'a> {
     /// What was asked for.
     pub spec: &'a Spec,
     /// The law, for the documentation in the emitted code.
-    pub law: &'a LinearLaw,
+    pub law: &'a Law,
     /// The optimised program.
     pub program: &'a Program,
 }
@@ -79,7 +79,7 @@ fn declared(spec: &Spec) -> Vec<Declared> {
                 length,
                 meaning: parameter.meaning(),
                 unit: parameter.unit(),
-                domain: parameter.domain().text(),
+                domain: spec.domain(parameter).text(),
             }),
         }
     }

@@ -140,6 +140,8 @@ pub(super) fn parameter_name(parameter: Parameter) -> String {
     match parameter {
         Parameter::Gain(i) => format!("k{i}"),
         Parameter::Rate(i) => format!("a{i}"),
+        // Apart from the names of the code itself.
+        Parameter::Named(name) => format!("p_{name}"),
         parameter => parameter.key().to_owned(),
     }
 }

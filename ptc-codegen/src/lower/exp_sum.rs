@@ -24,7 +24,7 @@ const ROUNDS: u32 = 12;
 ///   ends there, and the modes are then moved onto the exact sum to second order. That correction
 ///   also takes away the rounding of y, which far out would cost a_i y digits.
 pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
-    let rates: Vec<_> = (1..=b.spec.rates).map(|i| b.parameter(Parameter::Rate(i))).collect();
+    let rates: Vec<_> = (1..=b.spec.rates()).map(|i| b.parameter(Parameter::Rate(i))).collect();
     let count = i64::try_from(rates.len()).unwrap_or(i64::MAX);
     let time_to_go = b.time_to_go();
     let target = {

@@ -19,15 +19,15 @@ use builder::Builder;
 use rows::{Factor, Rows, factor};
 
 use crate::algebra::Poly;
-use crate::law::{GainForm, LinearLaw};
+use crate::law::{Form, Law};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Guard, Parameter, Spec};
 
 /// The program of `law` for `spec`.
-pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
+pub fn lower(spec: &Spec, law: &Law) -> Program {
     let mut b = Builder::new(spec);
     let rows = match &law.form {
-        GainForm::Rows { base_inverse, rows } => {
+        Form::Rows { base_inverse, rows } => {
             let scaled = coefficient::scaled_gains(&mut b, &law.rate);
             let rows: Vec<_> = rows
                 .iter()
@@ -39,7 +39,7 @@ pub fn lower(spec: &Spec, law: &LinearLaw) -> Program {
             let mut signed = |row| if negated { b.push(Op::Neg(row)) } else { row };
             Rows { base, rows: rows.into_iter().map(|row| row.map(&mut signed)).collect() }
         }
-        GainForm::Series => {
+        Form::Series | Form::State => {
             let taylor = exp_sum::taylor(&mut b);
             Rows {
                 base: Some(Factor::Multiply(taylor.base_inverse)),

@@ -44,12 +44,12 @@ impl Builder<'_> {
     }
 
     fn inverse_time_to_go(&mut self) -> Value {
-        if self.spec.family == Family::Tanh {
+        if self.spec.family() == Some(Family::Tanh) {
             // One division serves 1/T and E.
             let (inverse, rest) = self.inverse_product();
             return self.mul(inverse, rest);
         }
-        if self.spec.family == Family::Power {
+        if self.spec.family() == Some(Family::Power) {
             let (ratio, inverse_tau) = (self.inverse_share(), self.inverse_tau());
             return self.mul(ratio, inverse_tau);
         }

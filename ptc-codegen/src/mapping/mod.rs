@@ -4,8 +4,10 @@
 //! maps to polynomials in themselves, and by r_1 = 1/kappa' = mu'. Every r_k, B_{i,j} and b_n
 //! then is a polynomial in the atoms, by D alone.
 
+mod custom;
 mod families;
 
+pub use custom::Custom;
 pub use families::{FAMILIES, Family, FamilyInfo};
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};

@@ -14,7 +14,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order in which they are told.
-pub static KEYS: [KeyInfo; 10] = [
+pub static KEYS: [KeyInfo; 20] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -24,8 +24,14 @@ pub static KEYS: [KeyInfo; 10] = [
     KeyInfo {
         key: "mu",
         meaning: "time mapping, with its parameters where they are fixed",
-        legal: "a family: exp, rational, power, tan, tanh, algebraic, exp_sum",
+        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum) or an expression in t",
         example: "exp(a=1)",
+    },
+    KeyInfo {
+        key: "kappa",
+        meaning: "time mapping by its inverse, in place of mu",
+        legal: "an expression in dt, the elapsed time",
+        example: "-ln(1 - dt/tau)/a",
     },
     KeyInfo {
         key: "name",
@@ -52,6 +58,24 @@ pub static KEYS: [KeyInfo; 10] = [
         example: "120,74,15",
     },
     KeyInfo {
+        key: "poles",
+        meaning: "poles of the loop in stretched time, in place of gains",
+        legal: "n numbers; complex ones in pairs",
+        example: "-4,-3+2i,-3-2i",
+    },
+    KeyInfo {
+        key: "pi0",
+        meaning: "law of the infinite-time system, in place of gains",
+        legal: "an expression in xi1..xin and t, or extern",
+        example: "-20*xi1 - 9*xi2",
+    },
+    KeyInfo {
+        key: "g",
+        meaning: "input gain of the plant xn' = f + g*u",
+        legal: "an expression in x1..xn and t, not 0",
+        example: "2 + cos(x1)",
+    },
+    KeyInfo {
         key: "tau",
         meaning: "prescribed settling time in s",
         legal: "a number > 0",
@@ -70,9 +94,54 @@ pub static KEYS: [KeyInfo; 10] = [
         legal: "a number > 0, or inf",
         example: "5",
     },
+    KeyInfo {
+        key: "after",
+        meaning: "what follows the deadline: the held gains, u = 0, or a law of yours",
+        legal: "hold, zero or extern",
+        example: "zero",
+    },
+    KeyInfo {
+        key: "sample_time",
+        meaning: "sample period of the loop in s; sets the default of eps",
+        legal: "a number > 0",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "error",
+        meaning: "wanted bound of |x_i| at the deadline, in units of x_i; sets eps",
+        legal: "a number > 0, with x0_max",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "x0_max",
+        meaning: "bounds of |x_i| at the start",
+        legal: "n numbers > 0",
+        example: "1,2,5",
+    },
+    KeyInfo {
+        key: "x_max",
+        meaning: "bounds of |x_i| at all times",
+        legal: "n numbers > 0",
+        example: "10,10,10",
+    },
+    KeyInfo {
+        key: "allow",
+        meaning: "checks that may fail without refusing the design",
+        legal: "names of checks: membership, growth, sampling, deadline, envelope",
+        example: "growth",
+    },
 ];
 
 impl KeyInfo {
+    /// The table of a design file that holds the key; none for the top level.
+    pub fn table(&self) -> Option<&'static str> {
+        match self.key {
+            "tau" | "t0" | "eps" | "u_max" => Some("params"),
+            "x_max" => Some("envelope"),
+            _ => None,
+        }
+    }
+
     /// The key called `name`.
     pub fn find(name: &str) -> Option<&'static Self> {
         KEYS.iter().find(|info| info.key == name)

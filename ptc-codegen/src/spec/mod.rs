@@ -1,19 +1,27 @@
 //! What the user asked for. Every front end ends in a [`Spec`].
 
+mod command;
 mod keys;
+mod name;
 mod parameter;
+mod parse;
 mod read;
 mod reserved;
 mod value;
 
 pub use keys::{KEYS, KeyInfo};
+pub use name::Name;
 pub use parameter::{Domain, Fixed, Parameter};
+pub use parse::parse;
 pub use read::{Entry, read};
-pub use value::{Argument, Node, Value, number, parse};
+pub(crate) use value::shorten;
+pub use value::{Argument, Node, Operator, Value, number};
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mapping::{Family, Mapping};
+use crate::algebra::BigRational;
+use crate::expression::{Expression, Variable};
+use crate::mapping::{Custom, Family, Mapping};
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
 /// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
@@ -43,42 +51,186 @@ pub enum Guard {
     None,
 }
 
+/// The time mapping of a controller.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TimeMapping {
+    /// One of the families.
+    Family {
+        /// The family.
+        family: Family,
+        /// Number of rates of `exp_sum`; 0 for the other families.
+        rates: usize,
+    },
+    /// A mapping that the user wrote down.
+    Custom(Custom),
+}
+
+/// The law pi0(xi, t) of the infinite-time system.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Feedback {
+    /// pi0 = -(k_1 xi_1 + ... + k_n xi_n).
+    Linear,
+    /// An expression.
+    Expression(Expression),
+    /// A function of the user's program.
+    Extern,
+}
+
+/// What follows the deadline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum After {
+    /// The gains stay as they are at time-to-go eps.
+    Hold,
+    /// u = 0.
+    Zero,
+    /// A law of the user's program.
+    Extern,
+}
+
+/// What the design promises beyond the code, for the checks at generation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Promises {
+    /// Sample period of the loop, s.
+    pub sample_time: Option<Fixed>,
+    /// Wanted bound of |x_i| at the deadline.
+    pub error: Option<Fixed>,
+    /// Bounds of |x_i| at the start; empty where they are not given.
+    pub x0_max: Vec<Fixed>,
+    /// Bounds of |x_i| at all times; empty where they are not given.
+    pub x_max: Vec<Fixed>,
+    /// Checks that may fail.
+    pub allow: Vec<String>,
+}
+
 /// One controller to generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spec {
     /// Order n of the chain of integrators, `1..=MAX_ORDER`.
     pub n: usize,
-    /// Family of the time mapping.
-    pub family: Family,
-    /// Number of rates of `exp_sum`; 0 for the other families.
-    pub rates: usize,
+    /// The time mapping.
+    pub time_mapping: TimeMapping,
     /// Name of the controller: prefix of every emitted symbol, stem of the files.
     pub name: Option<String>,
     /// Floating-point type.
     pub precision: Precision,
     /// Run-time checks.
     pub guard: Guard,
+    /// The law of the infinite-time system.
+    pub feedback: Feedback,
+    /// Input gain g(x, t) of the plant; none for g = 1.
+    pub input_gain: Option<Expression>,
+    /// What follows the deadline.
+    pub after: After,
     /// Parameters fixed at generation; all others are run-time parameters.
     pub fixed: BTreeMap<Parameter, Fixed>,
+    /// Bounds of run-time parameters that the user gave, least and greatest value.
+    pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
+    /// The poles from which the gains were computed; empty where gains were given.
+    pub poles: Vec<(BigRational, BigRational)>,
+    /// What the checks hold the design to.
+    pub promises: Promises,
 }
 
 impl Spec {
     /// The spec of order `n` and `family` with every parameter left to run time.
     pub fn new(n: usize, family: Family) -> Self {
+        let rates = if family == Family::ExpSum { 2 } else { 0 };
+        Self::of(n, TimeMapping::Family { family, rates })
+    }
+
+    /// The spec of order `n` and a mapping with every parameter left to run time.
+    pub fn of(n: usize, time_mapping: TimeMapping) -> Self {
         Self {
             n,
-            family,
-            rates: if family == Family::ExpSum { 2 } else { 0 },
+            time_mapping,
             name: None,
             precision: Precision::F64,
             guard: Guard::Full,
+            feedback: Feedback::Linear,
+            input_gain: None,
+            after: After::Hold,
             fixed: BTreeMap::new(),
+            bounds: BTreeMap::new(),
+            poles: Vec::new(),
+            promises: Promises::default(),
+        }
+    }
+
+    /// The family of the mapping; none for one that the user wrote down.
+    pub fn family(&self) -> Option<Family> {
+        match self.time_mapping {
+            TimeMapping::Family { family, .. } => Some(family),
+            TimeMapping::Custom(_) => None,
+        }
+    }
+
+    /// The mapping that the user wrote down.
+    pub fn custom(&self) -> Option<&Custom> {
+        match &self.time_mapping {
+            TimeMapping::Family { .. } => None,
+            TimeMapping::Custom(custom) => Some(custom),
+        }
+    }
+
+    /// Number of rates of `exp_sum`.
+    pub fn rates(&self) -> usize {
+        match self.time_mapping {
+            TimeMapping::Family { rates, .. } => rates,
+            TimeMapping::Custom(_) => 0,
+        }
+    }
+
+    /// Whether stretched time is the root of an equation, found by an iteration.
+    pub fn is_iterated(&self) -> bool {
+        match &self.time_mapping {
+            TimeMapping::Family { family, .. } => family.is_iterated(),
+            TimeMapping::Custom(custom) => custom.is_iterated(),
+        }
+    }
+
+    /// The mapping's name in a few letters.
+    pub fn mapping_name(&self) -> &'static str {
+        self.family().map_or("custom", Family::name)
+    }
+
+    /// Every expression of the spec.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
+        let law = match &self.feedback {
+            Feedback::Expression(law) => Some(law),
+            Feedback::Linear | Feedback::Extern => None,
+        };
+        self.custom().map(|custom| &custom.given).into_iter().chain(law).chain(&self.input_gain)
+    }
+
+    /// Whether states are latched at the start.
+    pub fn latches(&self) -> bool {
+        self.expressions().any(|e| {
+            e.any(&|e| {
+                matches!(
+                    e,
+                    Expression::Variable(Variable::StateAtStart(_) | Variable::XiAtStart(_))
+                )
+            })
+        })
+    }
+
+    /// Legal values of a parameter: the bounds that the user gave, else those of its kind. A
+    /// parameter of a mapping is positive, as a rate or an exponent is.
+    pub fn domain(&self, parameter: Parameter) -> Domain {
+        if self.bounds.contains_key(&parameter) {
+            return Domain::Within;
+        }
+        let maps =
+            self.custom().is_some_and(|custom| custom.given.parameters().contains(&parameter));
+        match parameter {
+            Parameter::Named(_) if maps => Domain::Positive,
+            parameter => parameter.domain(),
         }
     }
 
     /// Name of the controller: the given one, else `ptc_<family><n>`.
     pub fn name(&self) -> String {
-        self.name.clone().unwrap_or_else(|| format!("ptc_{}{}", self.family.name(), self.n))
+        self.name.clone().unwrap_or_else(|| format!("ptc_{}{}", self.mapping_name(), self.n))
     }
 
     /// Name of the controller's type in Rust: `ptc_exp3` -> `PtcExp3`.
@@ -89,12 +241,12 @@ impl Spec {
     /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
     pub fn parameters(&self) -> Vec<Parameter> {
         let mut all = vec![Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
-        match self.family {
-            Family::ExpSum => all.extend((1..=self.rates).map(Parameter::Rate)),
-            Family::Power => all.extend([Parameter::A, Parameter::M]),
-            _ => all.push(Parameter::A),
+        all.extend(self.time_mapping.parameters());
+        if self.feedback == Feedback::Linear {
+            all.extend((1..=self.n).map(Parameter::Gain));
         }
-        all.extend((1..=self.n).map(Parameter::Gain));
+        let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
+        all.extend(named.into_iter().filter(|p| matches!(p, Parameter::Named(_))));
         all
     }
 
@@ -103,68 +255,25 @@ impl Spec {
         self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))
     }
 
-    /// The time mapping as a differential ring.
-    pub fn mapping(&self) -> Mapping {
-        self.family.mapping(self.rates)
+    /// The time mapping as a differential ring; none for one that the user wrote down.
+    pub fn ring(&self) -> Option<Mapping> {
+        match self.time_mapping {
+            TimeMapping::Family { family, rates } => Some(family.mapping(rates)),
+            TimeMapping::Custom(_) => None,
+        }
     }
+}
 
-    /// The command line (without the program's name and `--lang`) that gives this spec.
-    pub fn command(&self) -> String {
-        let mut words = vec![format!("--n {}", self.n), format!("--mu {}", self.mu())];
-        if let Some(name) = &self.name {
-            words.push(format!("--name {name}"));
-        }
-        if self.precision == Precision::F32 {
-            words.push("--precision f32".to_owned());
-        }
-        match self.guard {
-            Guard::Full => {}
-            Guard::Result => words.push("--guard result".to_owned()),
-            Guard::None => words.push("--guard none".to_owned()),
-        }
-        for (parameter, flag) in [
-            (Parameter::Tau, "--tau"),
-            (Parameter::StartTime, "--t0"),
-            (Parameter::Eps, "--eps"),
-            (Parameter::UMax, "--u-max"),
-        ] {
-            if let Some(value) = self.fixed.get(&parameter) {
-                words.push(format!("{flag}={value}"));
+impl TimeMapping {
+    /// Its own parameters, beside tau.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        match self {
+            Self::Family { family: Family::ExpSum, rates } => {
+                (1..=*rates).map(Parameter::Rate).collect()
             }
-        }
-        let gains: Vec<_> =
-            (1..=self.n).filter_map(|i| self.fixed.get(&Parameter::Gain(i))).collect();
-        if !gains.is_empty() {
-            let gains: Vec<_> = gains.iter().map(ToString::to_string).collect();
-            words.push(format!("--gains={}", gains.join(",")));
-        }
-        words.join(" ")
-    }
-
-    /// The mapping as it is written for `--mu`, quoted for a shell where it must be.
-    fn mu(&self) -> String {
-        let name = self.family.name();
-        let mut arguments = Vec::new();
-        for (parameter, key) in [(Parameter::A, "a"), (Parameter::M, "m")] {
-            if let Some(value) = self.fixed.get(&parameter) {
-                arguments.push(format!("{key}={value}"));
-            }
-        }
-        if self.family == Family::ExpSum {
-            let rates: Vec<_> = (1..=self.rates)
-                .filter_map(|i| self.fixed.get(&Parameter::Rate(i)))
-                .map(ToString::to_string)
-                .collect();
-            arguments.push(if rates.is_empty() {
-                self.rates.to_string()
-            } else {
-                format!("rates=[{}]", rates.join(","))
-            });
-        }
-        if arguments.is_empty() {
-            name.to_owned()
-        } else {
-            format!("\"{name}({})\"", arguments.join(","))
+            Self::Family { family: Family::Power, .. } => vec![Parameter::A, Parameter::M],
+            Self::Family { .. } => vec![Parameter::A],
+            Self::Custom(_) => Vec::new(),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::Precision;
+use super::{Name, Precision};
 use crate::algebra::{BigRational, Kind, Symbol};
 
 /// A parameter: left to run time, or fixed when the code is generated.
@@ -26,6 +26,8 @@ pub enum Parameter {
     Rate(usize),
     /// Gain k_i, from 1.
     Gain(usize),
+    /// A parameter of the user's own expressions.
+    Named(Name),
 }
 
 /// The values that a parameter may take.
@@ -39,6 +41,8 @@ pub enum Domain {
     PositiveOrInfinite,
     /// A number > 0 and < tau.
     BelowTau,
+    /// A number within the bounds that the user gave.
+    Within,
 }
 
 impl Domain {
@@ -49,6 +53,7 @@ impl Domain {
             Self::Positive => "finite, > 0",
             Self::PositiveOrInfinite => "> 0, infinity allowed",
             Self::BelowTau => "> 0, < tau",
+            Self::Within => "within its bounds",
         }
     }
 
@@ -57,7 +62,7 @@ impl Domain {
         match (self, value) {
             (Self::PositiveOrInfinite, Fixed::Infinite) => true,
             (_, Fixed::Infinite) => false,
-            (Self::Finite, Fixed::Number { .. }) => true,
+            (Self::Finite | Self::Within, Fixed::Number { .. }) => true,
             (_, Fixed::Number { value, .. }) => value.is_positive(),
         }
     }
@@ -75,6 +80,16 @@ impl Parameter {
             Self::M => "m",
             Self::Rate(_) => "rates",
             Self::Gain(_) => "k",
+            Self::Named(name) => name.text(),
+        }
+    }
+
+    /// Its name in expressions, with its index: `tau`, `k1`.
+    pub fn spelling(self) -> String {
+        match self {
+            Self::Gain(i) => format!("k{i}"),
+            Self::Rate(i) => format!("a{i}"),
+            parameter => parameter.key().to_owned(),
         }
     }
 
@@ -94,6 +109,7 @@ impl Parameter {
             Self::A | Self::Rate(_) => "1/s",
             Self::M => "1",
             Self::Gain(_) => "s^(i-1-n)",
+            Self::Named(_) => "as in its expression",
         }
     }
 
@@ -108,6 +124,7 @@ impl Parameter {
             Self::M => "exponent of the power mapping",
             Self::Rate(_) => "rates a_i of stretched time",
             Self::Gain(_) => "gains k_i of pi0 = -sum k_i xi_i",
+            Self::Named(_) => "parameter of an expression of the design",
         }
     }
 
@@ -115,7 +132,7 @@ impl Parameter {
     pub fn domain(self) -> Domain {
         match self {
             Self::Tau | Self::A | Self::M | Self::Rate(_) => Domain::Positive,
-            Self::StartTime | Self::Gain(_) => Domain::Finite,
+            Self::StartTime | Self::Gain(_) | Self::Named(_) => Domain::Finite,
             Self::Eps => Domain::BelowTau,
             Self::UMax => Domain::PositiveOrInfinite,
         }

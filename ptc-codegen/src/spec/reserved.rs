@@ -12,8 +12,8 @@ const RESERVED: &str = "
     while xor yield
 ";
 
-/// What C's `stddef.h` defines beside types, whose names all end in `_t`.
-const DECLARED: &str = "NULL";
+/// What C's `stddef.h` and `math.h` define as macros.
+const DECLARED: &str = "NULL NAN INFINITY HUGE_VAL";
 
 /// Functions of C's `math.h`, each of which also exists with the suffixes `f` and `l`.
 const FUNCTIONS: &str = "
@@ -37,6 +37,12 @@ const LOCALS: &str = "
 /// Types that stand beside the controller's own in an emitted Rust file.
 const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
 
+/// Whether `word` is a keyword, or a name that C's headers declare as a macro.
+pub(super) fn is_word(word: &str) -> bool {
+    RESERVED.split_whitespace().any(|one| one == word)
+        || DECLARED.split_whitespace().any(|one| one == word)
+}
+
 /// Whether `word` means something in C, C++ or Rust or where the controller is emitted, or could
 /// never prefix a symbol.
 pub(super) fn is_reserved(word: &str) -> bool {
@@ -46,8 +52,7 @@ pub(super) fn is_reserved(word: &str) -> bool {
     // POSIX reserves all names that end in _t. A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
     word.starts_with('_')
         || word.ends_with("_t")
-        || among(RESERVED, word)
-        || among(DECLARED, word)
+        || is_word(word)
         || among(FUNCTIONS, word)
         || among(FUNCTIONS, stem)
         || among(LOCALS, word)

@@ -2,22 +2,17 @@
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
 use ptc_codegen::expansion;
-use ptc_codegen::law::{GainForm, LinearLaw};
+use ptc_codegen::law::{Form, Law};
 use ptc_codegen::mapping::Mapping;
 
 use super::sheet::{Block, Forms, Sheet};
 
 /// Writes the law; `fix` puts in the parameters whose values are known.
-pub(super) fn write(
-    sheet: &mut Sheet,
-    law: &LinearLaw,
-    mapping: &Mapping,
-    fix: impl Fn(&Poly) -> Poly,
-) {
+pub(super) fn write(sheet: &mut Sheet, law: &Law, mapping: &Mapping, fix: impl Fn(&Poly) -> Poly) {
     let n = law.n;
     sheet.heading.push("pi0 = -(k1*xi_1 + ... + kn*xi_n), g = 1".to_owned());
     match &law.form {
-        GainForm::Rows { base_inverse, rows } => {
+        Form::Rows { base_inverse, rows } => {
             let rows: Vec<Poly> = rows.iter().map(&fix).collect();
             let tick = rows.iter().flat_map(Poly::symbols).chain(*base_inverse);
             let tick: std::collections::BTreeSet<Symbol> = tick.collect();
@@ -30,7 +25,7 @@ pub(super) fn write(
             rows.latex = r"\mathrm{row}";
             sheet.forms(rows);
         }
-        GainForm::Series => {
+        Form::Series | Form::State => {
             sheet.blocks.push(series(n));
             let r = expansion::r(mapping, n).iter().map(&fix).collect();
             sheet.forms(Forms::counted("r", &["k"], r));
@@ -39,7 +34,7 @@ pub(super) fn write(
 }
 
 /// K_i = k_i rate^-(n+1-i).
-fn scaled_gains(law: &LinearLaw) -> Vec<Poly> {
+fn scaled_gains(law: &Law) -> Vec<Poly> {
     // The rate of a mapping is a single term, so it has an inverse.
     let inverse = law.rate.inverse().unwrap_or_default();
     let power = |i: usize| inverse.pow(u32::try_from(law.n + 1 - i).unwrap_or(u32::MAX));

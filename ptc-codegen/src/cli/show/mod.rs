@@ -10,8 +10,8 @@ use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::expansion::{self, bell::bell_table, letter};
-use ptc_codegen::law::LinearLaw;
-use ptc_codegen::mapping::Mapping;
+use ptc_codegen::law::Law;
+use ptc_codegen::mapping::{Family, Mapping};
 use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value};
 
 use super::args::{Format, Show, Subject};
@@ -26,7 +26,7 @@ const MAX_ABSTRACT_ORDER: usize = 30;
 pub(crate) fn show(request: &Show) -> Result<String, Failure> {
     let sheet = match ask(request)? {
         Asked::Abstract(n) => of_abstract(request.subject, n),
-        Asked::Family(spec) => of_family(request.subject, &spec),
+        Asked::Family(spec, family, ring) => of_family(request.subject, &spec, family, &ring),
     };
     Ok(match request.format {
         Format::Text => text::render(&sheet),
@@ -40,7 +40,7 @@ enum Asked {
     /// The abstract mapping, at an order.
     Abstract(usize),
     /// A family, at an order, perhaps with parameters fixed.
-    Family(Box<Spec>),
+    Family(Box<Spec>, Family, Mapping),
 }
 
 fn ask(request: &Show) -> Result<Asked, Failure> {
@@ -62,7 +62,11 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
     if matches!(request.subject, Subject::BigR | Subject::Tables) {
         return flags.finish(None, vec![only_abstract()]);
     }
-    flags.read().map(|spec| Asked::Family(Box::new(spec)))
+    let spec = flags.read()?;
+    match (spec.family(), spec.ring()) {
+        (Some(family), Some(ring)) => Ok(Asked::Family(Box::new(spec), family, ring)),
+        _ => flags.finish(None, vec![only_family()]),
+    }
 }
 
 fn order(node: &Node, most: usize) -> Option<usize> {
@@ -99,6 +103,17 @@ fn only_abstract() -> Diagnostic {
     }
 }
 
+fn only_family() -> Diagnostic {
+    Diagnostic {
+        code: "bad-value",
+        key: "mu".to_owned(),
+        place: None,
+        message: "closed forms are shown for the families, and this mapping is an expression"
+            .to_owned(),
+        help: "leave `--mu` out: the abstract forms hold for every mapping".to_owned(),
+    }
+}
+
 fn of_abstract(subject: Subject, n: usize) -> Sheet {
     let mut sheet = Sheet::new("s = kappa(Dt), an abstract time mapping, and its derivatives");
     match subject {
@@ -111,15 +126,15 @@ fn of_abstract(subject: Subject, n: usize) -> Sheet {
         Subject::Matrix => matrix(&mut sheet, letter::table(n)),
         Subject::Law => {
             let mapping = Mapping::symbolic(n);
-            law::write(&mut sheet, &LinearLaw::new(n, &mapping), &mapping, |poly| poly.clone());
+            law::write(&mut sheet, &Law::new(n, &mapping), &mapping, |poly| poly.clone());
         }
         Subject::Tables => tables(&mut sheet, n),
     }
     sheet
 }
 
-fn of_family(subject: Subject, spec: &Spec) -> Sheet {
-    let info = spec.family.info();
+fn of_family(subject: Subject, spec: &Spec, family: Family, mapping: &Mapping) -> Sheet {
+    let info = family.info();
     let mut sheet = Sheet::new(&format!("{}: mu(t) = {}", info.name, info.mu));
     sheet.heading.push(format!("where {}", info.atoms));
     for (parameter, value) in &spec.fixed {
@@ -135,14 +150,13 @@ fn of_family(subject: Subject, spec: &Spec) -> Sheet {
         })
     };
     let fix_all = |polys: Vec<Poly>| polys.iter().map(fixed).collect::<Vec<_>>();
-    let mapping = spec.mapping();
-    let table = || expansion::table(&mapping, spec.n).into_iter().map(fix_all).collect::<Vec<_>>();
+    let table = || expansion::table(mapping, spec.n).into_iter().map(fix_all).collect::<Vec<_>>();
     match subject {
         Subject::Bell => sheet.forms(bell(table())),
         Subject::Matrix => matrix(&mut sheet, table()),
-        Subject::Law => law::write(&mut sheet, &LinearLaw::new(spec.n, &mapping), &mapping, fixed),
+        Subject::Law => law::write(&mut sheet, &Law::new(spec.n, mapping), mapping, fixed),
         Subject::SmallR | Subject::BigR | Subject::Tables => {
-            sheet.forms(small_r(fix_all(expansion::r(&mapping, spec.n))));
+            sheet.forms(small_r(fix_all(expansion::r(mapping, spec.n))));
         }
     }
     sheet

@@ -2,7 +2,7 @@
 
 use super::{PASSES, append, optimise};
 use crate::algebra::integer;
-use crate::law::LinearLaw;
+use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::FAMILIES;
 use crate::program::interpret::Interpreter;
@@ -63,7 +63,7 @@ fn specs() -> Vec<Spec> {
 #[test]
 fn every_pass_keeps_every_bit() {
     for spec in specs() {
-        let program = lower(&spec, &LinearLaw::new(spec.n, &spec.mapping()));
+        let program = lower(&spec, &Law::of(&spec));
         let before: Vec<_> = (0..4).map(|seed| results(&program, seed)).collect();
         optimise(program, &mut |pass, after| {
             let now: Vec<_> = (0..4).map(|seed| results(after, seed)).collect();
@@ -83,7 +83,7 @@ fn the_passes_have_names_of_their_own() {
 /// A program around the values that `build` appends; the last one is its step.
 fn program(build: impl FnOnce(&mut Program) -> Value) -> Program {
     let spec = Spec::new(1, FAMILIES[0].family);
-    let mut program = lower(&spec, &LinearLaw::new(1, &spec.mapping()));
+    let mut program = lower(&spec, &Law::of(&spec));
     program.step = build(&mut program);
     program
 }
@@ -175,7 +175,7 @@ fn prune_drops_what_nothing_uses() {
 fn one_division_serves_a_tick() {
     for info in FAMILIES.iter().filter(|info| !info.family.is_iterated()) {
         let spec = Spec::new(6, info.family);
-        let program = lower(&spec, &LinearLaw::new(6, &spec.mapping()));
+        let program = lower(&spec, &Law::of(&spec));
         let program = optimise(program, &mut |_, _| {});
         let divisions = cost::count(&program, &[program.step], Stage::Tick).div;
         // The algebraic family takes a second one, which its accuracy near the deadline needs.

@@ -1,0 +1,3 @@
+//! Checks of a design.
+
+pub mod poles;

@@ -1,0 +1,310 @@
+//! From a parsed value to an expression: what each name means, and what is wrong with it.
+
+use super::{Expression, Function, Variable};
+use crate::algebra::integer;
+use crate::diagnostic::{Diagnostics, Place, near_miss};
+use crate::mapping::{FAMILIES, FamilyInfo};
+use crate::spec::{Argument, Fixed, Name, Node, Operator, Parameter, Value, parse, shorten};
+
+/// What an expression is for, which decides the names it may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// mu(t), t the stretched time since the start.
+    Mu,
+    /// kappa(dt), dt the elapsed time.
+    Kappa,
+    /// pi0(xi, t), t the stretched time.
+    Law,
+    /// g(x, t), t the time.
+    InputGain,
+    /// A family's own kappa, in time-to-go T.
+    Family,
+}
+
+impl Subject {
+    /// Key of the spec.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Mu => "mu",
+            Self::Kappa | Self::Family => "kappa",
+            Self::Law => "pi0",
+            Self::InputGain => "g",
+        }
+    }
+
+    /// The variables that it may use, in words.
+    fn legal(self) -> &'static str {
+        match self {
+            Self::Mu => "t (stretched time since the start), tau and parameters",
+            Self::Kappa => "dt (elapsed time), tau and parameters",
+            Self::Family => "T (time-to-go), tau and parameters",
+            Self::Law => {
+                "xi1..xin, t or t_kappa (stretched time), dt, tau, t0, the latched x1_0..xn_0 and xi1_0..xin_0, and parameters"
+            }
+            Self::InputGain => {
+                "x1..xn, t (time), dt, tau, t0, t_kappa, the latched x1_0..xn_0, and parameters"
+            }
+        }
+    }
+
+    fn admits(self, variable: Variable) -> bool {
+        match variable {
+            Variable::SinceStart => self == Self::Mu,
+            Variable::TimeToGo => self == Self::Family,
+            Variable::Elapsed => matches!(self, Self::Kappa | Self::Law | Self::InputGain),
+            Variable::StretchedTime | Variable::StateAtStart(_) => {
+                matches!(self, Self::Law | Self::InputGain)
+            }
+            Variable::Xi(_) | Variable::XiAtStart(_) => self == Self::Law,
+            Variable::Time | Variable::State(_) => self == Self::InputGain,
+        }
+    }
+}
+
+/// What names mean.
+#[derive(Clone, Copy)]
+pub struct Scope<'a> {
+    /// What the expression is for.
+    pub subject: Subject,
+    /// Order n of the chain.
+    pub n: usize,
+    /// The parameters that have a name of their own, beside those that the user names.
+    pub known: &'a [Parameter],
+}
+
+/// The expression that `node` stands for; `None` where something in it is wrong, which `found`
+/// then tells.
+pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option<Expression> {
+    Resolver { scope, found }.node(node)
+}
+
+struct Resolver<'a, 'b> {
+    scope: Scope<'a>,
+    found: &'b mut Diagnostics,
+}
+
+/// What a name that is reserved means: x2, xi2, `x2_0`, `xi2_0`.
+fn indexed(name: &str) -> Option<(usize, fn(usize) -> Variable)> {
+    let (stem, latched) = name.strip_suffix("_0").map_or((name, false), |stem| (stem, true));
+    let (digits, plain, start): (_, fn(usize) -> Variable, fn(usize) -> Variable) =
+        match stem.strip_prefix("xi") {
+            Some(digits) => (digits, Variable::Xi, Variable::XiAtStart),
+            None => (stem.strip_prefix('x')?, Variable::State, Variable::StateAtStart),
+        };
+    let whole = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    let index = if whole { digits.parse().unwrap_or(usize::MAX) } else { return None };
+    Some((index, if latched { start } else { plain }))
+}
+
+impl Resolver<'_, '_> {
+    fn node(&mut self, node: &Node) -> Option<Expression> {
+        match &node.value {
+            Value::Number(Fixed::Number { value, .. }) => Some(Expression::Number(value.clone())),
+            Value::Number(Fixed::Infinite) => self.wrong(
+                node.place,
+                "`inf` is no number that can be computed with".to_owned(),
+                "leave the term out, or give a finite number",
+            ),
+            Value::Imaginary(_) => self.wrong(
+                node.place,
+                "a complex number in a real expression".to_owned(),
+                "complex numbers are for `poles`; call a parameter something else than `i`",
+            ),
+            Value::List(_) => self.wrong(
+                node.place,
+                "a list in an expression".to_owned(),
+                "use one of its elements: brackets [] hold lists, () group operations",
+            ),
+            Value::Word(name) => self.name(name, node.place),
+            Value::Call(name, arguments) => self.call(name, arguments, node.place),
+            Value::Negative(a) => Some(self.node(a)?.neg()),
+            Value::Binary(operator, a, b) => {
+                let operands = (self.node(a), self.node(b));
+                let (Some(left), Some(right)) = operands else { return None };
+                if *operator == Operator::Div && right == Expression::integer(0) {
+                    return self.wrong(
+                        b.place,
+                        "a division by zero".to_owned(),
+                        "the divisor is the number 0, whatever the parameters are",
+                    );
+                }
+                Some(match operator {
+                    Operator::Add => left.add(right),
+                    Operator::Sub => left.sub(right),
+                    Operator::Mul => left.mul(right),
+                    Operator::Div => left.div(right),
+                    Operator::Power => left.power(right),
+                })
+            }
+        }
+    }
+
+    fn wrong(&mut self, place: Place, message: String, help: &str) -> Option<Expression> {
+        self.found.push("bad-expression", self.scope.subject.key(), Some(place), message, help);
+        None
+    }
+
+    fn name(&mut self, name: &str, place: Place) -> Option<Expression> {
+        let subject = self.scope.subject;
+        if let Some((index, variable)) = indexed(name) {
+            if !(1..=self.scope.n).contains(&index) {
+                let n = self.scope.n;
+                let message = format!("`{}` does not exist for order n = {n}", shorten(name));
+                return self.wrong(place, message, &format!("the indices are 1..={n}"));
+            }
+            return self.variable(variable(index), name, place);
+        }
+        let variable = match (name, subject) {
+            ("t", Subject::Mu) => Some(Variable::SinceStart),
+            ("t", Subject::Law) | ("t_kappa", _) => Some(Variable::StretchedTime),
+            ("t", _) => Some(Variable::Time),
+            ("dt", _) => Some(Variable::Elapsed),
+            ("T", Subject::Family) => Some(Variable::TimeToGo),
+            _ => None,
+        };
+        if let Some(variable) = variable {
+            return self.variable(variable, name, place);
+        }
+        let known = self.scope.known.iter().find(|p| p.spelling() == name);
+        match (name, known) {
+            ("pi", _) => Some(Expression::Pi),
+            (_, Some(parameter)) => Some(Expression::Parameter(*parameter)),
+            _ if matches!(subject, Subject::Mu | Subject::Kappa)
+                && FAMILIES.iter().any(|info| info.name == name) =>
+            {
+                self.family(name, &[], place)
+            }
+            _ if Function::ALL.iter().any(|(function, _)| *function == name) => self.wrong(
+                place,
+                format!("the function `{name}` has no argument"),
+                &format!("write {name}(...)"),
+            ),
+            _ => match Name::new(name) {
+                Some(name) => Some(Expression::Parameter(Parameter::Named(name))),
+                None => self.wrong(
+                    place,
+                    format!("`{}` cannot name a parameter", shorten(name)),
+                    "it means something in C or Rust, or is longer than 48 letters: choose another name",
+                ),
+            },
+        }
+    }
+
+    fn variable(&mut self, variable: Variable, name: &str, place: Place) -> Option<Expression> {
+        let subject = self.scope.subject;
+        if subject.admits(variable) {
+            return Some(variable.into());
+        }
+        let latched = matches!(variable, Variable::StateAtStart(_) | Variable::XiAtStart(_));
+        let message = format!("`{name}` is not known where {} is computed", subject.key());
+        let legal = subject.legal();
+        let help = if latched {
+            format!("`{name}` is latched by arm, after the mapping is fixed; legal: {legal}")
+        } else {
+            format!("legal: {legal}")
+        };
+        self.wrong(place, message, &help)
+    }
+
+    fn call(&mut self, name: &str, arguments: &[Argument], place: Place) -> Option<Expression> {
+        let is_family = matches!(self.scope.subject, Subject::Mu | Subject::Kappa)
+            && FAMILIES.iter().any(|info| info.name == name);
+        let named = arguments.iter().find_map(|a| a.name.as_ref());
+        let function = Function::ALL.iter().find(|(function, _)| *function == name);
+        if is_family && (named.is_some() || function.is_none()) {
+            return self.family(name, arguments, place);
+        }
+        if let Some((argument, place)) = named {
+            let message = format!("the function `{}` takes no named argument", shorten(name));
+            return self.wrong(*place, message, &format!("leave `{argument} =` out"));
+        }
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            values.push(self.node(&argument.value));
+        }
+        let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
+        let count = values.len();
+        match (name, function, count) {
+            (_, Some((_, function)), 1) => {
+                Some(Expression::call(*function, values.into_iter().next()?))
+            }
+            ("min", ..) if count >= 2 => {
+                values.into_iter().reduce(|a, b| Expression::Min(Box::new(a), Box::new(b)))
+            }
+            ("max", ..) if count >= 2 => {
+                values.into_iter().reduce(|a, b| Expression::Max(Box::new(a), Box::new(b)))
+            }
+            ("mean", ..) if count >= 1 => {
+                let share = Expression::Number(integer(1) / integer(i64::try_from(count).ok()?));
+                Some(values.into_iter().reduce(Expression::add)?.mul(share))
+            }
+            (_, Some(_), _) => {
+                let message = format!("`{name}` takes one argument and is given {count}");
+                self.wrong(place, message, &format!("write {name}(x)"))
+            }
+            ("min" | "max" | "mean", ..) => {
+                let message = format!("`{name}` is given {count} arguments");
+                self.wrong(place, message, "min and max take two or more, mean one or more")
+            }
+            _ => {
+                let names = Function::ALL.iter().map(|(name, _)| *name);
+                let names = names.chain(["min", "max", "mean"]);
+                let meant = match name {
+                    "log" => Some("ln"),
+                    "sgn" => Some("sign"),
+                    "arctan" => Some("atan"),
+                    _ => near_miss(name, names.clone()),
+                };
+                let all = names.collect::<Vec<_>>().join(", ");
+                let meant = meant.map(|m| format!("did you mean `{m}`? ")).unwrap_or_default();
+                let message = format!("unknown function `{}`", shorten(name));
+                self.wrong(place, message, &format!("{meant}the functions are {all}"))
+            }
+        }
+    }
+
+    /// A family's mapping with its parameters in place, as part of a greater mapping.
+    fn family(&mut self, name: &str, arguments: &[Argument], place: Place) -> Option<Expression> {
+        let info = FAMILIES.iter().find(|info| info.name == name)?;
+        let Some(form) = info.form(self.scope.subject) else {
+            let message = format!("`{name}` cannot be part of an expression");
+            return self.wrong(place, message, "write its terms out: mean(exp(a=1), exp(a=2))");
+        };
+        let mut given = Vec::new();
+        for argument in arguments {
+            let value = self.node(&argument.value)?;
+            match &argument.name {
+                Some((key, _)) if info.parameters.contains(&key.as_str()) => {
+                    given.push((Expression::from(named(key)?), value));
+                }
+                _ => {
+                    let message = format!("an argument that `{name}` does not have");
+                    let help = format!("its parameters are {}", info.parameters.join(", "));
+                    return self.wrong(argument.value.place, message, &help);
+                }
+            }
+        }
+        Some(form.substitute(&|e| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone())))
+    }
+}
+
+fn named(key: &str) -> Option<Parameter> {
+    Name::new(key).map(Parameter::Named)
+}
+
+impl FamilyInfo {
+    /// Its mu in `t` or its kappa, with its own parameters by name; none for `exp_sum`.
+    pub fn form(&self, subject: Subject) -> Option<Expression> {
+        let (text, within) = match subject {
+            Subject::Mu => (self.mu, Subject::Mu),
+            _ => (self.kappa_in_time_to_go, Subject::Family),
+        };
+        let node = parse(subject.key(), text, &mut |_| Place(0)).ok()?;
+        let scope = Scope { subject: within, n: 0, known: &[Parameter::Tau] };
+        let form = resolve(&node, scope, &mut Diagnostics::default())?;
+        let elapsed = Expression::from(Parameter::Tau).sub(Variable::Elapsed.into());
+        let time_to_go = Expression::from(Variable::TimeToGo);
+        let in_elapsed = subject == Subject::Kappa;
+        Some(form.substitute(&|e| (in_elapsed && *e == time_to_go).then(|| elapsed.clone())))
+    }
+}

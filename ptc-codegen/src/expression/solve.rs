@@ -1,0 +1,57 @@
+//! The closed-form inverse of an expression in which the unknown stands once.
+
+use super::{Expression, Function, Variable};
+
+/// The `unknown` for which `expression` is `target`, where undoing one operation after the other
+/// finds it: the unknown stands once, and each operation around it can be undone. Where a branch
+/// must be chosen, it is the one on which a mapping lies: roots and bases are positive.
+pub fn solve(expression: &Expression, unknown: Variable, target: Expression) -> Option<Expression> {
+    let here = |e: &Expression| e.contains(unknown);
+    let undo = |inner: &Expression, target| solve(inner, unknown, target);
+    match expression {
+        Expression::Variable(variable) if *variable == unknown => Some(target),
+        Expression::Neg(a) => undo(a, target.neg()),
+        Expression::Add(a, b) if !here(b) => undo(a, target.sub((**b).clone())),
+        Expression::Add(a, b) if !here(a) => undo(b, target.sub((**a).clone())),
+        Expression::Sub(a, b) if !here(b) => undo(a, target.add((**b).clone())),
+        Expression::Sub(a, b) if !here(a) => undo(b, (**a).clone().sub(target)),
+        Expression::Mul(a, b) if !here(b) => undo(a, target.div((**b).clone())),
+        Expression::Mul(a, b) if !here(a) => undo(b, target.div((**a).clone())),
+        Expression::Div(a, b) if !here(b) => undo(a, target.mul((**b).clone())),
+        Expression::Div(a, b) if !here(a) => undo(b, (**a).clone().div(target)),
+        Expression::Power(a, b) if !here(b) => {
+            undo(a, target.power(Expression::integer(1).div((**b).clone())))
+        }
+        Expression::Call(function, a) => undo(a, inverse(*function, target)?),
+        _ => None,
+    }
+}
+
+fn inverse(function: Function, target: Expression) -> Option<Expression> {
+    let back = match function {
+        Function::Exp => Function::Ln,
+        Function::Ln => Function::Exp,
+        Function::Tanh => Function::Atanh,
+        Function::Atanh => Function::Tanh,
+        Function::Atan => Function::Tan,
+        Function::Sqrt => return Some(target.power(Expression::integer(2))),
+        _ => return None,
+    };
+    Some(Expression::call(back, target))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::Subject;
+    use crate::mapping::FAMILIES;
+
+    #[test]
+    fn what_stands_once_is_found() {
+        let mu = FAMILIES[0].form(Subject::Mu).expect("a form");
+        let found = solve(&mu, Variable::SinceStart, Variable::TimeToGo.into());
+        assert_eq!(found.expect("an inverse").to_string(), "ln(1 - T/tau)/-a");
+        let mu = FAMILIES[1].form(Subject::Mu).expect("a form");
+        assert_eq!(solve(&mu, Variable::SinceStart, Variable::TimeToGo.into()), None);
+    }
+}

@@ -1,0 +1,129 @@
+//! The command line that gives a spec.
+
+use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping};
+use crate::algebra::BigRational;
+use crate::expression::Subject;
+use crate::mapping::Family;
+
+impl Spec {
+    /// The command line (without the program's name and `--lang`) that gives this spec.
+    pub fn command(&self) -> String {
+        let mut words = vec![format!("--n {}", self.n), self.mapping_words()];
+        if let Some(name) = &self.name {
+            words.push(format!("--name {name}"));
+        }
+        if self.precision == Precision::F32 {
+            words.push("--precision f32".to_owned());
+        }
+        match self.guard {
+            Guard::Full => {}
+            Guard::Result => words.push("--guard result".to_owned()),
+            Guard::None => words.push("--guard none".to_owned()),
+        }
+        for (parameter, flag) in [
+            (Parameter::Tau, "--tau"),
+            (Parameter::StartTime, "--t0"),
+            (Parameter::Eps, "--eps"),
+            (Parameter::UMax, "--u-max"),
+        ] {
+            if let Some(value) = self.fixed.get(&parameter) {
+                words.push(format!("{flag}={value}"));
+            }
+        }
+        words.extend(self.law_words());
+        for (parameter, value) in &self.fixed {
+            if let Parameter::Named(name) = parameter {
+                words.push(format!("--param {name}={value}"));
+            }
+        }
+        for (parameter, (least, greatest)) in &self.bounds {
+            words.push(format!("--param {}=[{least},{greatest}]", parameter.spelling()));
+        }
+        words.extend(self.promise_words());
+        words.join(" ")
+    }
+
+    fn law_words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        match &self.feedback {
+            Feedback::Linear => words.extend(self.gain_words()),
+            Feedback::Expression(law) => words.push(format!("--pi0=\"{law}\"")),
+            Feedback::Extern => words.push("--pi0 extern".to_owned()),
+        }
+        words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
+        match self.after {
+            After::Hold => {}
+            After::Zero => words.push("--after zero".to_owned()),
+            After::Extern => words.push("--after extern".to_owned()),
+        }
+        words
+    }
+
+    fn gain_words(&self) -> Option<String> {
+        if !self.poles.is_empty() {
+            let poles: Vec<_> = self.poles.iter().map(|(re, im)| pole(re, im)).collect();
+            return Some(format!("--poles={}", poles.join(",")));
+        }
+        let gains = (1..=self.n).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
+        list(gains).map(|gains| format!("--gains={gains}"))
+    }
+
+    fn promise_words(&self) -> Vec<String> {
+        let promises = &self.promises;
+        let mut words = Vec::new();
+        let single = [("--sample-time", &promises.sample_time), ("--error", &promises.error)];
+        for (flag, value) in single {
+            words.extend(value.iter().map(|value| format!("{flag}={value}")));
+        }
+        for (flag, values) in [("--x0-max", &promises.x0_max), ("--x-max", &promises.x_max)] {
+            words.extend(list(values.iter()).map(|values| format!("{flag}={values}")));
+        }
+        if !promises.allow.is_empty() {
+            words.push(format!("--allow={}", promises.allow.join(",")));
+        }
+        words
+    }
+
+    /// The mapping as it is written for `--mu` or `--kappa`, quoted for a shell where it must be.
+    fn mapping_words(&self) -> String {
+        let (family, rates) = match &self.time_mapping {
+            TimeMapping::Family { family, rates } => (*family, *rates),
+            TimeMapping::Custom(custom) => {
+                let flag = if custom.subject == Subject::Mu { "--mu" } else { "--kappa" };
+                return format!("{flag}=\"{}\"", custom.given);
+            }
+        };
+        let name = family.name();
+        let mut arguments = Vec::new();
+        for (parameter, key) in [(Parameter::A, "a"), (Parameter::M, "m")] {
+            if let Some(value) = self.fixed.get(&parameter) {
+                arguments.push(format!("{key}={value}"));
+            }
+        }
+        if family == Family::ExpSum {
+            let fixed = list((1..=rates).filter_map(|i| self.fixed.get(&Parameter::Rate(i))));
+            arguments.push(fixed.map_or(rates.to_string(), |fixed| format!("rates=[{fixed}]")));
+        }
+        if arguments.is_empty() {
+            format!("--mu {name}")
+        } else {
+            format!("--mu \"{name}({})\"", arguments.join(","))
+        }
+    }
+}
+
+/// Values separated by commas; none for no value.
+fn list<'a>(values: impl Iterator<Item = &'a Fixed>) -> Option<String> {
+    let values: Vec<_> = values.map(ToString::to_string).collect();
+    (!values.is_empty()).then(|| values.join(","))
+}
+
+/// A complex number as it is written for `--poles`, exact.
+fn pole(re: &BigRational, im: &BigRational) -> String {
+    let zero = BigRational::default();
+    if *im == zero {
+        return re.to_string();
+    }
+    let sign = if *im < zero { "" } else { "+" };
+    format!("{re}{sign}{im}*i")
+}

@@ -1,0 +1,121 @@
+//! The law: gains, poles, or an expression; and the input gain of the plant.
+
+use std::collections::BTreeMap;
+
+use super::{FixedValues, Reader, constant, items, shown};
+use crate::algebra::BigRational;
+use crate::check::poles;
+use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::spec::{Feedback, Fixed, Node, Parameter, Value};
+
+/// What the keys of the law say.
+pub(super) struct Law {
+    pub(super) feedback: Feedback,
+    pub(super) gains: FixedValues,
+    pub(super) poles: Vec<(BigRational, BigRational)>,
+}
+
+impl Reader<'_> {
+    /// The law; `n` is the order where it could be read, and `order` stands in for it.
+    pub(super) fn law(&mut self, n: Option<usize>, order: usize, known: &[Parameter]) -> Law {
+        let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
+        match self.only_one(&["gains", "poles", "pi0"]) {
+            Some(("gains", node)) => law.gains = self.gains(n, node).into_iter().collect(),
+            Some(("poles", node)) => (law.poles, law.gains) = self.poles(n, node),
+            Some((_, node)) if matches!(&node.value, Value::Word(word) if word == "extern") => {
+                law.feedback = Feedback::Extern;
+            }
+            Some((_, node)) => {
+                let scope = Scope { subject: Subject::Law, n: order, known };
+                if let Some(expression) = resolve(node, scope, &mut self.found) {
+                    law.feedback = Feedback::Expression(expression);
+                }
+            }
+            None => {}
+        }
+        law
+    }
+
+    /// The input gain; 1 is none at all.
+    pub(super) fn input_gain(&mut self, n: usize, known: &[Parameter]) -> Option<Expression> {
+        let node = self.keys.get("g").copied()?;
+        let scope = Scope { subject: Subject::InputGain, n, known };
+        let gain = resolve(node, scope, &mut self.found)?;
+        if gain == Expression::integer(0) {
+            let message = "g = 0: the input does not move the plant".to_owned();
+            self.wrong("g", Some(node.place), message, "g(x, t) is not 0".to_owned());
+        }
+        (gain != Expression::integer(1)).then_some(gain)
+    }
+
+    /// Gains from poles, exactly.
+    fn poles(
+        &mut self,
+        n: Option<usize>,
+        node: &Node,
+    ) -> (Vec<(BigRational, BigRational)>, FixedValues) {
+        let nothing = (Vec::new(), BTreeMap::new());
+        let items = items(node);
+        if let Some(n) = n
+            && items.len() != n
+        {
+            let message = format!("{} poles for order n = {n}", items.len());
+            let help =
+                format!("give {n} poles; a complex one counts with its conjugate: -1+2i, -1-2i");
+            self.wrong("poles", Some(node.place), message, help);
+            return nothing;
+        }
+        let mut poles = Vec::with_capacity(items.len());
+        for (index, item) in items.iter().enumerate() {
+            let Some(pole) = constant::complex(item) else {
+                let message = format!("poles[{index}] = {} is no number", shown(&item.value));
+                let help = "a pole is a number such as -4, or -1+2i".to_owned();
+                self.wrong("poles", Some(item.place), message, help);
+                continue;
+            };
+            poles.push(pole);
+        }
+        if poles.len() != items.len() {
+            return nothing;
+        }
+        let of =
+            |(re, im): &(BigRational, BigRational)| poles::Pole { re: re.clone(), im: im.clone() };
+        match poles::gains(&poles.iter().map(of).collect::<Vec<_>>()) {
+            Ok(gains) => {
+                let fixed = |(i, value): (usize, BigRational)| {
+                    let text = constant::text(&value);
+                    (Parameter::Gain(i + 1), Fixed::Number { value, text })
+                };
+                (poles, gains.into_iter().enumerate().map(fixed).collect())
+            }
+            Err(wrong) => {
+                self.wrong(
+                    "poles",
+                    Some(node.place),
+                    wrong.to_string(),
+                    "complex poles come in pairs: -1+2i, -1-2i".to_owned(),
+                );
+                nothing
+            }
+        }
+    }
+
+    /// The gains as far as they are legal, whether or not the order is.
+    fn gains(&mut self, n: Option<usize>, node: &Node) -> Vec<(Parameter, Fixed)> {
+        let items = items(node);
+        if let Some(n) = n
+            && items.len() != n
+        {
+            let message = format!("{} gains for order n = {n}", items.len());
+            let help = format!("give k_1..k_{n}, one for each of xi_1..xi_{n}");
+            self.wrong("gains", Some(node.place), message, help);
+            return Vec::new();
+        }
+        let gain = |(index, item): (usize, &Node)| {
+            let parameter = Parameter::Gain(index + 1);
+            let key = format!("gains[{index}]");
+            self.parameter(&key, parameter, item).map(|value| (parameter, value))
+        };
+        items.iter().enumerate().filter_map(gain).collect()
+    }
+}

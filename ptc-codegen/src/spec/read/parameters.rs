@@ -1,0 +1,167 @@
+//! The parameters: values, bounds, and what must hold between them.
+
+use std::collections::BTreeSet;
+
+use super::{FixedValues, Reader, shown, suggestion};
+use crate::diagnostic::near_miss;
+use crate::expression::Expression;
+use crate::spec::{Feedback, Fixed, Node, Parameter, Precision, Spec, Value, shorten};
+
+/// The parameters that every controller has.
+const COMMON: [Parameter; 4] =
+    [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
+
+/// The parameters that have a name of their own, `own` being those of the mapping.
+pub(super) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
+    COMMON.into_iter().chain(own).collect()
+}
+
+impl Reader<'_> {
+    /// Values and bounds of all parameters. Where the spec is not `complete`, an unused name may be
+    /// used in what could not be read, and is let pass.
+    pub(super) fn parameters(&mut self, spec: &mut Spec, complete: bool) {
+        for parameter in COMMON {
+            if let Some(node) = self.keys.get(parameter.key()).copied() {
+                let value = self.parameter(parameter.key(), parameter, node);
+                spec.fixed.extend(value.map(|v| (parameter, v)));
+            }
+        }
+        self.eps_below_tau(&spec.fixed);
+        let used: BTreeSet<_> = spec.expressions().flat_map(Expression::parameters).collect();
+        let own = spec.time_mapping.parameters();
+        let legal: Vec<_> = used
+            .into_iter()
+            .chain(own)
+            .filter(|p| !COMMON.contains(p))
+            .map(|p| (p.spelling(), p))
+            .collect();
+        for (name, (place, node)) in std::mem::take(&mut self.params) {
+            let Some((_, parameter)) = legal.iter().find(|(known, _)| known == name) else {
+                if complete {
+                    let names = legal.iter().map(|(name, _)| name.as_str());
+                    let all = names.clone().collect::<Vec<_>>().join(", ");
+                    let all = if all.is_empty() {
+                        "no expression of the design has a parameter".to_owned()
+                    } else {
+                        format!("the parameters of the design are {all}")
+                    };
+                    let help = suggestion(near_miss(name, names), &all);
+                    let message = format!("nothing uses the parameter `{}`", shorten(name));
+                    self.found.push(
+                        "unused-parameter",
+                        format!("params.{name}"),
+                        Some(place),
+                        message,
+                        help,
+                    );
+                }
+                continue;
+            };
+            self.own_value(spec, name, *parameter, node);
+        }
+        let infinite = spec.feedback != Feedback::Linear && spec.promises.error.is_some();
+        if infinite {
+            let place = self.keys.get("error").map(|node| node.place);
+            let message = "`error` needs a linear law".to_owned();
+            let help = "eps is computed from the gains: give gains or poles, or eps itself";
+            self.wrong("error", place, message, help.to_owned());
+        }
+        if spec.promises.error.is_some() && !self.keys.contains_key("x0_max") {
+            let place = self.keys.get("error").map(|node| node.place);
+            let message = "`error` needs `x0_max`".to_owned();
+            let help = "the error at the deadline is bounded from the bounds of |x_i| at the start";
+            self.wrong("error", place, message, help.to_owned());
+        }
+    }
+
+    /// A number, or `[least, greatest]`, for a parameter of the mapping or of an expression.
+    fn own_value(&mut self, spec: &mut Spec, name: &str, parameter: Parameter, node: &Node) {
+        let key = format!("params.{name}");
+        if spec.fixed.contains_key(&parameter) {
+            let message = format!("`{name}` is given in `mu` and in `params`");
+            self.wrong(&key, Some(node.place), message, "leave one of the two out".to_owned());
+            return;
+        }
+        let domain = spec.domain(parameter);
+        let admitted = |node: &Node| match &node.value {
+            Value::Number(value) if domain.admits(value) => Some(value.clone()),
+            _ => None,
+        };
+        match &node.value {
+            Value::List(items) => {
+                if let [least, greatest] = items.as_slice()
+                    && let (Some(least), Some(greatest)) = (admitted(least), admitted(greatest))
+                    && least.number() < greatest.number()
+                {
+                    spec.bounds.insert(parameter, (least, greatest));
+                    return;
+                }
+                let message = format!("{key} is no pair of bounds");
+                let help = format!(
+                    "bounds are [least, greatest] with least < greatest; {name} is {}",
+                    domain.text()
+                );
+                self.wrong(&key, Some(node.place), message, help);
+            }
+            _ => match admitted(node) {
+                Some(value) => {
+                    spec.fixed.insert(parameter, value);
+                }
+                None => {
+                    let message = format!("{key} = {} is outside its domain", shown(&node.value));
+                    let help = format!("{name} is {}", domain.text());
+                    self.wrong(&key, Some(node.place), message, help);
+                }
+            },
+        }
+    }
+
+    /// The value of `parameter`, given under `key`.
+    pub(super) fn parameter(
+        &mut self,
+        key: &str,
+        parameter: Parameter,
+        node: &Node,
+    ) -> Option<Fixed> {
+        if let Value::Number(value) = &node.value
+            && parameter.domain().admits(value)
+        {
+            return Some(value.clone());
+        }
+        let message = format!("{key} = {} is outside its domain", shown(&node.value));
+        let help = format!("{key} ({}) is {}", parameter.meaning(), parameter.domain().text());
+        self.wrong(key, Some(node.place), message, help);
+        None
+    }
+
+    fn eps_below_tau(&mut self, fixed: &FixedValues) {
+        let (Some(eps), Some(tau)) = (fixed.get(&Parameter::Eps), fixed.get(&Parameter::Tau))
+        else {
+            return;
+        };
+        if eps.number() >= tau.number() {
+            let place = self.keys.get("eps").map(|node| node.place);
+            let message = format!("eps = {eps} is not below tau = {tau}");
+            let help = "the gains would be held from the start: give an eps well below tau";
+            self.wrong("eps", place, message, help.to_owned());
+        }
+    }
+
+    pub(super) fn representable(&mut self, fixed: &FixedValues, precision: Precision) {
+        for (parameter, value) in fixed {
+            if value.leaves(precision) {
+                let key = match parameter {
+                    Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
+                    Parameter::Gain(_) => "gains",
+                    Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
+                    _ => parameter.key(),
+                };
+                let place = self.keys.get(key).map(|node| node.place);
+                let name = if precision == Precision::F32 { "f32" } else { "f64" };
+                let message =
+                    format!("{} = {value} is no finite nonzero number in {name}", parameter.key());
+                self.wrong(key, place, message, format!("give a value within the range of {name}"));
+            }
+        }
+    }
+}
