@@ -10,6 +10,8 @@ pub enum Status {
     Hold,
     /// |u| was clipped to `u_max`, whether or not the time-to-go is held.
     Saturated,
+    /// The deadline is over, and what was chosen for then gives u: `after = zero` or `extern`.
+    After,
 }
 
 /// The control of one step; `R` is the floating-point type of the controller.

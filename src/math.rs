@@ -33,6 +33,14 @@ functions! { f64:
     sqrt(x) = sqrt | sqrt;
     exp(x) = exp | exp;
     ln(x) = ln | log;
+    sin(x) = sin | sin;
+    cos(x) = cos | cos;
+    tan(x) = tan | tan;
+    atan(x) = atan | atan;
+    sinh(x) = sinh | sinh;
+    cosh(x) = cosh | cosh;
+    tanh(x) = tanh | tanh;
+    atanh(x) = atanh | atanh;
     pow(x, y) = powf | pow;
 }
 
@@ -40,13 +48,21 @@ functions! { f32:
     sqrt(x) = sqrt | sqrtf;
     exp(x) = exp | expf;
     ln(x) = ln | logf;
+    sin(x) = sin | sinf;
+    cos(x) = cos | cosf;
+    tan(x) = tan | tanf;
+    atan(x) = atan | atanf;
+    sinh(x) = sinh | sinhf;
+    cosh(x) = cosh | coshf;
+    tanh(x) = tanh | tanhf;
+    atanh(x) = atanh | atanhf;
     pow(x, y) = powf | powf;
 }
 
 /// Implemented for nothing: there are no functions without a feature.
 #[cfg(not(any(feature = "std", feature = "libm")))]
 #[diagnostic::on_unimplemented(
-    message = "this controller calls sqrt, exp, ln or pow: enable the feature `std` or `libm` of the crate `ptc`",
+    message = "this controller calls a function such as sqrt, exp, ln or pow: enable the feature `std` or `libm` of the crate `ptc`",
     label = "its mapping needs a mathematical function"
 )]
 pub trait Functions: Sized {

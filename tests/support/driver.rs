@@ -17,6 +17,7 @@ macro_rules! drive {
                     $module::Status::Ok => (0, control.u),
                     $module::Status::Hold => (1, control.u),
                     $module::Status::Saturated => (2, control.u),
+                    $module::Status::After => (3, control.u),
                 },
                 Err($module::Error::Param) => (-1, 0.0),
                 Err($module::Error::Input) => (-2, 0.0),

@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, declared, header, tidy};
 use crate::program::Input;
-use crate::spec::{Guard, Precision, Spec};
+use crate::spec::{After, Feedback, Guard, Precision, Spec};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
@@ -18,14 +18,42 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     };
     let frame = Frame::new(controller, real, &C { spec, real });
     let head = header::lines(controller, Language::C);
-    let header = Header { name: &name, head: &head, parameters: &declared(spec), frame: &frame };
+    let externs = externs(spec, &name);
+    let hold = match spec.after {
+        After::Hold => "PTC_HOLD",
+        After::Zero | After::Extern => "(past >= 0.0) ? PTC_AFTER : PTC_HOLD",
+    };
+    let hold = hold.replace("0.0", &frame.zero);
+    let header = Header {
+        name: &name,
+        head: &head,
+        parameters: &declared(spec),
+        externs: &externs,
+        frame: &frame,
+    };
     let loops = frame.step.iter().any(|line| line.contains("uint32_t"));
     let pad = if spec.guard == Guard::Full { "        " } else { "    " };
-    let source = Source { name: &name, loops, pad, frame: &frame };
+    let source = Source { name: &name, loops, pad, hold, externs: &externs, frame: &frame };
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
         .into_iter()
         .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
         .collect()
+}
+
+/// Type and name of what `step` takes beside time and state: the user's functions, and what is
+/// handed on to them.
+fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
+    let mut externs = Vec::new();
+    if spec.feedback == Feedback::Extern {
+        externs.push((format!("{name}_pi0 "), "pi0"));
+    }
+    if spec.after == After::Extern {
+        externs.push((format!("{name}_after "), "after"));
+    }
+    if !externs.is_empty() {
+        externs.push(("void *".to_owned(), "context"));
+    }
+    externs
 }
 
 struct C<'a> {
@@ -59,11 +87,33 @@ impl Syntax for C<'_> {
 
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let suffix = if self.spec.precision == Precision::F32 { "f" } else { "" };
+        let function = if function == "ln" { "log" } else { function };
         format!("{function}{suffix}({})", arguments.join(", "))
     }
 
     fn abs(&self, a: &str) -> String {
         self.call("fabs", &[a.to_owned()])
+    }
+
+    fn sign(&self, a: &str, zero: &str, one: &str) -> String {
+        format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})")
+    }
+
+    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
+        format!("(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : NAN")
+    }
+
+    fn select(&self, condition: &str, yes: &str, no: &str) -> String {
+        format!("({condition}) ? {yes} : ({no})")
+    }
+
+    fn after(&self) -> String {
+        "after(context, x, t)".to_owned()
+    }
+
+    fn law(&self, xi: &[String], time: &str) -> (Vec<String>, String) {
+        let array = format!("const {} xi[{}] = {{{}}};", self.real, xi.len(), xi.join(", "));
+        (vec![array], format!("pi0(context, xi, {time})"))
     }
 
     fn max(&self, a: &str, b: &str) -> String {
@@ -124,6 +174,8 @@ struct Header<'a> {
     name: &'a str,
     head: &'a [String],
     parameters: &'a [Declared],
+    /// Type and name of what `step` takes beside time and state.
+    externs: &'a [(String, &'static str)],
     frame: &'a Frame,
 }
 
@@ -135,5 +187,8 @@ struct Source<'a> {
     loops: bool,
     /// Indentation of the work in `tick`.
     pad: &'static str,
+    /// Status where the gains are held or the deadline is over.
+    hold: String,
+    externs: &'a [(String, &'static str)],
     frame: &'a Frame,
 }

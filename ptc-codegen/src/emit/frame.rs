@@ -1,10 +1,10 @@
 //! What the emitted functions consist of, as text that a template only has to place.
 
 use super::Controller;
-use super::plan::{Field, Function, Plan, parameter_name};
+use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use crate::program::{Op, Value, number};
-use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec};
 
 /// A name and the expression that gives it its value.
 pub(super) struct Assignment {
@@ -38,6 +38,14 @@ pub(super) struct Frame {
     pub(super) gains: Vec<String>,
     pub(super) axis: Vec<String>,
     pub(super) axis_u: String,
+    pub(super) after: After,
+    /// Whether the law is a function of the user's.
+    pub(super) extern_law: bool,
+    /// Whether the state at the start is latched.
+    pub(super) latches: bool,
+    /// Conditions on the latched state, and what `arm` derives from it, which must be finite.
+    pub(super) latched: Vec<String>,
+    pub(super) latched_fields: Vec<String>,
     /// Bound of |u| in `step` and in `axis`; none for infinity.
     pub(super) limit: Option<String>,
     pub(super) axis_limit: Option<String>,
@@ -57,8 +65,8 @@ impl Frame {
         let Controller { spec, program, .. } = *controller;
         let plan = Plan::new(program);
         let body = |function| print::print(&plan, function, syntax);
-        let (init, arm) = (body(Function::Init), body(Function::Arm));
-        let (step, tick, axis) = (body(Function::Step), body(Function::Tick), body(Function::Axis));
+        let (init, arm) = (body(Routine::Init), body(Routine::Arm));
+        let (step, tick, axis) = (body(Routine::Step), body(Routine::Tick), body(Routine::Axis));
         let assign = |roots: Vec<String>, armed: bool| {
             let fields = plan.fields.iter().filter(|field| field.armed == armed);
             let one =
@@ -83,11 +91,31 @@ impl Frame {
                 None => parameter.key().to_owned(),
             },
         };
+        let latches = spec.latches();
+        // The deadline is checked anyway, and what makes up its rounding is finite with it.
+        let derived_at_start = |field: &Field| {
+            let value = program.get(field.value);
+            let of_time = |name: &str| matches!(name, "deadline" | "correction");
+            field.armed
+                && derived(field.value)
+                && !value.name.as_ref().is_some_and(|(n, _)| of_time(n))
+        };
+        let armed = plan.fields.iter().filter(|field| field.armed).zip(&arm.roots);
+        let latched_fields = armed
+            .filter(|(field, _)| derived_at_start(field))
+            .map(|(_, text)| text.clone())
+            .collect();
+        let zero = syntax.literal("0.0");
+        let past = limits.past.and_then(|_| step.roots.last().cloned());
+        let next = match spec.after {
+            After::Extern => syntax.after(),
+            After::Hold | After::Zero => zero.clone(),
+        };
         Self {
             n: spec.n,
             guard: spec.guard,
             real,
-            zero: syntax.literal("0.0"),
+            zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
             domain: domain(spec, syntax),
             init: init.lines,
@@ -97,12 +125,22 @@ impl Frame {
             arm: arm.lines,
             arm_fields: assign(arm.roots, true),
             states: (1..=spec.n).map(|j| syntax.finite(&format!("x{j}"))).collect(),
-            step_u: step.roots[0].clone(),
+            step_u: match &past {
+                Some(past) => syntax.select(&format!("{past} >= {zero}"), &next, &step.roots[0]),
+                None => step.roots[0].clone(),
+            },
             step: step.lines,
-            gains: tick.roots[..spec.n].to_vec(),
+            gains: tick.roots[..program.gains.len()].to_vec(),
             tick: tick.lines,
-            axis_u: axis.roots[0].clone(),
+            axis_u: axis.roots.first().cloned().unwrap_or_default(),
             axis: axis.lines,
+            after: spec.after,
+            extern_law: spec.feedback == Feedback::Extern,
+            latches,
+            latched: (1..=if latches { spec.n } else { 0 })
+                .map(|j| syntax.finite(&format!("x0[{}]", j - 1)))
+                .collect(),
+            latched_fields,
             limit: limits.u_max.map(|value| field(value, |syntax, name| syntax.field(name))),
             axis_limit: limits
                 .u_max

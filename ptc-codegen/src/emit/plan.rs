@@ -7,7 +7,7 @@ use crate::spec::Parameter;
 
 /// The emitted functions that compute something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Function {
+pub(super) enum Routine {
     /// Parameters to fields.
     Init,
     /// Start time to fields.
@@ -81,7 +81,7 @@ impl<'a> Plan<'a> {
             let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
             kept.extend(definition.op.operands().into_iter().filter(earlier));
         }
-        let results = program.gains.iter().chain([&program.step, &program.axis]);
+        let results = program.gains.iter().chain([&program.step]).chain(&program.axis);
         kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {
@@ -96,6 +96,9 @@ impl<'a> Plan<'a> {
         let meaning = match (&definition.name, &definition.op) {
             (Some((_, meaning)), _) => meaning.clone(),
             (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
+            (None, Op::Input(Input::StartTime)) => "start time".to_owned(),
+            (None, Op::Input(Input::StateAtStart(_))) => "state at the start".to_owned(),
+            _ if definition.stage == Stage::Arm => "known at the start".to_owned(),
             _ => "known when the parameters are".to_owned(),
         };
         self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
@@ -112,24 +115,29 @@ impl<'a> Plan<'a> {
     }
 
     /// What `function` must compute.
-    pub(super) fn roots(&self, function: Function) -> Vec<Value> {
+    pub(super) fn roots(&self, function: Routine) -> Vec<Value> {
         match function {
-            Function::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
-            Function::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
-            Function::Step => vec![self.program.step, self.program.limits.late],
-            Function::Tick => {
+            Routine::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
+            Routine::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
+            Routine::Step => {
+                let limits = self.program.limits;
+                let mut roots = vec![self.program.step, limits.late];
+                roots.extend(limits.past);
+                roots
+            }
+            Routine::Tick => {
                 self.program.gains.iter().copied().chain([self.program.limits.late]).collect()
             }
-            Function::Axis => vec![self.program.axis],
+            Routine::Axis => self.program.axis.into_iter().collect(),
         }
     }
 
     /// Whether `function` reads `value` from a field instead of computing it.
-    pub(super) fn is_field(&self, function: Function, value: Value) -> bool {
+    pub(super) fn is_field(&self, function: Routine, value: Value) -> bool {
         let own = match function {
-            Function::Init => Phase::Init,
-            Function::Arm => Phase::Arm,
-            Function::Step | Function::Tick | Function::Axis => Phase::Call,
+            Routine::Init => Phase::Init,
+            Routine::Arm => Phase::Arm,
+            Routine::Step | Routine::Tick | Routine::Axis => Phase::Call,
         };
         !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
     }
@@ -153,6 +161,7 @@ fn input_name(input: Input) -> String {
         Input::StartTime => "t0".to_owned(),
         Input::Time => "t".to_owned(),
         Input::State(j) => format!("x{j}"),
+        Input::StateAtStart(j) => format!("x{j}_0"),
         Input::Gain(j) => format!("gain{j}"),
     }
 }

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::plan::{Function, Plan};
+use super::plan::{Plan, Routine};
+use crate::expression::Function;
 use crate::program::{Input, Op, Root, Stage, Value, number};
 use crate::spec::Precision;
 
@@ -18,10 +19,20 @@ pub(super) trait Syntax {
     fn gains_field(&self, name: &str) -> String;
     /// Whether a number is finite.
     fn finite(&self, name: &str) -> String;
-    /// A call of a function of one or two numbers: `sqrt`, `exp`, `log`, `pow`.
+    /// A call of a function by its mathematical name: `sqrt`, `ln`, `pow`.
     fn call(&self, function: &str, arguments: &[String]) -> String;
     /// |a|.
     fn abs(&self, a: &str) -> String;
+    /// 1 for a > 0, -1 for a < 0, else a.
+    fn sign(&self, a: &str, zero: &str, one: &str) -> String;
+    /// `quotient`, and NaN where its divisor is 0.
+    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String;
+    /// `yes` where the condition holds, else `no`.
+    fn select(&self, condition: &str, yes: &str, no: &str) -> String;
+    /// The call of the user's own law for the time after the deadline.
+    fn after(&self) -> String;
+    /// The user's own law: statements that prepare the call, and the call.
+    fn law(&self, xi: &[String], time: &str) -> (Vec<String>, String);
     /// The greater one of a and b.
     fn max(&self, a: &str, b: &str) -> String;
     /// Definition of a constant.
@@ -88,7 +99,7 @@ pub(super) struct Body {
 }
 
 /// Prints what `function` computes.
-pub(super) fn print(plan: &Plan<'_>, function: Function, syntax: &dyn Syntax) -> Body {
+pub(super) fn print(plan: &Plan<'_>, function: Routine, syntax: &dyn Syntax) -> Body {
     let roots = plan.roots(function);
     let mut printer = Printer {
         plan,
@@ -109,7 +120,7 @@ pub(super) fn print(plan: &Plan<'_>, function: Function, syntax: &dyn Syntax) ->
 }
 
 /// How often each value is used in the function; values that only fields need are left out.
-fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value, usize> {
+fn uses(plan: &Plan<'_>, function: Routine, roots: &[Value]) -> BTreeMap<Value, usize> {
     let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
     for root in roots {
         *uses.entry(*root).or_default() += 1;
@@ -118,7 +129,10 @@ fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value,
         if uses.contains_key(&value) && !plan.is_field(function, value) {
             let op = &plan.program.get(value).op;
             // The greater or smaller of two values is written with each of them twice.
-            let times = if matches!(op, Op::Max(..) | Op::Min(..)) { 2 } else { 1 };
+            let times = match op {
+                Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
+                _ => 1,
+            };
             for operand in op.operands() {
                 *uses.entry(operand).or_default() += times;
             }
@@ -129,7 +143,7 @@ fn uses(plan: &Plan<'_>, function: Function, roots: &[Value]) -> BTreeMap<Value,
 
 struct Printer<'a> {
     plan: &'a Plan<'a>,
-    function: Function,
+    function: Routine,
     syntax: &'a dyn Syntax,
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expression>,
@@ -144,6 +158,10 @@ impl Printer<'_> {
 
     fn text(&self, value: Value) -> String {
         self.expression(value).text
+    }
+
+    fn operand(&self, value: Value) -> String {
+        self.expression(value).operand()
     }
 
     /// Computes a value: as a statement where it has a name or several users, else in place.
@@ -161,6 +179,15 @@ impl Printer<'_> {
                 self.known.insert(value, Expression::atom(text));
             }
             Op::Root(root) => self.root(value, root),
+            Op::Law(arguments) => {
+                let mut texts: Vec<_> = arguments.iter().map(|v| self.text(*v)).collect();
+                let time = texts.pop().unwrap_or_default();
+                let (lines, call) = self.syntax.law(&texts, &time);
+                self.lines.extend(lines);
+                let name = self.fresh(value);
+                self.lines.push(self.syntax.define(&name, &call));
+                self.known.insert(value, Expression::atom(name));
+            }
             op => {
                 let expression = self.operation(op);
                 let shared = self.uses.get(&value).is_some_and(|uses| *uses > 1);
@@ -202,6 +229,12 @@ impl Printer<'_> {
             Op::Sub(a, b) => binary('-', a, b),
             Op::Mul(a, b) => binary('*', a, b),
             Op::Div(a, b) => binary('/', a, b),
+            Op::Quotient(a, b) => {
+                let (divisor, zero) = (operand(b), self.number(0.0).text);
+                let quotient = binary('/', a, b).text;
+                let text = self.syntax.quotient(&quotient, &divisor, &zero);
+                Expression { text, operator: Some('?') }
+            }
             Op::Max(a, b) => Expression {
                 text: self.syntax.max(&self.text(*a), &self.text(*b)),
                 operator: Some('?'),
@@ -210,13 +243,16 @@ impl Printer<'_> {
                 text: self.syntax.min(&self.text(*a), &self.text(*b)),
                 operator: Some('?'),
             },
-            Op::Abs(a) => Expression::atom(self.syntax.abs(&self.text(*a))),
-            Op::Sqrt(a) => call("sqrt", &[*a]),
-            Op::Exp(a) => call("exp", &[*a]),
-            Op::Ln(a) => call("log", &[*a]),
+            Op::Call(Function::Abs, a) => Expression::atom(self.syntax.abs(&self.text(*a))),
+            Op::Call(Function::Sign, a) => {
+                let (zero, one) = (self.number(0.0).text, self.number(1.0).text);
+                let text = self.syntax.sign(&self.operand(*a), &zero, &one);
+                Expression { text, operator: Some('?') }
+            }
+            Op::Call(function, a) => call(function.name(), &[*a]),
             Op::Pow(a, b) => call("pow", &[*a, *b]),
             // The pass `chains` has written powers out, and the caller handles the rest.
-            Op::Power(..) | Op::Input(_) | Op::Unknown | Op::Root(_) => {
+            Op::Power(..) | Op::Input(_) | Op::Law(_) | Op::Unknown | Op::Root(_) => {
                 Expression::atom(String::new())
             }
         }

@@ -5,8 +5,9 @@ use askama::Template;
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, declared, header, tidy};
+use crate::expression::Function;
 use crate::program::Input;
-use crate::spec::{Guard, Precision, Spec};
+use crate::spec::{After, Guard, Precision, Spec};
 
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
@@ -14,7 +15,8 @@ pub(super) fn file(controller: &Controller<'_>) -> File {
     let real = real(controller.spec);
     let items = render(controller, "");
     let calls = |function: &str| items.contains(&format!("math::{function}("));
-    let functions = ["sqrt", "exp", "ln", "pow"].into_iter().filter(|f| calls(f));
+    let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow"]);
+    let functions = names.filter(|f| calls(f));
     let head = header::lines(controller, Language::Rust);
     let module = Module {
         head: &head.iter().map(|line| format!("//! {line}\n")).collect::<String>(),
@@ -35,7 +37,13 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     let spec = controller.spec;
     let frame = Frame::new(controller, real(spec), &Rust { spec, runtime });
     let (type_name, parameters) = (spec.type_name(), declared(spec));
-    Items { type_name, runtime, parameters, frame }.render().unwrap_or_default()
+    let hold = match spec.after {
+        After::Hold => format!("{runtime}Status::Hold"),
+        After::Zero | After::Extern => {
+            format!("if past >= 0.0 {{ {runtime}Status::After }} else {{ {runtime}Status::Hold }}")
+        }
+    };
+    Items { type_name, runtime, parameters, hold, frame }.render().unwrap_or_default()
 }
 
 fn real(spec: &Spec) -> &'static str {
@@ -100,7 +108,6 @@ impl Syntax for Rust<'_> {
     }
 
     fn call(&self, function: &str, arguments: &[String]) -> String {
-        let function = if function == "log" { "ln" } else { function };
         let path = match self.runtime {
             "" => "math".to_owned(),
             runtime => format!("{runtime}math::{}", real(self.spec)),
@@ -111,6 +118,27 @@ impl Syntax for Rust<'_> {
     fn abs(&self, a: &str) -> String {
         let name = a.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
         if name { format!("{a}.abs()") } else { format!("({a}).abs()") }
+    }
+
+    fn sign(&self, a: &str, zero: &str, one: &str) -> String {
+        format!("if {a} > {zero} {{ {one} }} else if {a} < {zero} {{ -{one} }} else {{ {a} }}")
+    }
+
+    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
+        let nan = format!("{}::NAN", real(self.spec));
+        format!("if {divisor} < {zero} || {divisor} > {zero} {{ {quotient} }} else {{ {nan} }}")
+    }
+
+    fn select(&self, condition: &str, yes: &str, no: &str) -> String {
+        format!("if {condition} {{ {yes} }} else {{ {no} }}")
+    }
+
+    fn after(&self) -> String {
+        "after(x, t)".to_owned()
+    }
+
+    fn law(&self, xi: &[String], time: &str) -> (Vec<String>, String) {
+        (Vec::new(), format!("pi0(&[{}], {time})", xi.join(", ")))
     }
 
     fn max(&self, a: &str, b: &str) -> String {
@@ -175,5 +203,7 @@ struct Items {
     type_name: String,
     runtime: &'static str,
     parameters: Vec<Declared>,
+    /// Status where the gains are held or the deadline is over.
+    hold: String,
     frame: Frame,
 }

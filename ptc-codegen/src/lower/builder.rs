@@ -7,12 +7,18 @@ use crate::program::passes::append;
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Parameter, Spec};
 
+use super::mapping::Taylor;
+
 /// A program under construction.
 pub(super) struct Builder<'a> {
     pub(super) spec: &'a Spec,
     program: Program,
     known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
+    /// The Taylor series of mu and the states xi, at the current time and at the start.
+    pub(super) taylors: [Option<Taylor>; 2],
+    pub(super) states: [Vec<Value>; 2],
+    at_start: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -24,22 +30,31 @@ impl<'a> Builder<'a> {
             limits: Limits {
                 start_time: None,
                 u_max: None,
+                past: None,
                 late: nothing,
                 hold_from: nothing,
                 eps: nothing,
             },
             step: nothing,
             gains: Vec::new(),
-            axis: nothing,
+            axis: None,
         };
-        Self { spec, program, quantities: BTreeMap::new(), known: HashMap::new() }
+        Self {
+            spec,
+            program,
+            quantities: BTreeMap::new(),
+            known: HashMap::new(),
+            taylors: [None, None],
+            states: [Vec::new(), Vec::new()],
+            at_start: false,
+        }
     }
 
     pub(super) fn finish(
         self,
         step: Value,
         gains: Vec<Value>,
-        axis: Value,
+        axis: Option<Value>,
         limits: Limits,
     ) -> Program {
         Program { step, gains, axis, limits, ..self.program }
@@ -59,8 +74,26 @@ impl<'a> Builder<'a> {
         value
     }
 
-    /// Names a value, with its meaning for the reader of the emitted code.
+    /// What `compute` gives at the start, where the time-to-go is tau.
+    pub(super) fn at_start<T>(&mut self, compute: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.at_start, true);
+        let result = compute(self);
+        self.at_start = before;
+        result
+    }
+
+    /// Whether values at the start are being computed.
+    pub(super) fn is_at_start(&self) -> bool {
+        self.at_start
+    }
+
+    /// Names a value, with its meaning for the reader of the emitted code. An input has a name of
+    /// its own, and values at the start keep theirs apart from those of a tick.
     pub(super) fn name(&mut self, value: Value, name: &str, meaning: &str) -> Value {
+        let of_tick = self.at_start && !name.ends_with("_0");
+        if of_tick || matches!(self.program.values[value.0].op, Op::Input(_)) {
+            return value;
+        }
         self.program.values[value.0].name = Some((name.to_owned(), meaning.to_owned()));
         value
     }

@@ -1,9 +1,11 @@
 //! exp_sum: mu = tau mean_i (1 - e^{-a_i t}), whose inverse is found at run time.
 
 use super::builder::Builder;
-use super::series::Taylor;
+use super::coefficients::Coefficient;
+use super::mapping::Taylor;
 use crate::algebra::{BigRational, integer};
 use crate::expansion::bell::factorials;
+use crate::expression::Function;
 use crate::program::{Op, Root, Value};
 use crate::spec::{Parameter, Precision};
 
@@ -26,6 +28,11 @@ const ROUNDS: u32 = 12;
 pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let rates: Vec<_> = (1..=b.spec.rates()).map(|i| b.parameter(Parameter::Rate(i))).collect();
     let count = i64::try_from(rates.len()).unwrap_or(i64::MAX);
+    if b.is_at_start() {
+        let (one, zero) = (b.integer(1), b.integer(0));
+        let modes = vec![one; rates.len()];
+        return series(b, &rates, &modes, zero);
+    }
     let time_to_go = b.time_to_go();
     let target = {
         let (count, tau) = (b.integer(count), b.parameter(Parameter::Tau));
@@ -36,7 +43,7 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     };
     let y = stretched_time(b, &rates, target);
     let modes = corrected_modes(b, &rates, y, target);
-    series(b, &rates, &modes)
+    series(b, &rates, &modes, y)
 }
 
 fn stretched_time(b: &mut Builder<'_>, rates: &[Value], target: Value) -> Value {
@@ -55,7 +62,7 @@ fn stretched_time(b: &mut Builder<'_>, rates: &[Value], target: Value) -> Value 
     let slowest = b.name(slowest, "slowest", "1/min a_i");
     let logarithm = {
         let share = b.div(target, count);
-        let ln = b.push(Op::Ln(share));
+        let ln = b.push(Op::Call(Function::Ln, share));
         b.push(Op::Neg(ln))
     };
     let low = b.mul(logarithm, mean_period);
@@ -88,7 +95,7 @@ fn modes(b: &mut Builder<'_>, rates: &[Value], y: Value) -> Vec<Value> {
         .map(|rate| {
             let phase = b.mul(*rate, y);
             let phase = b.push(Op::Neg(phase));
-            b.push(Op::Exp(phase))
+            b.push(Op::Call(Function::Exp, phase))
         })
         .collect()
 }
@@ -139,7 +146,7 @@ fn halley(
     let step = b.mul(residual, newton);
     let step = b.mul(step, bend);
     let next = b.add(y, step);
-    let size = b.push(Op::Abs(step));
+    let size = b.push(Op::Call(Function::Abs, step));
     (residual, next, size)
 }
 
@@ -171,7 +178,7 @@ fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value
 }
 
 /// r_l/l! = sum_i b_li e_i with b_li = (-1)^(l-1) tau a_i^l/(N l!): all terms of one sign.
-fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value]) -> Taylor {
+fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value], stretched: Value) -> Taylor {
     let n = b.spec.n;
     let count = integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
     let mut terms = Vec::with_capacity(n);
@@ -205,10 +212,11 @@ fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value]) -> Taylor {
         .map(|(i, term)| {
             let l = i + 2;
             let ratio = b.mul(*term, inverse);
-            b.name(ratio, &format!("p{l}"), &format!("r{l}/(r1*{l}!)"))
+            let ratio = b.name(ratio, &format!("p{l}"), &format!("r{l}/(r1*{l}!)"));
+            Coefficient::Value(ratio)
         })
         .collect();
-    Taylor { base_inverse: inverse, tail }
+    Taylor { r1: terms[0], base_inverse: inverse, tail, unit: None, stretched }
 }
 
 /// ln(count) to the precision of a double: a start of the iteration needs no more.

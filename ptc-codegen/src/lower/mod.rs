@@ -6,11 +6,16 @@
 
 mod builder;
 mod coefficient;
+mod coefficients;
 mod cotangent;
 mod exp_sum;
+mod mapping;
 mod quantity;
 mod rows;
+mod scalar;
 mod series;
+mod state;
+mod taylor;
 mod time;
 
 use std::collections::BTreeMap;
@@ -21,45 +26,61 @@ use rows::{Factor, Rows, factor};
 use crate::algebra::Poly;
 use crate::law::{Form, Law};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{Fixed, Guard, Parameter, Spec};
+use crate::spec::{After, Fixed, Guard, Parameter, Spec};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {
     let mut b = Builder::new(spec);
-    let rows = match &law.form {
-        Form::Rows { base_inverse, rows } => {
-            let scaled = coefficient::scaled_gains(&mut b, &law.rate);
-            let rows: Vec<_> = rows
-                .iter()
-                .enumerate()
-                .map(|(j, row)| lower_row(&mut b, j, row, &scaled))
-                .collect();
-            let base = base_inverse.map(|symbol| factor(&mut b, symbol));
-            let negated = matches!(base, Some(Factor::Divide(_)));
-            let mut signed = |row| if negated { b.push(Op::Neg(row)) } else { row };
-            Rows { base, rows: rows.into_iter().map(|row| row.map(&mut signed)).collect() }
-        }
-        Form::Series | Form::State => {
-            let taylor = exp_sum::taylor(&mut b);
-            Rows {
-                base: Some(Factor::Multiply(taylor.base_inverse)),
-                rows: series::rows(&mut b, &taylor),
-            }
-        }
+    let rows = rows(&mut b, law);
+    let step = match &rows {
+        Some(rows) => rows.step(&mut b, None),
+        None => state::step(&mut b),
     };
-    let step = rows.step(&mut b);
-    let gains = rows.gains(&mut b);
-    let axis = axis(&mut b);
-    let start_time = (spec.guard == Guard::Full).then(|| {
-        let start = b.push(Op::Input(Input::StartTime));
-        b.name(start, "t0", "start time")
-    });
+    let step = over_input_gain(&mut b, step);
+    // Gains that are held after the deadline and divided by no g(x, t) serve several axes.
+    let alone = spec.input_gain.is_none() && spec.after == After::Hold;
+    let gains = rows.filter(|_| alone).map(|rows| rows.gains(&mut b)).unwrap_or_default();
+    let axis = (!gains.is_empty()).then(|| axis(&mut b));
+    let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
     let u_max = match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => None,
         _ => Some(b.parameter(Parameter::UMax)),
     };
+    let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
-    b.finish(step, gains, axis, Limits { start_time, u_max, late, hold_from, eps })
+    b.finish(step, gains, axis, Limits { start_time, u_max, past, late, hold_from, eps })
+}
+
+/// The rows of the gains; none for a law that is no sum of gains.
+fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
+    match &law.form {
+        Form::Rows { base_inverse, rows } => {
+            let scaled = coefficient::scaled_gains(b, &law.rate);
+            let rows: Vec<_> =
+                rows.iter().enumerate().map(|(j, row)| lower_row(b, j, row, &scaled)).collect();
+            let base = base_inverse.map(|symbol| factor(b, symbol));
+            let negated = matches!(base, Some(Factor::Divide(_)));
+            let mut signed = |row| if negated { b.push(Op::Neg(row)) } else { row };
+            Some(Rows { base, rows: rows.into_iter().map(|row| row.map(&mut signed)).collect() })
+        }
+        Form::Series => {
+            let taylor = b.taylor();
+            let base = Some(Factor::Multiply(taylor.base_inverse));
+            Some(Rows { base, rows: series::rows(b, &taylor) })
+        }
+        Form::State => None,
+    }
+}
+
+/// u divided by g(x, t): never by zero, where no number is known.
+fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
+    let Some(gain) = &b.spec.input_gain else { return u };
+    let divisor = b.scalar(gain);
+    if gain.number().is_some() {
+        return b.div(u, divisor);
+    }
+    let divisor = b.name(divisor, "input_gain", "g(x, t)");
+    b.push(Op::Quotient(u, divisor))
 }
 
 /// u = sum_j gain_j x_j.

@@ -4,6 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::builder::Builder;
 use crate::algebra::{BigInt, BigRational, Kind, Symbol};
+use crate::expression::Function;
 use crate::mapping::Family;
 use crate::program::{Op, Value};
 use crate::spec::{Fixed, Parameter};
@@ -84,7 +85,7 @@ impl Builder<'_> {
             return self.power(ratio, m);
         }
         if let Some(twice) = fixed.map(|m| m * BigInt::from(2)).as_ref().and_then(small) {
-            let root = self.push(Op::Sqrt(ratio));
+            let root = self.push(Op::Call(Function::Sqrt, ratio));
             return self.power(root, twice);
         }
         let exponent = self.parameter(Parameter::M);
@@ -106,7 +107,7 @@ impl Builder<'_> {
     /// sqrt(1 + y^2).
     fn secant(&mut self) -> Value {
         let square = self.quantity(Symbol::plain(Kind::OnePlusSquare));
-        self.push(Op::Sqrt(square))
+        self.push(Op::Call(Function::Sqrt, square))
     }
 
     /// y = (1 - T/tau) sqrt(1 + y^2).

@@ -30,8 +30,9 @@ pub(super) struct Rows {
 
 impl Rows {
     /// u by Horner's rule in 1/base over the rows: the state enters in 2n operations.
-    pub(super) fn step(&self, b: &mut Builder<'_>) -> Value {
-        let mut sum: Option<Value> = None;
+    /// What stands in `first` takes the place of the first row times x_1.
+    pub(super) fn step(&self, b: &mut Builder<'_>, first: Option<Value>) -> Value {
+        let mut sum = first;
         for (j, row) in self.rows.iter().enumerate() {
             if j > 0 {
                 sum = sum.map(|s| self.times_base(b, s));

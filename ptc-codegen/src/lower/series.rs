@@ -1,21 +1,49 @@
-//! Gains from the Taylor series of mu, for mappings whose r_1 is no single term.
+//! Gains, and the state of the infinite-time system, from the Taylor series of mu: B_{i,j}/r_1^j =
+//! i!/j! \[z^i\] p^j with p(z) = z + sum_{l>=2} c_l z^l.
 
 use super::builder::Builder;
-use crate::algebra::BigRational;
+use super::coefficients::Coefficient;
+use super::mapping::Taylor;
+use crate::algebra::{BigInt, BigRational};
 use crate::expansion::bell::factorials;
-use crate::program::Value;
+use crate::program::{Input, Op, Value};
 use crate::spec::Parameter;
 
-/// The normalised Taylor series p(z) = z + sum_{l>=2} c_l z^l of mu at stretched time.
-pub(super) struct Taylor {
-    /// 1/r_1.
-    pub(super) base_inverse: Value,
-    /// c_2, ..., c_n with c_l = r_l/(r_1 l!).
-    pub(super) tail: Vec<Value>,
+/// `powers[j - 1][d - 1]` = \[z^(j+d)\] p^j for d = 1..n-j.
+fn powers(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Vec<Coefficient>> {
+    let n = b.spec.n;
+    let unit = unit_powers(b, taylor);
+    let mut powers: Vec<Vec<Coefficient>> = Vec::with_capacity(n);
+    for j in 1..n {
+        let mut next = match powers.last() {
+            None => taylor.tail.clone(),
+            Some(power) => times_series(b, power, &taylor.tail),
+        };
+        next.truncate(n - j);
+        powers.push(next);
+    }
+    // The powers of the unit come last, so that the rest stays exact where it can.
+    for power in &mut powers {
+        for (coefficient, unit) in power.iter_mut().zip(&unit) {
+            *coefficient = b.times(coefficient, unit);
+        }
+    }
+    powers
+}
+
+/// unit, unit^2, ..., unit^(n-1).
+fn unit_powers(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Coefficient> {
+    let exponents = 1..u32::try_from(b.spec.n).unwrap_or(u32::MAX);
+    exponents
+        .map(|k| match taylor.unit {
+            None => Coefficient::integer(1),
+            Some(unit) => Coefficient::Value(b.power(unit, k)),
+        })
+        .collect()
 }
 
 /// The rows of gain_j = r_1^-(n+1-j) rows[j - 1]: row_j is -1/(j-1)! times the sum over
-/// i = j-1..n of k_{i+1} i! [z^i] p^(j-1), because B_{i,j-1}/r_1^(j-1) = i!/(j-1)! [z^i] p^(j-1).
+/// i = j-1..n of k_{i+1} i! \[z^i\] p^(j-1).
 pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
     let n = b.spec.n;
     let factorial = factorials(n);
@@ -30,17 +58,16 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
     let last = b.number(BigRational::from_integer(-factorial[n].clone()));
     let weight = |i: usize| weights.get(i).copied().unwrap_or(last);
     let mut rows = vec![Some(weight(0))];
-    // power[d] = [z^(j+d)] p^j for d >= 1; [z^j] p^j = 1.
-    let mut power: Vec<Value> = Vec::new();
-    for (j, factorial) in factorial.iter().enumerate().take(n).skip(1) {
-        power = if j == 1 { taylor.tail.clone() } else { times_series(b, &power, &taylor.tail) };
-        power.truncate(n - j);
+    for (j, power) in (1..).zip(powers(b, taylor)) {
         let mut sum = weight(j);
         for (d, coefficient) in power.iter().enumerate() {
-            let term = b.mul(weight(j + d + 1), *coefficient);
-            sum = b.add(sum, term);
+            let term = b.times(&Coefficient::Value(weight(j + d + 1)), coefficient);
+            if !term.is_zero() {
+                let term = b.coefficient(&term);
+                sum = b.add(sum, term);
+            }
         }
-        let scale = b.number(BigRational::new(1.into(), factorial.clone()));
+        let scale = b.number(BigRational::new(1.into(), factorial[j].clone()));
         let row = b.mul(sum, scale);
         let meaning = format!("gain of x{} without its power of 1/r1", j + 1);
         rows.push(Some(b.name(row, &format!("row{}", j + 1), &meaning)));
@@ -48,14 +75,67 @@ pub(super) fn rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
     rows
 }
 
-/// (1 + sum_d a_d z^d)(1 + sum_d c_d z^d) without its 1, as long as `tail`.
-fn times_series(b: &mut Builder<'_>, power: &[Value], tail: &[Value]) -> Vec<Value> {
+/// The rows of -kappa'^n b_n^T x = sum_j r_1^-(n+1-j) rows[j - 1] x_j, the first of which is 0:
+/// row_j = -n!/(j-1)! \[z^n\] p^(j-1).
+pub(super) fn drift_rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Value>> {
+    let n = b.spec.n;
+    let factorial = factorials(n);
+    let mut rows = vec![None];
+    for (j, power) in (1..).zip(powers(b, taylor)) {
+        let factor = ratio(-factorial[n].clone(), &factorial[j]);
+        let row = b.times(&factor, &power[n - j - 1]);
+        rows.push((!row.is_zero()).then(|| b.coefficient(&row)));
+    }
+    rows
+}
+
+/// xi = BB_n x: xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) \[z^(i-1)\] p^(j-1) x_j, by Horner's rule in r_1.
+pub(super) fn xi(
+    b: &mut Builder<'_>,
+    taylor: &Taylor,
+    state: fn(usize) -> Input,
+    name: &dyn Fn(usize) -> String,
+) -> Vec<Value> {
+    let n = b.spec.n;
+    let factorial = factorials(n);
+    let powers = powers(b, taylor);
+    let mut xi = vec![b.push(Op::Input(state(1)))];
+    for i in 2..=n {
+        let mut sum = b.push(Op::Input(state(i)));
+        for j in (1..i).rev() {
+            sum = b.mul(sum, taylor.r1);
+            if j > 1 {
+                let factor = ratio(factorial[i - 1].clone(), &factorial[j - 1]);
+                let entry = b.times(&factor, &powers[j - 2][i - j - 1]);
+                let x = b.push(Op::Input(state(j)));
+                let term = b.times(&entry, &Coefficient::Value(x));
+                if !term.is_zero() {
+                    let term = b.coefficient(&term);
+                    sum = b.add(sum, term);
+                }
+            }
+        }
+        xi.push(b.name(sum, &name(i), &format!("state {i} of the infinite-time system")));
+    }
+    xi
+}
+
+fn ratio(numerator: BigInt, denominator: &BigInt) -> Coefficient {
+    Coefficient::Exact(BigRational::new(numerator, denominator.clone()))
+}
+
+/// (1 + sum_d a_d z^d)(1 + sum_d c_d z^d) without its 1, as long as `power`.
+fn times_series(
+    b: &mut Builder<'_>,
+    power: &[Coefficient],
+    tail: &[Coefficient],
+) -> Vec<Coefficient> {
     (0..power.len())
         .map(|d| {
-            let mut sum = b.add(power[d], tail[d]);
+            let mut sum = b.plus(&power[d], &tail[d]);
             for e in 0..d {
-                let term = b.mul(power[e], tail[d - 1 - e]);
-                sum = b.add(sum, term);
+                let term = b.times(&power[e], &tail[d - 1 - e]);
+                sum = b.plus(&sum, &term);
             }
             sum
         })

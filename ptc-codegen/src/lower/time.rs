@@ -6,11 +6,19 @@ use crate::spec::Parameter;
 
 impl Builder<'_> {
     /// Time past the deadline, -T, held at -eps.
+    pub(super) fn late(&mut self) -> Value {
+        let past = self.past();
+        let hold_from = self.hold_from();
+        let late = self.push(Op::Min(past, hold_from));
+        self.name(late, "late", "-T: time past the deadline, held at -eps")
+    }
+
+    /// Time past the deadline, -T, as it goes on.
     ///
     /// The deadline is kept as the unevaluated sum `deadline + correction` = t0 + tau (two-sum).
     /// Near the deadline `t - deadline` is exact (Sterbenz: the two are within a factor of 2), so
     /// -T has one rounding for any t0, where tau - (t - t0) loses as many digits as t0/T has.
-    pub(super) fn late(&mut self) -> Value {
+    pub(super) fn past(&mut self) -> Value {
         let start = self.push(Op::Input(Input::StartTime));
         let tau = self.parameter(Parameter::Tau);
         let high = self.add(start, tau);
@@ -24,10 +32,7 @@ impl Builder<'_> {
         let time = self.push(Op::Input(Input::Time));
         let past = self.sub(time, high);
         let past = self.sub(past, low);
-        let past = self.name(past, "past", "time past the deadline, negative before it");
-        let hold_from = self.hold_from();
-        let late = self.push(Op::Min(past, hold_from));
-        self.name(late, "late", "-T: time past the deadline, held at -eps")
+        self.name(past, "past", "time past the deadline, negative before it")
     }
 
     /// -eps, where the hold begins.
@@ -39,6 +44,9 @@ impl Builder<'_> {
 
     /// Time-to-go T, held at eps.
     pub(super) fn time_to_go(&mut self) -> Value {
+        if self.is_at_start() {
+            return self.parameter(Parameter::Tau);
+        }
         let late = self.late();
         let time_to_go = self.push(Op::Neg(late));
         self.name(time_to_go, "T", "time-to-go, held at eps")

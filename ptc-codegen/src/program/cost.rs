@@ -1,5 +1,7 @@
 //! Operation counts of what is computed at each call, and what they cost.
 
+use crate::expression::Function;
+
 use super::{Op, Program, Stage, Value};
 
 /// Number of operations by kind.
@@ -13,7 +15,7 @@ pub struct Cost {
     pub div: usize,
     /// Square roots.
     pub sqrt: usize,
-    /// Calls of exp, log and pow; those in a loop are counted once a round.
+    /// Calls of functions; those in a loop are counted once a round.
     pub calls: usize,
 }
 
@@ -55,15 +57,20 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
         if definition.stage < from {
             continue;
         }
-        match definition.op {
-            Op::Add(..) | Op::Sub(..) | Op::Neg(_) | Op::Max(..) | Op::Min(..) | Op::Abs(_) => {
+        match &definition.op {
+            Op::Add(..)
+            | Op::Sub(..)
+            | Op::Neg(_)
+            | Op::Max(..)
+            | Op::Min(..)
+            | Op::Call(Function::Abs | Function::Sign, _) => {
                 cost.add += 1;
             }
             Op::Mul(..) => cost.mul += 1,
             Op::Power(_, k) => cost.mul += (k.ilog2() + k.count_ones() - 1) as usize,
-            Op::Div(..) => cost.div += 1,
-            Op::Sqrt(_) => cost.sqrt += 1,
-            Op::Exp(_) | Op::Ln(_) | Op::Pow(..) => cost.calls += 1,
+            Op::Div(..) | Op::Quotient(..) => cost.div += 1,
+            Op::Call(Function::Sqrt, _) => cost.sqrt += 1,
+            Op::Call(..) | Op::Law(_) | Op::Pow(..) => cost.calls += 1,
             Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) => {}
         }
     }

@@ -24,7 +24,9 @@ pub fn dump(program: &Program) -> String {
     let _ = writeln!(out, "step  = {}", show(program.step));
     let gains: Vec<_> = program.gains.iter().map(|v| show(*v)).collect();
     let _ = writeln!(out, "gains = {}", gains.join(" "));
-    let _ = writeln!(out, "axis  = {}", show(program.axis));
+    if let Some(axis) = program.axis {
+        let _ = writeln!(out, "axis  = {}", show(axis));
+    }
     out
 }
 
@@ -46,12 +48,11 @@ fn operation(program: &Program, op: &Op) -> String {
         Op::Sub(..) => "sub",
         Op::Mul(..) => "mul",
         Op::Div(..) => "div",
+        Op::Quotient(..) => "quotient",
         Op::Max(..) => "max",
         Op::Min(..) => "min",
-        Op::Abs(_) => "abs",
-        Op::Sqrt(_) => "sqrt",
-        Op::Exp(_) => "exp",
-        Op::Ln(_) => "ln",
+        Op::Call(function, _) => function.name(),
+        Op::Law(_) => "law",
         Op::Pow(..) => "pow",
         Op::Unknown => "unknown",
         Op::Root(_) => "root",
@@ -68,6 +69,7 @@ fn input_text(input: Input) -> String {
         Input::StartTime => "start time t0".to_owned(),
         Input::Time => "time t".to_owned(),
         Input::State(j) => format!("state x{j}"),
+        Input::StateAtStart(j) => format!("state x{j} at the start"),
         Input::Gain(j) => format!("gain {j}"),
     }
 }

@@ -1,19 +1,27 @@
 //! The interpreter: the same operations in the same order and precision as the emitted code.
 
 use super::{Input, Op, Program, Root, Value, number};
+use crate::expression::Function;
 use crate::spec::Precision;
 
 /// The values of a program for given inputs.
 pub struct Interpreter<'a> {
     program: &'a Program,
     input: &'a dyn Fn(Input) -> f64,
+    law: Option<&'a dyn Fn(&[f64]) -> f64>,
     known: Vec<Option<f64>>,
 }
 
 impl<'a> Interpreter<'a> {
     /// An interpreter for `program`; `input` gives each input, already in the program's precision.
     pub fn new(program: &'a Program, input: &'a dyn Fn(Input) -> f64) -> Self {
-        Self { program, input, known: vec![None; program.values.len()] }
+        Self { program, input, law: None, known: vec![None; program.values.len()] }
+    }
+
+    /// The same with the user's own law, of xi_1..xi_n and stretched time; without one it is NaN.
+    #[must_use]
+    pub fn with_law(self, law: &'a dyn Fn(&[f64]) -> f64) -> Self {
+        Self { law: Some(law), ..self }
     }
 
     /// The number that `value` takes.
@@ -35,6 +43,10 @@ impl<'a> Interpreter<'a> {
         match &self.program.get(value).op {
             Op::Input(input) => (self.input)(*input),
             Op::Root(root) => self.root(root),
+            Op::Law(arguments) => {
+                let arguments: Vec<_> = arguments.iter().map(|v| self.at(*v)).collect();
+                self.law.map_or(f64::NAN, |law| law(&arguments))
+            }
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.at(*v)).collect();
                 apply(op, &operands, self.program.precision).unwrap_or(f64::NAN)
@@ -92,6 +104,13 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
         (Op::Sub(..), [a, b]) => settle(a - b),
         (Op::Mul(..), [a, b]) => settle(a * b),
         (Op::Div(..), [a, b]) => settle(a / b),
+        (Op::Quotient(..), [a, b]) => {
+            if *b > 0.0 || *b < 0.0 {
+                settle(a / b)
+            } else {
+                f64::NAN
+            }
+        }
         (Op::Power(_, k), [a]) => power(*a, *k, precision),
         (Op::Max(..), [a, b]) => {
             if a < b {
@@ -107,11 +126,7 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
                 *b
             }
         }
-        (Op::Abs(_), [a]) => a.abs(),
-        (Op::Sqrt(_), [a]) => settle(a.sqrt()),
-        // A float function of the platform may differ from the rounded double one in the last bit.
-        (Op::Exp(_), [a]) => function(*a, f64::exp, f32::exp, precision),
-        (Op::Ln(_), [a]) => function(*a, f64::ln, f32::ln, precision),
+        (Op::Call(function, _), [a]) => call(*function, *a, precision),
         #[allow(clippy::cast_possible_truncation)]
         (Op::Pow(..), [a, b]) => match precision {
             Precision::F64 => a.powf(*b),
@@ -121,11 +136,38 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
     })
 }
 
+/// A function of the platform; a float one may differ from the rounded double one in the last bit.
 #[allow(clippy::cast_possible_truncation)]
-fn function(a: f64, double: fn(f64) -> f64, single: fn(f32) -> f32, precision: Precision) -> f64 {
+fn call(function: Function, a: f64, precision: Precision) -> f64 {
+    let (double, single): (fn(f64) -> f64, fn(f32) -> f32) = match function {
+        Function::Abs => (f64::abs, f32::abs),
+        Function::Sign => (|a| sign(a, 0.0, 1.0), |a| sign(a, 0.0, 1.0)),
+        Function::Sqrt => (f64::sqrt, f32::sqrt),
+        Function::Exp => (f64::exp, f32::exp),
+        Function::Ln => (f64::ln, f32::ln),
+        Function::Sin => (f64::sin, f32::sin),
+        Function::Cos => (f64::cos, f32::cos),
+        Function::Tan => (f64::tan, f32::tan),
+        Function::Atan => (f64::atan, f32::atan),
+        Function::Sinh => (f64::sinh, f32::sinh),
+        Function::Cosh => (f64::cosh, f32::cosh),
+        Function::Tanh => (f64::tanh, f32::tanh),
+        Function::Atanh => (f64::atanh, f32::atanh),
+    };
     match precision {
         Precision::F64 => double(a),
         Precision::F32 => f64::from(single(a as f32)),
+    }
+}
+
+/// 1, -1, or a itself where it is a zero or no number.
+fn sign<R: PartialOrd + std::ops::Neg<Output = R> + Copy>(a: R, zero: R, one: R) -> R {
+    if a > zero {
+        one
+    } else if a < zero {
+        -one
+    } else {
+        a
     }
 }
 

@@ -18,6 +18,7 @@ pub mod passes;
 use std::hash::{Hash, Hasher};
 
 use crate::algebra::BigRational;
+use crate::expression::Function;
 use crate::spec::{Parameter, Precision};
 
 /// Index of a value in its program.
@@ -50,6 +51,8 @@ pub enum Input {
     Time,
     /// State x_j, from 1.
     State(usize),
+    /// State x_j given to `arm`, from 1.
+    StateAtStart(usize),
     /// Feedback gain of x_j, from 1, as `tick` left it.
     Gain(usize),
 }
@@ -59,7 +62,7 @@ impl Input {
     pub fn stage(self) -> Stage {
         match self {
             Self::Parameter(_) => Stage::Init,
-            Self::StartTime => Stage::Arm,
+            Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
             Self::State(_) | Self::Gain(_) => Stage::Step,
         }
@@ -116,22 +119,20 @@ pub enum Op {
     Mul(Value, Value),
     /// a / b.
     Div(Value, Value),
+    /// a / b, and NaN in place of a division by 0.
+    Quotient(Value, Value),
     /// a^k, k >= 2: the multiplication chain of the binary digits of k, squares first.
     Power(Value, u32),
     /// The greater one: b where a < b, else a.
     Max(Value, Value),
     /// The smaller one: a where a < b, else b.
     Min(Value, Value),
-    /// |a|.
-    Abs(Value),
-    /// sqrt(a).
-    Sqrt(Value),
-    /// e^a.
-    Exp(Value),
-    /// ln(a).
-    Ln(Value),
+    /// A function of one number.
+    Call(Function, Value),
     /// a^b for a > 0.
     Pow(Value, Value),
+    /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time.
+    Law(Vec<Value>),
     /// The unknown of a [`Root`].
     Unknown,
     /// The root.
@@ -146,6 +147,7 @@ impl Hash for Op {
             Self::Number(value) => (value.numer(), value.denom()).hash(state),
             Self::Input(input) => input.hash(state),
             Self::Power(base, exponent) => (base, exponent).hash(state),
+            Self::Call(function, operand) => (function, operand).hash(state),
             op => op.operands().hash(state),
         }
     }
@@ -156,16 +158,13 @@ impl Op {
     pub fn operands(&self) -> Vec<Value> {
         match self {
             Self::Number(_) | Self::Input(_) | Self::Unknown => Vec::new(),
-            Self::Neg(a)
-            | Self::Power(a, _)
-            | Self::Abs(a)
-            | Self::Sqrt(a)
-            | Self::Exp(a)
-            | Self::Ln(a) => vec![*a],
+            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) => vec![*a],
+            Self::Law(arguments) => arguments.clone(),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
             | Self::Div(a, b)
+            | Self::Quotient(a, b)
             | Self::Max(a, b)
             | Self::Min(a, b)
             | Self::Pow(a, b) => vec![*a, *b],
@@ -179,14 +178,13 @@ impl Op {
             Self::Number(_) | Self::Input(_) | Self::Unknown => self.clone(),
             Self::Neg(a) => Self::Neg(to(*a)),
             Self::Power(a, k) => Self::Power(to(*a), *k),
-            Self::Abs(a) => Self::Abs(to(*a)),
-            Self::Sqrt(a) => Self::Sqrt(to(*a)),
-            Self::Exp(a) => Self::Exp(to(*a)),
-            Self::Ln(a) => Self::Ln(to(*a)),
+            Self::Call(function, a) => Self::Call(*function, to(*a)),
+            Self::Law(arguments) => Self::Law(arguments.iter().map(|a| to(*a)).collect()),
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
             Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),
             Self::Div(a, b) => Self::Div(to(*a), to(*b)),
+            Self::Quotient(a, b) => Self::Quotient(to(*a), to(*b)),
             Self::Max(a, b) => Self::Max(to(*a), to(*b)),
             Self::Pow(a, b) => Self::Pow(to(*a), to(*b)),
             Self::Min(a, b) => Self::Min(to(*a), to(*b)),
@@ -229,10 +227,10 @@ pub struct Program {
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped.
     pub step: Value,
-    /// Feedback gains of x_1..x_n, for `tick`.
+    /// Feedback gains of x_1..x_n, for `tick`; none where the law is no sum of gains.
     pub gains: Vec<Value>,
-    /// u from the gains that `tick` left, before it is clipped.
-    pub axis: Value,
+    /// u from the gains that `tick` left, before it is clipped; none where there are no gains.
+    pub axis: Option<Value>,
 }
 
 /// Values that the frame of the emitted functions uses.
@@ -242,6 +240,8 @@ pub struct Limits {
     pub start_time: Option<Value>,
     /// Bound of |u|; none for infinity.
     pub u_max: Option<Value>,
+    /// Time past the deadline, where something else than the held gains follows it.
+    pub past: Option<Value>,
     /// Time past the deadline, negative before it, held at `hold_from`.
     pub late: Value,
     /// -eps: from there on the gains are held.
@@ -259,8 +259,10 @@ impl Program {
     /// Every value that something outside the program reads.
     pub fn outputs(&self) -> Vec<Value> {
         let Limits { late, hold_from, eps, .. } = self.limits;
-        let mut outputs = vec![self.step, self.axis, late, hold_from, eps];
+        let mut outputs = vec![self.step, late, hold_from, eps];
+        outputs.extend(self.axis);
         outputs.extend(&self.gains);
+        outputs.extend(self.limits.past);
         outputs.extend(self.limits.start_time);
         outputs.extend(self.limits.u_max);
         outputs

@@ -3,6 +3,7 @@
 use num_traits::{One, Signed, Zero};
 
 use super::{append, rebuild};
+use crate::expression::Function;
 use crate::program::{Definition, Op, Program, Value, interpret, number};
 
 /// Replaces operations on numbers by the number they give at run time, bit for bit; removes
@@ -63,7 +64,10 @@ fn neutral(program: &Program, op: &Op) -> Option<Value> {
 }
 
 fn computed(program: &Program, op: &Op) -> Option<Op> {
-    if matches!(op, Op::Number(_) | Op::Input(_) | Op::Exp(_) | Op::Ln(_) | Op::Pow(..)) {
+    let exact = matches!(op, Op::Call(Function::Abs | Function::Sign | Function::Sqrt, _));
+    if matches!(op, Op::Number(_) | Op::Input(_) | Op::Pow(..) | Op::Law(_))
+        || matches!(op, Op::Call(..)) && !exact
+    {
         return None;
     }
     let numbers: Option<Vec<f64>> = op

@@ -56,10 +56,11 @@ fn rebuild(
     }
     let to = |v: Value| map[v.0];
     new.step = to(program.step);
-    new.axis = to(program.axis);
+    new.axis = program.axis.map(to);
     new.gains = program.gains.iter().copied().map(to).collect();
     new.limits.start_time = program.limits.start_time.map(to);
     new.limits.u_max = program.limits.u_max.map(to);
+    new.limits.past = program.limits.past.map(to);
     new.limits.late = to(program.limits.late);
     new.limits.hold_from = to(program.limits.hold_from);
     new.limits.eps = to(program.limits.eps);

@@ -2,6 +2,7 @@
 
 use super::{PASSES, append, optimise};
 use crate::algebra::integer;
+use crate::expression::Function;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::FAMILIES;
@@ -16,6 +17,7 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
             Input::Parameter(Parameter::Tau) => return 4.0,
             Input::Parameter(Parameter::Eps) => return 0.0625,
             Input::Parameter(p) => (1, p.index().unwrap_or(20) as u64 + p.key().len() as u64 * 40),
+            Input::StateAtStart(j) => (9, j as u64),
             Input::StartTime => return 0.75,
             Input::Time => (2, 0),
             Input::State(j) => (3, j as u64),
@@ -31,8 +33,11 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
 fn results(program: &Program, seed: u64) -> Vec<u64> {
     let input = sample(program.precision, seed);
     let mut interpreter = Interpreter::new(program, &input);
-    let outputs: Vec<Value> =
-        [program.step, program.axis].into_iter().chain(program.gains.iter().copied()).collect();
+    let outputs: Vec<Value> = [program.step]
+        .into_iter()
+        .chain(program.axis)
+        .chain(program.gains.iter().copied())
+        .collect();
     outputs.into_iter().map(|value| interpreter.value(value).to_bits()).collect()
 }
 
@@ -163,11 +168,11 @@ fn prune_drops_what_nothing_uses() {
         "prune",
         program(|p| {
             let x = append(p, Op::Input(Input::State(1)), None);
-            append(p, Op::Sqrt(x), None);
-            append(p, Op::Abs(x), None)
+            append(p, Op::Call(Function::Sqrt, x), None);
+            append(p, Op::Call(Function::Abs, x), None)
         }),
     );
-    assert!(pruned.values.iter().all(|d| !matches!(d.op, Op::Sqrt(_))));
+    assert!(pruned.values.iter().all(|d| !matches!(d.op, Op::Call(Function::Sqrt, _))));
     assert_eq!(pruned.needed(&pruned.outputs()).len(), pruned.values.len());
 }
 

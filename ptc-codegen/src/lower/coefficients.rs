@@ -1,0 +1,129 @@
+//! Coefficients of Taylor series: exact as far as generation knows them, else values.
+
+use num_traits::{One, Zero};
+
+use super::builder::Builder;
+use crate::algebra::{BigRational, integer};
+use crate::program::{Op, Value};
+
+/// A coefficient of a series.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Coefficient {
+    /// Known at generation.
+    Exact(BigRational),
+    /// Known later.
+    Value(Value),
+}
+
+use Coefficient::Exact;
+
+impl Coefficient {
+    pub(super) fn integer(value: i64) -> Self {
+        Exact(integer(value))
+    }
+
+    pub(super) fn index(value: usize) -> Self {
+        Self::integer(i64::try_from(value).unwrap_or(i64::MAX))
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        matches!(self, Exact(number) if number.is_zero())
+    }
+}
+
+/// Arithmetic that folds what is exact, and computes nothing for the neutral elements.
+impl Builder<'_> {
+    pub(super) fn coefficient(&mut self, a: &Coefficient) -> Value {
+        match a {
+            Exact(number) => self.number(number.clone()),
+            Coefficient::Value(value) => *value,
+        }
+    }
+
+    pub(super) fn plus(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
+        match (a, b) {
+            (Exact(a), Exact(b)) => Exact(a + b),
+            (a, b) if b.is_zero() => a.clone(),
+            (a, b) if a.is_zero() => b.clone(),
+            (a, b) => {
+                let (a, b) = (self.coefficient(a), self.coefficient(b));
+                Coefficient::Value(self.add(a, b))
+            }
+        }
+    }
+
+    pub(super) fn negative(&mut self, a: &Coefficient) -> Coefficient {
+        match a {
+            Exact(a) => Exact(-a),
+            Coefficient::Value(a) => Coefficient::Value(self.push(Op::Neg(*a))),
+        }
+    }
+
+    pub(super) fn minus(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
+        match (a, b) {
+            (Exact(a), Exact(b)) => Exact(a - b),
+            (a, b) if b.is_zero() => a.clone(),
+            (a, b) if a.is_zero() => self.negative(b),
+            (a, b) => {
+                let (a, b) = (self.coefficient(a), self.coefficient(b));
+                Coefficient::Value(self.sub(a, b))
+            }
+        }
+    }
+
+    pub(super) fn times(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
+        match (a, b) {
+            (Exact(a), Exact(b)) => Exact(a * b),
+            (a, b) if a.is_zero() || b.is_zero() => Coefficient::integer(0),
+            (Exact(one), other) | (other, Exact(one)) if one.is_one() => other.clone(),
+            (Exact(one), other) | (other, Exact(one)) if (-one).is_one() => self.negative(other),
+            (a, b) => {
+                let (a, b) = (self.coefficient(a), self.coefficient(b));
+                Coefficient::Value(self.mul(a, b))
+            }
+        }
+    }
+
+    /// a / b; `b` is no exact zero.
+    pub(super) fn over(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
+        match (a, b) {
+            (Exact(a), Exact(b)) => Exact(a / b),
+            (a, _) if a.is_zero() => Coefficient::integer(0),
+            (a, Exact(b)) => self.times(a, &Exact(b.recip())),
+            (a, b) => {
+                let (a, b) = (self.coefficient(a), self.coefficient(b));
+                Coefficient::Value(self.div(a, b))
+            }
+        }
+    }
+
+    /// An optional factor that is 1 where it is absent.
+    pub(super) fn scaled(&mut self, scale: Option<Value>, a: &Coefficient) -> Coefficient {
+        match scale {
+            None => a.clone(),
+            Some(scale) => self.times(&Coefficient::Value(scale), a),
+        }
+    }
+
+    /// sum over j = from..=to of weight(j) a_j b_(k-j), for the recurrences of Taylor series.
+    pub(super) fn convolution(
+        &mut self,
+        a: &[Coefficient],
+        b: &[Coefficient],
+        k: usize,
+        range: std::ops::RangeInclusive<usize>,
+        weight: &mut dyn FnMut(&mut Self, usize) -> Coefficient,
+    ) -> Coefficient {
+        let mut sum = Coefficient::integer(0);
+        for j in range {
+            if a[j].is_zero() || b[k - j].is_zero() {
+                continue;
+            }
+            let weight = weight(self, j);
+            let left = self.times(&weight, &a[j]);
+            let term = self.times(&left, &b[k - j]);
+            sum = self.plus(&sum, &term);
+        }
+        sum
+    }
+}

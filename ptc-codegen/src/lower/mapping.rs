@@ -1,0 +1,191 @@
+//! The Taylor series of mu at the stretched time of a tick, for every mapping.
+
+use super::builder::Builder;
+use super::coefficients::Coefficient;
+use super::exp_sum;
+use super::taylor::{Point, Series};
+use crate::algebra::{BigRational, integer};
+use crate::expression::{Expression, Function, Subject, Variable};
+use crate::mapping::{Custom, Family};
+use crate::program::{Op, Root, Value};
+use crate::spec::{Parameter, Precision, TimeMapping};
+
+/// Bound on the rounds of the iteration for stretched time. Where mu decays like an exponential it
+/// converges in three; where it decays like a power of t each round multiplies t by the logarithm
+/// that is left, and twelve reach T/tau = 1e-12.
+const ROUNDS: u32 = 40;
+
+/// mu(t + z) - mu(t) = r_1 (z + sum_{l>=2} c_l unit^(l-1) z^l).
+#[derive(Clone, Debug)]
+pub(super) struct Taylor {
+    /// r_1 = mu'.
+    pub(super) r1: Value,
+    /// 1/r_1 = kappa'.
+    pub(super) base_inverse: Value,
+    /// c_2, ..., c_n.
+    pub(super) tail: Vec<Coefficient>,
+    /// What goes with the order of a term; 1 where it is absent.
+    pub(super) unit: Option<Value>,
+    /// Stretched time since the start.
+    pub(super) stretched: Value,
+}
+
+/// The series of the spec's mapping at the current time, or at the start.
+pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
+    let spec = b.spec;
+    match &spec.time_mapping {
+        TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
+        TimeMapping::Family { family, .. } => of_kappa(b, &family.kappa()),
+        TimeMapping::Custom(custom) if custom.subject == Subject::Mu => of_mu(b, custom),
+        TimeMapping::Custom(custom) => of_kappa(b, &custom.form),
+    }
+}
+
+/// From kappa in the time-to-go. With T (1 - s) in place of T the terms k_l of the series in s have
+/// the size of kappa, where those of the series in time grow like T^-l and leave the range. With
+/// v = k_1 s it is v + sum (k_l/k_1^l) v^l, whose inverse function is mu's.
+fn of_kappa(b: &mut Builder<'_>, kappa: &Expression) -> Taylor {
+    let time_to_go = b.time_to_go();
+    let point = Point {
+        variable: Variable::TimeToGo,
+        series: Series {
+            offset: None,
+            scale: Some(time_to_go),
+            terms: leading_terms(b.spec.n, 1, -1),
+        },
+    };
+    let series = b.series(kappa, &point);
+    let stretched = b.value_at(&series);
+    let stretched = b.coefficient(&stretched);
+    let slope = b.scaled(series.scale, &series.terms[1]);
+    let slope = b.coefficient(&slope);
+    let one = b.integer(1);
+    let unit = b.div(one, slope);
+    let unit = b.name(unit, "unit", "T-scaled slope of the mapping, 1/(T*kappa')");
+    let inverse = b.div(one, time_to_go);
+    let inverse = b.name(inverse, "inv_T", "1/T");
+    let base_inverse = b.mul(slope, inverse);
+    let r1 = b.mul(time_to_go, unit);
+    let tail = ratios(b, &series.terms);
+    let tail = reversed(b, &tail);
+    Taylor {
+        r1,
+        base_inverse: b.name(base_inverse, "inv_r1", "1/r1 = kappa'"),
+        tail,
+        unit: Some(unit),
+        stretched,
+    }
+}
+
+/// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
+/// one scale times exact terms, the scale is known without that time.
+fn of_mu(b: &mut Builder<'_>, custom: &Custom) -> Taylor {
+    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, custom)) };
+    let point = around(b.spec.n, stretched);
+    let mut series = b.series(&custom.form, &point);
+    if let (None, Coefficient::Exact(first)) = (series.offset, &series.terms[0])
+        && *first != integer(0)
+    {
+        let (share, time_to_go) = (b.number(first.recip()), b.time_to_go());
+        series.scale = Some(b.mul(share, time_to_go));
+    }
+    let slope = b.negative(&series.terms[1]);
+    let r1 = b.scaled(series.scale, &slope);
+    let r1 = b.coefficient(&r1);
+    let (one, zero) = (b.integer(1), b.integer(0));
+    let base_inverse = b.div(one, r1);
+    Taylor {
+        r1,
+        base_inverse: b.name(base_inverse, "inv_r1", "1/r1 = kappa'"),
+        tail: ratios(b, &series.terms),
+        unit: None,
+        stretched: stretched.unwrap_or(zero),
+    }
+}
+
+/// The series of t at `at`; none for 0.
+fn around(n: usize, at: Option<Value>) -> Point {
+    let series = Series { offset: at, scale: None, terms: leading_terms(n, 0, 1) };
+    Point { variable: Variable::SinceStart, series }
+}
+
+fn leading_terms(n: usize, first: i64, second: i64) -> Vec<Coefficient> {
+    let mut terms = vec![Coefficient::integer(0); n + 1];
+    terms[0] = Coefficient::integer(first);
+    terms[1] = Coefficient::integer(second);
+    terms
+}
+
+/// a_l/a_1 for l = 2..n.
+fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
+    let one = Coefficient::integer(1);
+    // A slope that is 0 at generation belongs to no mapping; the program then gives no number.
+    let inverse = match &terms[1] {
+        zero if zero.is_zero() => Coefficient::integer(0),
+        first => b.over(&one, first),
+    };
+    terms[2..].iter().map(|term| b.times(term, &inverse)).collect()
+}
+
+/// The inverse function of v + sum_{l>=2} q_l v^l, by Lagrange: its term l is
+/// (1/l) \[v^(l-1)\] (1 + sum q_l v^(l-1))^-l.
+fn reversed(b: &mut Builder<'_>, tail: &[Coefficient]) -> Vec<Coefficient> {
+    let one = Coefficient::integer(1);
+    let shifted: Vec<_> = std::iter::once(one).chain(tail.iter().cloned()).collect();
+    (2..=tail.len() + 1)
+        .map(|l| {
+            let exponent = b.negative(&Coefficient::index(l));
+            let power = b.power_series(&shifted[..l], &exponent);
+            b.over(&power[l - 1], &Coefficient::index(l))
+        })
+        .collect()
+}
+
+/// Stretched time: in closed form where there is one, else the root y of ln(c(y)/T), which
+/// decreases, by Newton's method within a bracket.
+fn stretched_time(b: &mut Builder<'_>, custom: &Custom) -> Value {
+    if let Some(inverse) = &custom.inverse {
+        return b.scalar(inverse);
+    }
+    let target = b.time_to_go();
+    let (low, start) = (b.integer(0), b.integer(0));
+    let (far, small) = match b.spec.precision {
+        Precision::F64 => (300, 9),
+        Precision::F32 => (37, 4),
+    };
+    let ten = |exponent| num_traits::pow(BigRational::from_integer(10.into()), exponent);
+    let (high, tolerance) = (b.number(ten(far)), b.number(ten(small).recip()));
+    let unknown = b.push(Op::Unknown);
+    let unknown = b.name(unknown, "y", "stretched time since t0");
+    let series = b.series(&custom.form, &around(1, Some(unknown)));
+    let value = b.value_at(&series);
+    let value = b.coefficient(&value);
+    let slope = b.scaled(series.scale, &series.terms[1]);
+    let slope = b.coefficient(&slope);
+    let share = b.div(value, target);
+    let residual = b.push(Op::Call(Function::Ln, share));
+    let period = b.div(value, slope);
+    let step = b.mul(residual, period);
+    let next = b.sub(unknown, step);
+    let size = b.push(Op::Call(Function::Abs, residual));
+    let rounds = ROUNDS;
+    b.push(Op::Root(Root { unknown, start, low, high, residual, next, size, tolerance, rounds }))
+}
+
+impl Family {
+    /// kappa in the time-to-go, on the family's own parameters; tau - T for `exp_sum`, which has
+    /// none.
+    fn kappa(self) -> Expression {
+        let form = self.info().form(Subject::Family);
+        let own = |e: &Expression| match e {
+            Expression::Parameter(Parameter::Named(name)) => match name.text() {
+                "a" => Some(Parameter::A.into()),
+                "m" => Some(Parameter::M.into()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
+        form.map_or(elapsed, |form| form.substitute(&own))
+    }
+}

@@ -1,0 +1,95 @@
+//! Expressions as values.
+
+use num_traits::Signed;
+
+use super::builder::Builder;
+use super::coefficient::pi_power;
+use crate::expression::{Expression, Function, Variable};
+use crate::program::{Input, Op, Value};
+
+impl Builder<'_> {
+    /// The value of an expression.
+    pub(super) fn scalar(&mut self, expression: &Expression) -> Value {
+        match expression {
+            Expression::Number(number) => self.number(number.clone()),
+            Expression::Pi => self.number(pi_power(1)),
+            Expression::Parameter(parameter) => self.parameter(*parameter),
+            Expression::Variable(variable) => self.variable(*variable),
+            Expression::Neg(a) => {
+                let a = self.scalar(a);
+                self.push(Op::Neg(a))
+            }
+            Expression::Power(a, exponent) => {
+                let a = self.scalar(a);
+                self.scalar_power(a, exponent)
+            }
+            Expression::Call(function, a) => {
+                let a = self.scalar(a);
+                self.push(Op::Call(*function, a))
+            }
+            Expression::Add(a, b)
+            | Expression::Sub(a, b)
+            | Expression::Mul(a, b)
+            | Expression::Div(a, b)
+            | Expression::Min(a, b)
+            | Expression::Max(a, b) => {
+                let (a, b) = (self.scalar(a), self.scalar(b));
+                self.push(match expression {
+                    Expression::Add(..) => Op::Add(a, b),
+                    Expression::Sub(..) => Op::Sub(a, b),
+                    Expression::Mul(..) => Op::Mul(a, b),
+                    Expression::Div(..) => Op::Div(a, b),
+                    Expression::Min(..) => Op::Min(a, b),
+                    _ => Op::Max(a, b),
+                })
+            }
+        }
+    }
+
+    /// base^exponent: multiplications for an integer exponent, a root for 1/2, else `pow`, for
+    /// which the base is positive.
+    pub(super) fn scalar_power(&mut self, base: Value, exponent: &Expression) -> Value {
+        if let Some(k) = exponent.small_integer().filter(|k| k.unsigned_abs() <= 64) {
+            let power = match k.unsigned_abs() {
+                0 => return self.integer(1),
+                k => self.power(base, k),
+            };
+            let one = self.integer(1);
+            return if k < 0 { self.div(one, power) } else { power };
+        }
+        let half = exponent.number().filter(|n| *n.denom() == 2.into() && *n.numer() == 1.into());
+        if half.is_some() {
+            return self.push(Op::Call(Function::Sqrt, base));
+        }
+        if let Some(number) = exponent.number().filter(|n| n.is_negative()) {
+            let power = self.number(-number);
+            let (one, power) = (self.integer(1), self.push(Op::Pow(base, power)));
+            return self.div(one, power);
+        }
+        let exponent = self.scalar(exponent);
+        self.push(Op::Pow(base, exponent))
+    }
+
+    fn variable(&mut self, variable: Variable) -> Value {
+        match variable {
+            Variable::Time => self.push(Op::Input(Input::Time)),
+            Variable::Elapsed => {
+                let (time, start) = (Op::Input(Input::Time), Op::Input(Input::StartTime));
+                let (time, start) = (self.push(time), self.push(start));
+                self.sub(time, start)
+            }
+            Variable::TimeToGo => self.time_to_go(),
+            Variable::SinceStart => self.stretched(),
+            Variable::StretchedTime => {
+                let start = self.push(Op::Input(Input::StartTime));
+                let stretched = self.stretched();
+                let time = self.add(start, stretched);
+                self.name(time, "t_kappa", "stretched time kappa + t0")
+            }
+            Variable::State(j) => self.push(Op::Input(Input::State(j))),
+            Variable::StateAtStart(j) => self.push(Op::Input(Input::StateAtStart(j))),
+            Variable::Xi(j) => self.xi(j),
+            Variable::XiAtStart(j) => self.xi_at_start(j),
+        }
+    }
+}

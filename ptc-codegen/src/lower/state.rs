@@ -1,0 +1,60 @@
+//! A law that is no sum of gains: u = kappa'^n pi0(BB_n x, t_kappa) - kappa'^n b_n^T x.
+
+use super::builder::Builder;
+use super::mapping::{self, Taylor};
+use super::rows::{Factor, Rows};
+use super::series;
+use crate::expression::Variable;
+use crate::program::{Input, Op, Value};
+use crate::spec::Feedback;
+
+/// u before the input gain divides it.
+pub(super) fn step(b: &mut Builder<'_>) -> Value {
+    let taylor = b.taylor();
+    let spec = b.spec;
+    let law = match &spec.feedback {
+        Feedback::Expression(law) => b.scalar(law),
+        Feedback::Extern | Feedback::Linear => {
+            let mut arguments: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
+            arguments.push(b.scalar(&Variable::StretchedTime.into()));
+            b.push(Op::Law(arguments))
+        }
+    };
+    let law = b.name(law, "law", "pi0 at this state and stretched time");
+    let rows = series::drift_rows(b, &taylor);
+    Rows { base: Some(Factor::Multiply(taylor.base_inverse)), rows }.step(b, Some(law))
+}
+
+impl Builder<'_> {
+    /// The Taylor series of mu at the current time, or at the start; once each.
+    pub(super) fn taylor(&mut self) -> Taylor {
+        let index = usize::from(self.is_at_start());
+        if self.taylors[index].is_none() {
+            let taylor = mapping::taylor(self);
+            self.taylors[index] = Some(taylor);
+        }
+        self.taylors[index].clone().unwrap_or_else(|| mapping::taylor(self))
+    }
+
+    /// Stretched time since the start.
+    pub(super) fn stretched(&mut self) -> Value {
+        self.taylor().stretched
+    }
+
+    /// State xi_j of the infinite-time system.
+    pub(super) fn xi(&mut self, j: usize) -> Value {
+        let index = usize::from(self.is_at_start());
+        if self.states[index].is_empty() {
+            let taylor = self.taylor();
+            let (state, tail): (fn(usize) -> Input, &str) =
+                if index == 1 { (Input::StateAtStart, "_0") } else { (Input::State, "") };
+            self.states[index] = series::xi(self, &taylor, state, &|i| format!("xi{i}{tail}"));
+        }
+        self.states[index][j - 1]
+    }
+
+    /// State xi_j at the start, from the latched state of the plant.
+    pub(super) fn xi_at_start(&mut self, j: usize) -> Value {
+        self.at_start(|b| b.xi(j))
+    }
+}
