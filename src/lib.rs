@@ -85,6 +85,12 @@ pub use error::Error;
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
 ///
+/// | `file` | design file, TOML, from the folder of `Cargo.toml` on | a string: `"roll.toml"` | none |
+///
+/// A design file holds the same keys, with text in quotes, and parameters under `[params]`; keys
+/// beside `file` stand for those in it. The crate is built again when the file changes. A key of a
+/// table may be written here too: `params.tau = 2`.
+///
 /// What is left to run time is a field of the parameters; what is given here is folded into the
 /// code and is none.
 ///

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use super::UNREADABLE;
 use crate::diagnostic::Diagnostic;
 
 /// Most bytes of a design: what is longer is some other file.
@@ -17,7 +18,7 @@ pub fn load(path: &Path) -> Result<String, Diagnostic> {
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
     let wrong = |message: String, help: &str| Diagnostic {
-        code: "unreadable-design",
+        code: UNREADABLE,
         key: "file".to_owned(),
         place: None,
         message,

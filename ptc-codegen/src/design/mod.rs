@@ -37,6 +37,9 @@ const COMMON: [&str; 4] = ["tau", "t0", "eps", "u_max"];
 /// Code of a mistake in the TOML itself.
 pub const SYNTAX: &str = "toml";
 
+/// Code of a file that cannot be read at all.
+pub const UNREADABLE: &str = "unreadable-design";
+
 /// Most mistakes in the TOML itself that are told: a file of another kind is wrong in every line.
 const MAX_SYNTAX: usize = 10;
 
@@ -45,10 +48,10 @@ pub fn canonical(key: &str) -> &str {
     key.strip_prefix("params.").filter(|name| COMMON.contains(name)).unwrap_or(key)
 }
 
-/// Whether `found` explains why `key` seems to be missing: its value could not be read, or a
-/// line of the file could not, which may have held it.
+/// Whether `found` explains why `key` seems to be missing: its value could not be read, or the
+/// file or a line of it could not, which may have held it.
 pub fn explains_missing(found: &[Diagnostic], key: &str) -> bool {
-    found.iter().any(|own| own.code == SYNTAX || own.key == key)
+    found.iter().any(|own| [SYNTAX, UNREADABLE].contains(&own.code) || own.key == key)
 }
 
 /// Reads the text of a design file: the entries that can be read, and the mistakes in the others.
