@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::{Reader, template};
+use super::reader::Reader;
+use super::template;
 use crate::diagnostic::Place;
 use crate::spec::{Fixed, KeyInfo, Node, Value, number, parse};
 

@@ -97,7 +97,9 @@ fn only_abstract() -> Diagnostic {
         key: "mu".to_owned(),
         place: None,
         message: "R_{k,m} holds the derivatives of an abstract mapping, not of a family".to_owned(),
-        help: "leave `--mu` out, or ask for `show r`, which is written for a family too".to_owned(),
+        help:
+            "leave `--mu` or the design out, or ask for `show r`, which is written for a family too"
+                .to_owned(),
     }
 }
 
