@@ -85,6 +85,11 @@ pub use error::Error;
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
 ///
+///
+/// `file = "roll.toml"` reads a design file, from the folder of `Cargo.toml` on. It holds the same
+/// keys as TOML, with text in quotes and parameters under `[params]`; keys beside `file` stand for
+/// those in it, `params.tau = 2` for one of a table. The crate is built again when it changes.
+///
 /// What is left to run time is a field of the parameters; what is given here is folded into the
 /// code and is none.
 ///

@@ -9,6 +9,13 @@ ptc::ptc_controller!(n = 2, mu = exp);
 ptc::ptc_controller!(n = 2, mu = rational);
 ptc::ptc_controller!(n = 2, mu = exp, name = single, precision = f32);
 ptc::ptc_controller!(n = 2, mu = exp(a = 1), name = Roll, gains = [6, 5], u_max = inf);
+ptc::ptc_controller!(file = "tests/designs/roll.toml");
+ptc::ptc_controller!(
+    file = "tests/designs/roll.toml",
+    name = Yaw,
+    mu = rational,
+    params.eps = 1e-3
+);
 ptc::ptc_controller!(n = 2, mu = power(a = 1), name = power_of_m, tau = 2, t0 = -1, eps = 1e-3);
 ptc::ptc_controller!(n = 1, mu = exp_sum(3), u_max = inf);
 ptc::ptc_controller!(n = 1, mu = exp_sum(rates = [0.5, 1.5]), name = rates_fixed, u_max = inf);
@@ -155,6 +162,20 @@ fn single_precision_agrees_with_double() {
         let scale = 6.0 * wide[0].abs() / to_go.powi(2) + 6.0 * wide[1].abs() / to_go;
         assert_close(f64::from(found), exact, 2e-6 * scale.max(1.0), f64::from(t));
     }
+}
+
+#[test]
+fn a_design_file_is_its_keys() {
+    let of_file = RollOfFile::new(RollOfFileParams { t0: 0.0 }).expect("a parameter");
+    let roll = Roll::new(RollParams { tau: 2.0, t0: 0.0, eps: 1e-2 }).expect("parameters");
+    let x = [0.3, -0.7];
+    for t in [0.0, 1.25, 1.995, 3.0] {
+        assert_eq!(of_file.step(t, &x).expect("a control"), roll.step(t, &x).expect("a control"));
+    }
+    // Keys beside the file stand for those in it: at 5 ms before the end its eps would hold.
+    let yaw = Yaw::new(YawParams { t0: 0.0, a: 1.0 }).expect("parameters");
+    assert_eq!(yaw.step(1.995, &x).expect("a control").status, Status::Ok);
+    assert_eq!(of_file.step(1.995, &x).expect("a control").status, Status::Hold);
 }
 
 /// A literal of the parameters names every field, so these compile only if the fields are those.

@@ -3,6 +3,8 @@
 //! `TRYBUILD=overwrite cargo test --test macro_errors` writes the expectations anew; they hold for
 //! Rust 1.95, as other compilers word and mark some of them differently.
 
+use std::path::Path;
+
 /// Whether the compiler is the one whose words the expectations hold.
 fn compiler_is_known() -> bool {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -19,6 +21,11 @@ fn mistakes_are_told_at_their_token() {
     if !compiler_is_known() {
         return;
     }
+    // The crate that trybuild makes for the cases, where their design file is looked for.
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
+    let cases = target.join("tests/trybuild/ptc");
+    std::fs::create_dir_all(&cases).expect("the folder of the cases");
+    std::fs::copy("tests/designs/wrong.toml", cases.join("wrong.toml")).expect("a design file");
     trybuild::TestCases::new().compile_fail("tests/compile_fail/*.rs");
 }
 

@@ -26,8 +26,8 @@ fn eps(precision: Precision) -> f64 {
 
 /// The spec of a vector, with every parameter left to run time.
 fn spec(vector: &Vector, precision: Precision) -> Spec {
-    let mut spec = Spec::new(vector.n, vector.family);
-    spec.rates = vector.rates.len();
+    let (family, rates) = (vector.family, vector.rates.len());
+    let mut spec = Spec::of(vector.n, TimeMapping::Family { family, rates });
     spec.precision = precision;
     spec
 }
@@ -55,7 +55,7 @@ fn judge(test: &str, groups: &[(Spec, Vec<Vector>)]) {
     for (language, programs) in &programs {
         for ((spec, vectors), program) in groups.iter().zip(programs) {
             let records: Vec<_> = vectors.iter().map(|vector| record(vector, spec)).collect();
-            let row = table.entry((spec.family, spec.n, *language)).or_default();
+            let row = table.entry((spec.family(), spec.n, *language)).or_default();
             for (vector, outcome) in vectors.iter().zip(program.run(&records)) {
                 if let Err(error) = add(row, spec, vector, &outcome) {
                     wrong.push(format!("{language}: {error}\n  {vector:?}"));
@@ -82,7 +82,7 @@ fn judge(test: &str, groups: &[(Spec, Vec<Vector>)]) {
 
 /// Adds one outcome to the worst ones.
 fn add(worst: &mut Worst, spec: &Spec, vector: &Vector, outcome: &Outcome) -> Result<(), String> {
-    let allowed = tolerance::control(spec.family, spec.precision);
+    let allowed = tolerance::control(spec.family().expect("a family"), spec.precision);
     if (outcome.init, outcome.step.0) != (OK, OK) {
         return Err(format!("init {}, step {}", outcome.init, outcome.step.0));
     }

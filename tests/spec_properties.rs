@@ -102,7 +102,7 @@ prop_compose! {
             for (index, rate) in fixed_rates.into_iter().flatten().enumerate() {
                 fix(Parameter::Rate(index + 1), Some(rate));
             }
-            spec.rates = rates;
+            spec.time_mapping = TimeMapping::Family { family, rates };
         } else {
             fix(Parameter::A, own.0);
             if family == Family::Power {

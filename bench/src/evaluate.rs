@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-use ptc_codegen::spec::{Guard, Precision};
+use ptc_codegen::spec::{Guard, Precision, TimeMapping};
 
 use crate::c;
 use crate::case::{Case, VARIANTS};
@@ -29,7 +29,7 @@ pub(crate) fn cases_for(
             let variant = VARIANTS.into_iter().find(|variant| variant.family == family);
             let variant = variant.unwrap_or(VARIANTS[0]);
             let mut case = Case::new(variant, vector.n, precision, Guard::None);
-            case.spec.rates = rates;
+            case.spec.time_mapping = TimeMapping::Family { family, rates };
             case.spec.name = Some(format!("{}_r{rates}", case.name()));
             cases.push(case);
             cases.len() - 1
@@ -47,7 +47,7 @@ pub(crate) fn driver(cases: &[Case], more: &str) -> String {
     }
     text.push_str("static double evaluate(int which, const double *p)\n{\n    switch (which) {\n");
     for (index, case) in cases.iter().enumerate() {
-        let (name, real, n, rates) = (case.name(), case.c_real(), case.spec.n, case.spec.rates);
+        let (name, real, n, rates) = (case.name(), case.c_real(), case.spec.n, case.spec.rates());
         let field = |field: &str, from: usize, length: usize| {
             let values = (from..from + length).map(|i| format!("({real})p[{i}]")).collect();
             (field.to_owned(), values)

@@ -96,9 +96,9 @@ pub(crate) fn measure(contestants: Option<&Path>) -> Result<Vec<Entry>> {
         .collect::<Result<_>>()?;
 
     let mut entries = Vec::new();
-    let ours = cases.iter().zip(&sizes).enumerate().map(|(index, (case, size))| {
+    let ours = cases.iter().zip(&sizes).enumerate().filter_map(|(index, (case, size))| {
         let step = format!("{}_step", case.name());
-        (OURS, case.spec.family, case.spec.n, index, step, size.text)
+        Some((OURS, case.spec.family()?, case.spec.n, index, step, size.text))
     });
     let theirs = peers.iter().enumerate().map(|(index, peer)| {
         let Peer { name, family, n, symbol, text, .. } = peer;

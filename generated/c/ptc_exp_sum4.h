@@ -37,8 +37,10 @@
  *   B_{4,2} = 4*r1*r3 + 3*r2^2
  *   B_{4,3} = 6*r1^2*r2
  *
- * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
- *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+ *   g   = 1
+ *   u = (sum_j gain_j x_j)/g
  *   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
  *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
  *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
@@ -66,7 +68,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0,        /* tracking */
     PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3,     /* the deadline is over, and what was chosen for then gives u */
     PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
     PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3   /* u not finite */

@@ -26,8 +26,10 @@
  * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
  *   B_{0,0} = 1
  *
- * Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
- *   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+ *   g   = 1
+ *   u = (sum_j gain_j x_j)/g
  *   gain_j = inv_T^(n+1-j) row_j
  *   K_i = k_i/(a)^(n+1-i)
  *   row_1 = -K1*q
@@ -56,7 +58,8 @@ extern "C" {
 typedef enum ptc_status {
     PTC_OK = 0,        /* tracking */
     PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3,     /* the deadline is over, and what was chosen for then gives u */
     PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
     PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3   /* u not finite */

@@ -34,8 +34,10 @@
 //!   B_{3,1} = a^3*T
 //!   B_{3,2} = -3*a^3*T^2
 //!
-//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
-//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+//!   g   = 1
+//!   u = (sum_j gain_j x_j)/g
 //!   gain_j = inv_T^(n+1-j) row_j
 //!   K_i = k_i/(a)^(n+1-i)
 //!   row_1 = -K1
@@ -60,8 +62,10 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold`.
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
     Saturated,
+    /// The deadline is over, and what was chosen for then gives u.
+    After,
 }
 
 /// What a step gives.
@@ -162,13 +166,13 @@ impl PtcExp3Fixed {
     /// # Errors
     /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !t0.is_finite() {
+        if !(t0.is_finite()) {
             return Err(Error::Param);
         }
         let deadline = t0 + 2.0;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (2.0 - v1);
-        if !deadline.is_finite() {
+        if !(deadline.is_finite()) {
             return Err(Error::Param);
         }
         self.t0 = t0;

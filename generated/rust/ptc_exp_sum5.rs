@@ -42,8 +42,10 @@
 //!   B_{5,3} = 15*r1*r2^2 + 10*r1^2*r3
 //!   B_{5,4} = 10*r1^3*r2
 //!
-//! Law, Theorem 1 with pi0 = -(k_1 xi_1 + ... + k_n xi_n), g = 1:
-//!   u = kappa'^n (pi0(BB_n x) - b_n^T x) = sum_j gain_j x_j
+//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+//!   g   = 1
+//!   u = (sum_j gain_j x_j)/g
 //!   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
 //!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
 //!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
@@ -66,8 +68,10 @@ pub enum Status {
     Ok,
     /// Time-to-go is held at eps: the deadline is near or over.
     Hold,
-    /// |u| was clipped to u_max; wins over `Hold`.
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
     Saturated,
+    /// The deadline is over, and what was chosen for then gives u.
+    After,
 }
 
 /// What a step gives.
@@ -362,13 +366,13 @@ impl PtcExpSum5 {
     /// # Errors
     /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !t0.is_finite() {
+        if !(t0.is_finite()) {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !deadline.is_finite() {
+        if !(deadline.is_finite()) {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -448,16 +452,16 @@ impl PtcExpSum5 {
         let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
         let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
         let p5 = ((self.b5_1 * v23) + (self.b5_2 * v25)) * inv_r1;
-        let v26 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + (self.w5 * p4) + ((-120.0) * p5);
-        let v27 = p2 + p2;
-        let v28 = p3 + p3 + (p2 * p2);
-        let v29 = p2 * p3;
-        let v30 = self.w3 + (self.w4 * v27) + (self.w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-        let row3 = v30 * 0.5;
-        let v31 = v27 + p2;
-        let row4 = (self.w4 + (self.w5 * v31) + ((-120.0) * (v28 + p3 + (v27 * p2)))) * 0.16666666666666666;
-        let row5 = (self.w5 + ((-120.0) * (v31 + p2))) * 0.041666666666666664;
-        let v32 = ((((self.w1 * x1 * inv_r1) + (v26 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
+        let v26 = p2 + p2;
+        let v27 = p3 + p3 + (p2 * p2);
+        let v28 = p2 * p3;
+        let v29 = v26 + p2;
+        let v30 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + (self.w5 * p4) + ((-120.0) * p5);
+        let v31 = self.w3 + (self.w4 * v26) + (self.w5 * v27) + ((-120.0) * (p4 + p4 + v28 + v28));
+        let row3 = v31 * 0.5;
+        let row4 = (self.w4 + (self.w5 * v29) + ((-120.0) * (v27 + p3 + (v26 * p2)))) * 0.16666666666666666;
+        let row5 = (self.w5 + ((-120.0) * (v29 + p2))) * 0.041666666666666664;
+        let v32 = ((((self.w1 * x1 * inv_r1) + (v30 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
         let u = (((v32 + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
 if u > self.u_max {
             return Ok(Control { u: self.u_max, status: Status::Saturated });
@@ -540,21 +544,21 @@ if u > self.u_max {
         let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
         let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
         let p5 = ((self.b5_1 * v23) + (self.b5_2 * v25)) * inv_r1;
-        let v26 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + (self.w5 * p4) + ((-120.0) * p5);
-        let v27 = p2 + p2;
-        let v28 = p3 + p3 + (p2 * p2);
-        let v29 = p2 * p3;
-        let v30 = self.w3 + (self.w4 * v27) + (self.w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-        let row3 = v30 * 0.5;
-        let v31 = v27 + p2;
-        let row4 = (self.w4 + (self.w5 * v31) + ((-120.0) * (v28 + p3 + (v27 * p2)))) * 0.16666666666666666;
-        let row5 = (self.w5 + ((-120.0) * (v31 + p2))) * 0.041666666666666664;
+        let v26 = p2 + p2;
+        let v27 = p3 + p3 + (p2 * p2);
+        let v28 = p2 * p3;
+        let v29 = v26 + p2;
+        let v30 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + (self.w5 * p4) + ((-120.0) * p5);
+        let v31 = self.w3 + (self.w4 * v26) + (self.w5 * v27) + ((-120.0) * (p4 + p4 + v28 + v28));
+        let row3 = v31 * 0.5;
+        let row4 = (self.w4 + (self.w5 * v29) + ((-120.0) * (v27 + p3 + (v26 * p2)))) * 0.16666666666666666;
+        let row5 = (self.w5 + ((-120.0) * (v29 + p2))) * 0.041666666666666664;
         let v32 = inv_r1 * inv_r1;
         let held = late >= self.hold_from;
         Ok(PtcExpSum5Gains {
             gain: [
                 self.w1 * (v32 * inv_r1) * v32,
-                v26 * v32 * v32,
+                v30 * v32 * v32,
                 row3 * v32 * inv_r1,
                 row4 * inv_r1 * inv_r1,
                 row5 * inv_r1,

@@ -11,6 +11,7 @@
 
 pub mod algebra;
 pub mod check;
+pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expansion;

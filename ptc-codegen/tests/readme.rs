@@ -66,11 +66,14 @@ fn folder(name: &str) -> PathBuf {
 fn from_plant_to_firmware() {
     let folder = folder("readme");
     let emitted = commands("cargo run --release -p ptc-codegen");
-    assert_eq!(emitted.len(), 2, "the first command, and that of the stage");
+    assert_eq!(emitted.len(), 4, "the first command, that of the stage, two with a design");
+    let [design] = &blocks("toml")[..] else { panic!("one design") };
+    fs::write(folder.join("roll.toml"), design).expect("writable");
     for command in &emitted {
         shell(command, &folder);
     }
-    for file in ["ptc_exp3.h", "ptc_exp3.c", "stage.h", "stage.c"] {
+    assert!(folder.join("pitch.toml").is_file());
+    for file in ["ptc_exp3.h", "ptc_exp3.c", "stage.h", "stage.c", "roll.h", "roll.c"] {
         assert!(folder.join("out").join(file).is_file(), "{file}");
     }
     let [main] = &blocks("c")[..] else { panic!("one program in C") };

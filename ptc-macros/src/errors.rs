@@ -1,27 +1,37 @@
 //! Diagnostics as compile errors at the tokens that are wrong.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use ptc_codegen::design::explains_missing;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::mapping::FAMILIES;
 use ptc_codegen::spec::{self, Spec, Value};
 
-use crate::input::{Input, example};
+use crate::input::{Input, Spot, example};
 
 /// One compile error for each mistake in `input` and each in `found`, in the order in which they
 /// were written.
 pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
-    // A key whose entry could not be read is not missing.
-    let unread = |key: &str| input.wrong.iter().any(|wrong| wrong.key == key);
+    // A key is not missing whose entry could not be read, nor one that the file may hold.
+    let no_file = explains_missing(&input.wrong, "file");
+    let unread = |key: &str| no_file || explains_missing(&input.wrong, key);
     found.retain(|wrong| wrong.code != "missing-key" || !unread(&wrong.key));
     found.extend(input.wrong.iter().cloned());
     found.sort_by_key(|wrong| (wrong.place.is_none(), wrong.place));
     let errors = found.iter().flat_map(|wrong| {
-        let spans = wrong.place.and_then(|place| input.spans.get(place.0)).copied();
+        let spot = wrong.place.and_then(|place| input.places.get(place.0));
+        let (spans, message) = match (spot, &input.design) {
+            (Some(Spot::File(range)), Some(design)) => {
+                let message = design.told(range.clone(), &wrong.message);
+                (Some((design.span, design.span)), message)
+            }
+            (Some(Spot::Tokens(first, last)), _) => (Some((*first, *last)), wrong.message.clone()),
+            _ => (None, wrong.message.clone()),
+        };
         let example = match wrong.code {
             "missing-key" => format!(", for example {}", example(&wrong.key)),
             _ => String::new(),
         };
-        compile_error(spans, &format!("{}\nhelp: {}{example}", wrong.message, wrong.help))
+        compile_error(spans, &format!("{message}\nhelp: {}{example}", wrong.help))
     });
     let errors = errors.collect();
     let named = found.iter().all(|wrong| wrong.key != "name");

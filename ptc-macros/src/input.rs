@@ -1,12 +1,15 @@
-//! `key = value, ...` as entries of a spec, with the span of every place.
+//! `key = value, ...` as entries of a spec, with the spot of every place.
 //!
 //! A value is handed on as text, so that the macro and the command line share one parser.
 
 use std::ops::Range;
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use ptc_codegen::design::{SYNTAX, UNREADABLE, canonical};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::spec::{Entry, KeyInfo, parse};
+
+use crate::design::{self, Design};
 
 const VALUES: &str = "a value is a number, a name, a name with arguments such as `power(m = 2)`, or a list in brackets such as `[6, 11, 6]`";
 
@@ -17,34 +20,77 @@ pub(crate) struct Input {
     pub(crate) entries: Vec<Entry>,
     /// The mistakes in the others.
     pub(crate) wrong: Vec<Diagnostic>,
-    /// First and last token of each [`Place`].
-    pub(crate) spans: Vec<(Span, Span)>,
+    /// Where each [`Place`] is.
+    pub(crate) places: Vec<Spot>,
+    /// The design file, if one is named.
+    pub(crate) design: Option<Design>,
+}
+
+/// Where a place is.
+#[derive(Clone)]
+pub(crate) enum Spot {
+    /// From the first to the last token.
+    Tokens(Span, Span),
+    /// Bytes of the design file.
+    File(Range<usize>),
 }
 
 /// Reads the tokens. A mistake ends its entry; reading goes on after the next comma.
 pub(crate) fn read(tokens: TokenStream) -> Input {
     let tokens = flatten(tokens);
     let mut input = Input::default();
+    let mut file = None;
     let mut rest = tokens.as_slice();
     while !rest.is_empty() {
         let comma = rest.iter().position(|token| token.depth == 0 && token.text == ",");
         let end = comma.unwrap_or(rest.len());
-        input.entry(&rest[..end], &rest[..rest.len().min(end + 1)]);
+        input.entry(&rest[..end], &rest[..rest.len().min(end + 1)], &mut file);
         rest = rest.get(end + 1..).unwrap_or_default();
+    }
+    if let Some((name, span)) = file {
+        input.design(name, span);
     }
     input
 }
 
 impl Input {
+    /// What the design file says, but for the keys that are given beside it.
+    fn design(&mut self, name: String, span: Span) {
+        let (design, entries, found) = Design::read(name, span, &mut self.places);
+        let given: Vec<_> = self.entries.iter().map(|e| e.key.clone()).collect();
+        let stands = |key: &str| {
+            let key = key.split('[').next().unwrap_or(key);
+            given.iter().all(|given| given != key) && self.wrong.iter().all(|own| own.key != key)
+        };
+        // What is wrong with the file itself is told whatever stands for its keys.
+        let kept = |own: &Diagnostic| [SYNTAX, UNREADABLE].contains(&own.code) || stands(&own.key);
+        let entries: Vec<_> = entries.into_iter().filter(|entry| stands(&entry.key)).collect();
+        let found: Vec<_> = found.into_iter().filter(kept).collect();
+        self.entries.extend(entries);
+        self.wrong.extend(found);
+        self.design = Some(design);
+    }
+
     /// One entry; `with_comma` are its tokens and the comma after it.
-    fn entry(&mut self, tokens: &[Token], with_comma: &[Token]) {
+    fn entry(&mut self, tokens: &[Token], with_comma: &[Token], file: &mut Option<(String, Span)>) {
         let key = match tokens.first().or(with_comma.first()) {
             Some(key) if key.is_word => key,
             Some(other) => return self.unexpected("", other, "a key"),
             None => return,
         };
         match &tokens[1..] {
-            [equals, value @ ..] if equals.text == "=" => self.value(key, equals, value),
+            [equals, value @ ..] if equals.text == "=" && key.text == "file" => {
+                self.file(key, equals, value, file);
+            }
+            [equals, value @ ..] if equals.text == "=" => {
+                self.value(&key.text, (key, key), equals, value);
+            }
+            [point, name, equals, value @ ..]
+                if point.text == "." && name.is_word && equals.text == "=" =>
+            {
+                let dotted = format!("{}.{}", key.text, name.text);
+                self.value(canonical(&dotted), (key, name), equals, value);
+            }
             [other, ..] => self.unexpected(&key.text, other, "`=`"),
             [] => {
                 let message = format!("`{}` has no value", key.text);
@@ -54,8 +100,32 @@ impl Input {
         }
     }
 
-    fn value(&mut self, key: &Token, equals: &Token, tokens: &[Token]) {
-        let place = self.place(key.span, key.span);
+    /// `file = "roll.toml"`, which is no key of a spec.
+    fn file(
+        &mut self,
+        key: &Token,
+        equals: &Token,
+        tokens: &[Token],
+        file: &mut Option<(String, Span)>,
+    ) {
+        let help = "write `file = \"roll.toml\"`, from the folder of your crate's Cargo.toml on";
+        let at = tokens.first().unwrap_or(equals);
+        match (tokens, tokens.first().and_then(|token| design::literal(&token.text))) {
+            ([_], Some(_)) if file.is_some() => {
+                let message = "`file` is given twice".to_owned();
+                self.syntax("file", key, message, "leave one of the two out".to_owned());
+            }
+            ([name], Some(path)) => *file = Some((path, name.span)),
+            _ => {
+                let found = tokens.first().map_or("the end", |token| token.text.as_str());
+                let message = format!("found `{found}` where the path of a file should be");
+                self.syntax("file", at, message, help.to_owned());
+            }
+        }
+    }
+
+    fn value(&mut self, key: &str, at: (&Token, &Token), equals: &Token, tokens: &[Token]) {
+        let place = self.place(at.0.span, at.1.span);
         let (text, ranges) = join(tokens);
         let mut locate = |range: Range<usize>| {
             let mut touched = ranges
@@ -66,11 +136,11 @@ impl Input {
             let last = tokens.last().unwrap_or(equals).span;
             let first = touched.next().map_or(last, |(_, token)| token.span);
             let last = touched.next_back().map_or(first, |(_, token)| token.span);
-            self.spans.push((first, last));
-            Place(self.spans.len() - 1)
+            self.places.push(Spot::Tokens(first, last));
+            Place(self.places.len() - 1)
         };
-        match parse(&key.text, &text, &mut locate) {
-            Ok(value) => self.entries.push(Entry { key: key.text.clone(), place, value }),
+        match parse(key, &text, &mut locate) {
+            Ok(value) => self.entries.push(Entry { key: key.to_owned(), place, value }),
             // The parser's own help is for a command line, where a list needs no brackets.
             Err(wrong) => self.wrong.push(Diagnostic { help: VALUES.to_owned(), ..wrong }),
         }
@@ -88,8 +158,8 @@ impl Input {
     }
 
     fn place(&mut self, first: Span, last: Span) -> Place {
-        self.spans.push((first, last));
-        Place(self.spans.len() - 1)
+        self.places.push(Spot::Tokens(first, last));
+        Place(self.places.len() - 1)
     }
 }
 
@@ -242,7 +312,7 @@ mod tests {
             "--n 2 --mu \"exp_sum(rates=[0.5,1.5])\" --name Roll --precision f32 --guard result \
              --tau=2 --t0=-1 --eps=1e-3 --u-max=inf --gains=6,5"
         );
-        assert_eq!(spec("mu = exp_sum(3), n = 1").rates, 3);
+        assert_eq!(spec("mu = exp_sum(3), n = 1").rates(), 3);
     }
 
     #[test]
@@ -274,6 +344,34 @@ mod tests {
         );
         assert!(input.wrong.iter().all(|wrong| wrong.place.is_some()));
         assert!(input.entries.is_empty());
+    }
+
+    #[test]
+    fn dotted_keys_are_those_of_the_tables_of_a_design() {
+        let input = read_text("params.psi = 20, params.tau = 1, envelope.x_max = [1], params. = 2");
+        let keys: Vec<_> = input.entries.iter().map(|entry| entry.key.as_str()).collect();
+        assert_eq!(keys, ["params.psi", "tau", "envelope.x_max"]);
+        assert_eq!(input.wrong.len(), 1);
+    }
+
+    #[test]
+    fn entries_beside_a_file_stand_for_its_keys() {
+        let design = "file = \"../tests/designs/roll.toml\"";
+        assert_eq!(
+            spec(&format!("{design}, name = yaw, params.tau = 3")).command(),
+            "--n 2 --mu \"exp(a=1)\" --name yaw --tau=3 --eps=1e-2 --u-max=inf --gains=6,5"
+        );
+        let input = read_text(&format!("{design}, file = r#\"b.toml\"#, gains = [6, x y]"));
+        assert_eq!(input.wrong.len(), 2);
+        assert!(input.entries.iter().all(|entry| entry.key != "gains"));
+        assert!(input.design.is_some_and(|d| d.tracked().to_string().contains("roll.toml")));
+        for wrong in ["file = roll", "file =", "file = \"a\" b", "file = \"a\\nb\"", "file = 1"] {
+            let input = read_text(wrong);
+            assert!(input.wrong.len() == 1 && input.design.is_none(), "{wrong}");
+        }
+        let input = read_text("file = \"none.toml\"");
+        assert!(input.wrong[0].message.contains("none.toml"), "{:?}", input.wrong);
+        assert!(input.design.is_some_and(|d| d.tracked().is_empty()));
     }
 
     #[test]

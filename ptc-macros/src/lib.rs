@@ -1,5 +1,6 @@
-//! The macro of the crate `ptc`: tokens to a spec, the spec to code, the code to tokens.
+//! The macro of the crate `ptc`: tokens, and a design file, to a spec, the spec to code, the code to tokens.
 
+mod design;
 mod errors;
 mod input;
 
@@ -20,7 +21,9 @@ fn expand(tokens: TokenStream) -> TokenStream {
         Ok(_) => Err(Vec::new()),
         Err(found) => Err(found),
     };
-    items.unwrap_or_else(|found| errors::tokens(&input, found))
+    let mut items = items.unwrap_or_else(|found| errors::tokens(&input, found));
+    items.extend(input.design.iter().flat_map(|design| design.tracked()));
+    items
 }
 
 fn lex(text: &str) -> Result<TokenStream, Vec<Diagnostic>> {

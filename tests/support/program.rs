@@ -124,7 +124,7 @@ pub(crate) fn in_c(folder: &Path, specs: &[Spec]) -> Vec<Program> {
 pub(crate) fn in_rust(folder: &Path, specs: &[Spec]) -> Vec<Program> {
     let mut batches: Vec<Vec<usize>> = Vec::new();
     for (index, spec) in specs.iter().enumerate() {
-        let same = |batch: &&mut Vec<usize>| specs[batch[0]].family == spec.family;
+        let same = |batch: &&mut Vec<usize>| specs[batch[0]].family() == spec.family();
         match batches.iter_mut().find(same) {
             Some(batch) => batch.push(index),
             None => batches.push(vec![index]),

@@ -44,6 +44,7 @@ impl Values<'_> {
             Parameter::M => self.m,
             Parameter::Rate(i) => self.rates[i - 1],
             Parameter::Gain(i) => self.k[i - 1],
+            Parameter::Named(name) => panic!("{name} belongs to no family"),
         }
     }
 

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Arg, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
+use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
 use ptc_codegen::emit::Language;
 use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
@@ -24,6 +24,8 @@ const EXAMPLES: &str = "\
 Examples:
   ptc-codegen list                                    the families of time mappings
   ptc-codegen emit --lang c --n 3 --mu exp -o out     out/ptc_exp3.h and out/ptc_exp3.c
+  ptc-codegen new roll                                roll.toml, a design file to begin with
+  ptc-codegen emit roll.toml --lang c -o out          out/roll.h and out/roll.c
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
 Exit codes: 0 done, 1 --check found drift, 2 bad input or a place that cannot be written.";
@@ -33,15 +35,20 @@ pub(crate) enum Command {
     /// Generate the source of a controller
     #[command(
         after_help = EMIT_EXAMPLES,
-        override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]"
+        override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]\n       \
+                          ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]"
     )]
     Emit(Emit),
     /// Print the expansions behind a controller
     #[command(
         after_help = SHOW_EXAMPLES,
-        override_usage = "ptc-codegen show <SUBJECT> --n <N> [--mu <MU>] [--format <FORMAT>]"
+        override_usage = "ptc-codegen show <SUBJECT> --n <N> [--mu <MU>] [--format <FORMAT>]\n       \
+                          ptc-codegen show <SUBJECT> <DESIGN> [--format <FORMAT>]"
     )]
     Show(Show),
+    /// Write a design file to begin with, which tells every key
+    #[command(after_help = NEW_EXAMPLES)]
+    New(New),
     /// Print the families of time mappings and their parameters
     List(List),
 }
@@ -56,11 +63,23 @@ Examples:
       m, the gains and tau are fixed; writes src/roll.rs
   ptc-codegen emit --lang c --n 2 --mu \"exp_sum(rates=[0.5,1.5])\" --u-max inf -o -
       fixed rates, no clipping; prints header and source
+  ptc-codegen emit roll.toml --lang c --param tau=2 -o out
+      what the file roll.toml says, but for tau
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check
       writes nothing; exit code 1 if the files in out are not what would be written";
 
+/// The design file of a command that can have one.
+#[derive(Debug, Args)]
+pub(crate) struct Design {
+    /// Design file, TOML; a flag stands for the file's key of the same name
+    #[arg(value_name = "DESIGN")]
+    pub(crate) design: Option<PathBuf>,
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct Emit {
+    #[command(flatten)]
+    pub(crate) design: Design,
     /// Language of the source: c is a header and a source file (C99), rust is one no_std file
     #[arg(long, value_enum, value_name = "LANGUAGE")]
     pub(crate) lang: Lang,
@@ -97,7 +116,10 @@ impl From<Lang> for Language {
     }
 }
 
-/// The flags of a spec, one for each key of the library's table.
+/// The flag of parameters by name.
+const PARAM: &str = "param";
+
+/// The flags of a spec, one for each key of the library's table, and `--param`.
 #[derive(Debug)]
 pub(crate) struct SpecFlags(pub(crate) Source);
 
@@ -114,19 +136,29 @@ impl FromArgMatches for SpecFlags {
                 self.0.give(info.key, text);
             }
         }
+        for text in matches.get_many::<String>(PARAM).into_iter().flatten() {
+            self.0.give_parameter(text);
+        }
         Ok(())
     }
 }
 
 impl Args for SpecFlags {
     fn augment_args(command: clap::Command) -> clap::Command {
-        command.args(KEYS.iter().map(|info| {
+        let keys = KEYS.iter().map(|info| {
             Arg::new(info.key)
                 .long(flag(info.key).trim_start_matches('-').to_owned())
                 .value_name(info.key.to_uppercase())
                 .allow_hyphen_values(true)
                 .help(help(info.key))
-        }))
+        });
+        command.args(keys).arg(
+            Arg::new(PARAM)
+                .long(PARAM)
+                .value_name("NAME=VALUE")
+                .action(ArgAction::Append)
+                .help("A parameter by its name, as under [params] in a design file; repeatable"),
+        )
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {
@@ -165,6 +197,7 @@ LaTeX is a fragment for a document that uses the package amsmath.
 Examples:
   ptc-codegen show r --n 4
   ptc-codegen show bell --n 3 --mu \"exp(a=1)\"
+  ptc-codegen show law roll.toml
   ptc-codegen show tables --n 5 --format latex
   ptc-codegen show r --n 8 --format json";
 
@@ -173,6 +206,8 @@ pub(crate) struct Show {
     /// What to print
     #[arg(value_enum)]
     pub(crate) subject: Subject,
+    #[command(flatten)]
+    pub(crate) design: Design,
     #[arg(
         long,
         value_name = "N",
@@ -210,6 +245,24 @@ pub(crate) enum Format {
     Text,
     Latex,
     Json,
+}
+
+const NEW_EXAMPLES: &str = "\
+The file is a design as it is written: every key is told in a comment, with what is legal.
+
+Examples:
+  ptc-codegen new           design.toml
+  ptc-codegen new roll      roll.toml, of a controller called roll
+  ptc-codegen new -         to the standard output";
+
+#[derive(Debug, Args)]
+pub(crate) struct New {
+    /// Name of the controller, and of the file before `.toml`; `-` prints to the standard output
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+    /// Folder to write to, made if it is missing; `-` prints to the standard output
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    pub(crate) out: PathBuf,
 }
 
 #[derive(Debug, Args)]

@@ -13,14 +13,15 @@ use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
-    let flags = request.spec.0.parse();
-    let spec = flags.read()?;
+    let source = request.spec.0.with_design(request.design.design.as_deref())?;
+    let given = source.parse();
+    let spec = given.read()?;
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
     let files = match generate(&spec, request.lang.into()) {
         Ok(files) => files,
-        Err(found) => return flags.finish(None, found),
+        Err(found) => return given.finish(None, found),
     };
     match (request.out.as_os_str() == "-", request.check) {
         (true, true) => Err(Failure::because(

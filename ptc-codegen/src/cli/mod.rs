@@ -1,10 +1,11 @@
-//! The command line: flags in, files or text out; every mistake goes to the standard error.
+//! The command line: flags and a design file in, files or text out; every mistake goes to the standard error.
 //!
 //! Exit codes: 0 done, 1 `--check` found drift, 2 bad input or a place that cannot be written.
 
 mod args;
 mod emit;
 mod list;
+mod new;
 mod report;
 mod show;
 mod source;
@@ -32,6 +33,7 @@ fn execute(command: Command) -> Result<(), Failure> {
     match command {
         Command::Emit(request) => emit::emit(&request),
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
+        Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
     }
 }

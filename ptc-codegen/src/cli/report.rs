@@ -38,7 +38,7 @@ pub(crate) struct Notice {
     pub(crate) code: Option<&'static str>,
     /// What is wrong.
     pub(crate) title: String,
-    /// The place in the command line.
+    /// The place in the command line or the design file.
     pub(crate) quote: Option<Quote>,
     /// Details.
     pub(crate) notes: Vec<String>,
@@ -53,14 +53,14 @@ impl Notice {
     }
 }
 
-/// A flag's value with a part underlined.
+/// A line with a part underlined: a flag with its value, or a line of a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Quote {
-    /// The flag, with its dashes.
-    pub(crate) flag: String,
-    /// Its value.
+    /// The file and the number of the line in it, if it is one of a file.
+    pub(crate) file: Option<(String, usize)>,
+    /// The line.
     pub(crate) text: String,
-    /// The underlined bytes of the value.
+    /// The underlined bytes of the line.
     pub(crate) range: Range<usize>,
     /// What is said at the line.
     pub(crate) label: &'static str,
@@ -86,16 +86,12 @@ fn group(notice: &Notice) -> Group<'_> {
     }
     let mut group = Group::with_title(title);
     if let Some(quote) = &notice.quote {
-        let before = quote.flag.len() + 2;
-        let span = before + quote.range.start..before + quote.range.end;
-        // A value is told on one line, whatever it holds; the bytes keep their places.
-        let text = quote.text.replace(|c: char| c.is_ascii_control(), " ");
-        let source = format!("{} \"{text}\"", quote.flag);
-        group = group.element(
-            Snippet::source(source)
-                .line_numbering(false)
-                .annotation(AnnotationKind::Primary.span(span).label(quote.label)),
-        );
+        let mark = AnnotationKind::Primary.span(quote.range.clone()).label(quote.label);
+        let snippet = Snippet::source(quote.text.as_str()).annotation(mark);
+        group = group.element(match &quote.file {
+            Some((path, line)) => snippet.path(path.as_str()).line_start(*line),
+            None => snippet.line_numbering(false),
+        });
     }
     let notes = notice.notes.iter().map(|note| Level::NOTE.message(note.as_str()));
     let help = notice.help.iter().map(|help| Level::HELP.message(help.as_str()));

@@ -1,25 +1,46 @@
-//! From flags to the entries of a spec, with a table of the places they came from.
+//! From a design file and flags to the entries of a spec, with a table of the places they came from.
 
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
+use ptc_codegen::design;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
 
 use super::report::{Failure, Notice, Quote, quoted};
 
-/// The flags that were given.
+/// The flags that were given, and the design file if there is one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Source {
-    given: Vec<(&'static str, String)>,
+    given: Vec<Flag>,
+    file: Option<(PathBuf, String)>,
 }
 
-/// Where each [`Place`] is: a flag's index and a byte range of its text.
-type Places = Vec<(usize, Range<usize>)>;
+/// One flag.
+#[derive(Clone, Debug)]
+struct Flag {
+    key: String,
+    /// With its dashes.
+    name: String,
+    /// What is written after it.
+    text: String,
+    /// Where the value begins in it: after `NAME=` for `--param`.
+    value: usize,
+}
 
-/// Flags whose texts are values, though not yet of a known meaning.
+/// Where a [`Place`] is.
+#[derive(Clone, Debug)]
+enum Spot {
+    /// A flag's index and a byte range of its text.
+    Flag(usize, Range<usize>),
+    /// A byte range of the design file.
+    File(Range<usize>),
+}
+
+/// Flags and lines whose texts are values, though not yet of a known meaning.
 pub(crate) struct Parsed<'a> {
     source: &'a Source,
-    places: Places,
+    places: Vec<Spot>,
     pub(crate) entries: Vec<Entry>,
     found: Vec<Diagnostic>,
 }
@@ -31,25 +52,63 @@ pub(crate) fn flag(key: &str) -> String {
 
 impl Source {
     /// Notes one flag.
-    pub(crate) fn give(&mut self, key: &'static str, text: &str) {
-        self.given.push((key, text.to_owned()));
+    pub(crate) fn give(&mut self, key: &str, text: &str) {
+        let flag = Flag { key: key.to_owned(), name: flag(key), text: text.to_owned(), value: 0 };
+        self.given.push(flag);
     }
 
-    /// The values of the flags.
+    /// Notes one `--param NAME=VALUE`. Where there is no `=` the value is empty, which is told.
+    pub(crate) fn give_parameter(&mut self, text: &str) {
+        let (parameter, value) = match text.split_once('=') {
+            Some((name, _)) => (name, name.len() + 1),
+            None => (text, text.len()),
+        };
+        let key = format!("params.{}", parameter.trim());
+        let key = design::canonical(&key).to_owned();
+        self.given.push(Flag { key, name: "--param".to_owned(), text: text.to_owned(), value });
+    }
+
+    /// The same flags over the keys of a design file, if one is given.
+    pub(crate) fn with_design(&self, path: Option<&Path>) -> Result<Self, Failure> {
+        let mut source = self.clone();
+        if let Some(path) = path {
+            let text =
+                design::load(path).map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+            source.file = Some((path.to_owned(), text));
+        }
+        Ok(source)
+    }
+
+    /// The values of the file and the flags. A flag stands for the file's entry of its key.
     pub(crate) fn parse(&self) -> Parsed<'_> {
         let mut parsed =
             Parsed { source: self, places: Vec::new(), entries: Vec::new(), found: Vec::new() };
-        for (index, (key, text)) in self.given.iter().enumerate() {
-            let mut place = |range| {
-                parsed.places.push((index, range));
-                Place(parsed.places.len() - 1)
+        if let Some((_, text)) = &self.file {
+            let (entries, found) = design::read(text, &mut |range| parsed.place(Spot::File(range)));
+            let stands = |key: &str| self.given.iter().all(|flag| flag.key != whole(key));
+            parsed.entries.extend(entries.into_iter().filter(|entry| stands(&entry.key)));
+            // What is no TOML is told in any case: the file is wrong whatever stands for its keys.
+            let kept = |wrong: &Diagnostic| wrong.code == design::SYNTAX || stands(&wrong.key);
+            parsed.found.extend(found.into_iter().filter(kept));
+        }
+        for (index, flag) in self.given.iter().enumerate() {
+            let value = &flag.text[flag.value..];
+            let key_range = if flag.value > 0 { 0..flag.value - 1 } else { 0..value.len() };
+            let key_place = parsed.place(Spot::Flag(index, key_range));
+            let mut place = |range: Range<usize>| {
+                let range = flag.value + range.start..flag.value + range.end;
+                parsed.place(Spot::Flag(index, range))
             };
-            let whole = place(0..text.len());
-            match parse(key, text, &mut place) {
+            match parse(&flag.key, value, &mut place) {
                 Ok(value) => {
-                    parsed.entries.push(Entry { key: (*key).to_owned(), place: whole, value });
+                    parsed.entries.push(Entry { key: flag.key.clone(), place: key_place, value });
                 }
-                Err(diagnostic) => parsed.found.push(diagnostic),
+                Err(mut diagnostic) => {
+                    if flag.name == "--param" {
+                        diagnostic.help.push_str("; the flag is --param NAME=VALUE");
+                    }
+                    parsed.found.push(diagnostic);
+                }
             }
         }
         parsed
@@ -57,7 +116,12 @@ impl Source {
 }
 
 impl Parsed<'_> {
-    /// The spec that the flags ask for.
+    fn place(&mut self, spot: Spot) -> Place {
+        self.places.push(spot);
+        Place(self.places.len() - 1)
+    }
+
+    /// The spec that the file and the flags ask for.
     pub(crate) fn read(&self) -> Result<Spec, Failure> {
         let (spec, found) = match read(&self.entries) {
             Ok(spec) => (Some(spec), Vec::new()),
@@ -66,11 +130,10 @@ impl Parsed<'_> {
         self.finish(spec, found)
     }
 
-    /// `value`, unless something was wrong with the flags or is told in `found`.
+    /// `value`, unless something was wrong with what was given or is told in `found`.
     pub(crate) fn finish<T>(&self, value: Option<T>, found: Vec<Diagnostic>) -> Result<T, Failure> {
-        // A key whose text is no value is not missing.
         let unread = |d: &Diagnostic| {
-            d.code == "missing-key" && self.found.iter().any(|own| own.key == d.key)
+            d.code == "missing-key" && design::explains_missing(&self.found, &d.key)
         };
         let mut all = self.found.clone();
         all.extend(found.into_iter().filter(|d| !unread(d)));
@@ -83,17 +146,13 @@ impl Parsed<'_> {
         }
     }
 
-    /// A diagnostic of the library in terms of the command line.
+    /// A diagnostic of the library in terms of what was given.
     fn notice(&self, diagnostic: &Diagnostic) -> Notice {
         let key = root(&diagnostic.key);
-        let known = diagnostic.place.and_then(|place| self.places.get(place.0).cloned());
-        let place = known.or_else(|| {
-            let index = self.source.given.iter().position(|(given, _)| *given == key)?;
-            Some((index, 0..self.source.given[index].1.len()))
-        });
-        let quote = place.map(|(index, range)| {
-            let (key, text) = &self.source.given[index];
-            Quote { flag: flag(key), text: text.clone(), range, label: label(diagnostic.code) }
+        let known = diagnostic.place.and_then(|place| self.places.get(place.0));
+        let spot = known.or_else(|| {
+            let entry = self.entries.iter().find(|entry| entry.key == key)?;
+            self.places.get(entry.place.0)
         });
         let mut help = diagnostic.help.clone();
         if diagnostic.code == "missing-key"
@@ -104,9 +163,28 @@ impl Parsed<'_> {
         Notice {
             code: Some(diagnostic.code),
             title: diagnostic.message.clone(),
-            quote,
+            quote: spot.and_then(|spot| self.quote(spot, label(diagnostic.code))),
             notes: Vec::new(),
             help: Some(help),
+        }
+    }
+
+    fn quote(&self, spot: &Spot, label: &'static str) -> Option<Quote> {
+        match spot {
+            Spot::File(range) => {
+                let (path, text) = self.source.file.as_ref()?;
+                let quote = design::Quote::new(text, range.clone());
+                let file = Some((path.display().to_string(), quote.line));
+                Some(Quote { file, text: quote.text, range: quote.range, label })
+            }
+            Spot::Flag(index, range) => {
+                let Flag { name, text, .. } = self.source.given.get(*index)?;
+                let before = name.len() + 2;
+                // A value is told on one line, whatever it holds; the bytes keep their places.
+                let text = text.replace(|c: char| c.is_ascii_control(), " ");
+                let range = before + range.start..before + range.end;
+                Some(Quote { file: None, text: format!("{name} \"{text}\""), range, label })
+            }
         }
     }
 }
@@ -116,12 +194,19 @@ fn root(key: &str) -> &str {
     key.split(['.', '[']).next().unwrap_or(key)
 }
 
+/// The key of an entry, of that of an item in its list.
+fn whole(key: &str) -> &str {
+    key.split('[').next().unwrap_or(key)
+}
+
 /// What is said at the underlined text.
 fn label(code: &str) -> &'static str {
     match code {
-        "syntax" => "this does not fit here",
+        "syntax" | "toml" => "this does not fit here",
         "unknown-family" => "no such family",
         "unknown-parameter" => "no such parameter",
+        "unknown-key" => "no such key",
+        "unknown-table" => "no such table",
         "bad-value" => "not legal",
         _ => "here",
     }

@@ -154,7 +154,7 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
         format!("  g   = {gain}"),
     ];
     if spec.feedback == Feedback::Linear {
-        lines.push("  u = sum_j gain_j x_j / g".to_owned());
+        lines.push("  u = (sum_j gain_j x_j)/g".to_owned());
     }
     match &controller.law.form {
         Form::Rows { base_inverse, rows } => {

@@ -50,8 +50,10 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
             source.give(key, text);
         }
     }
+    let design = request.design.design.as_deref();
+    let source = source.with_design(design)?;
     let flags = source.parse();
-    if request.mu.is_none() {
+    if request.mu.is_none() && design.is_none() {
         let most = if request.subject == Subject::Law { MAX_ORDER } else { MAX_ABSTRACT_ORDER };
         let node = flags.entries.first().map(|entry| &entry.value);
         let order = node.and_then(|node| order(node, most));
@@ -99,7 +101,9 @@ fn only_abstract() -> Diagnostic {
         key: "mu".to_owned(),
         place: None,
         message: "R_{k,m} holds the derivatives of an abstract mapping, not of a family".to_owned(),
-        help: "leave `--mu` out, or ask for `show r`, which is written for a family too".to_owned(),
+        help:
+            "leave `--mu` or the design out, or ask for `show r`, which is written for a family too"
+                .to_owned(),
     }
 }
 

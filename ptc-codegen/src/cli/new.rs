@@ -1,0 +1,46 @@
+//! `new`: a design file to begin with.
+
+use std::path::{Path, PathBuf};
+
+use ptc_codegen::design;
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::emit::File;
+use ptc_codegen::spec;
+
+use super::args::New;
+use super::report::Failure;
+use super::write;
+
+/// Runs `new`.
+pub(crate) fn new(request: &New) -> Result<(), Failure> {
+    let name = request.name.as_deref().filter(|name| *name != "-");
+    let path = PathBuf::from(name.unwrap_or("design"));
+    let stem = path.file_name().and_then(|stem| stem.to_str()).unwrap_or_default();
+    let stem = stem.strip_suffix(".toml").unwrap_or(stem);
+    if stem.is_empty() {
+        return Err(Failure::because(
+            format!("`{}` names no file", path.display()),
+            "give a name, for example `ptc-codegen new roll`",
+        ));
+    }
+    // A file may be called what a controller may not; its design then leaves the name out.
+    let text = design::template(name.map(|_| stem).filter(|stem| names_a_controller(stem)));
+    if request.name.as_deref() == Some("-") || request.out.as_os_str() == "-" {
+        return write::to_stdout(&text);
+    }
+    let folder = request.out.join(path.parent().unwrap_or(Path::new("")));
+    let file = File { name: format!("{stem}.toml"), text };
+    let there = folder.join(&file.name);
+    if there.symlink_metadata().is_ok() {
+        return Err(Failure::because(
+            format!("{} is there already, and is left as it is", there.display()),
+            "give another name, or `-` to print the file",
+        ));
+    }
+    write::to_stdout(&write::files(&folder, &[file])?)
+}
+
+fn names_a_controller(name: &str) -> bool {
+    let (entries, found) = design::read(&design::template(Some(name)), &mut |_| Place(0));
+    found.is_empty() && spec::read(&entries).is_ok()
+}

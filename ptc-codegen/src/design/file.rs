@@ -1,0 +1,55 @@
+//! A design file as text.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::UNREADABLE;
+use crate::diagnostic::Diagnostic;
+
+/// Most bytes of a design: what is longer is some other file.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// The text of the file at `path`.
+///
+/// # Errors
+/// The file cannot be read, is no UTF-8, or is larger than a design can be.
+pub fn load(path: &Path) -> Result<String, Diagnostic> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
+    let wrong = |message: String, help: &str| Diagnostic {
+        code: UNREADABLE,
+        key: "file".to_owned(),
+        place: None,
+        message,
+        help: help.to_owned(),
+    };
+    let shown = path.display();
+    match read {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let help = "`ptc-codegen new` writes a design file to begin with";
+            Err(wrong(format!("there is no design file {shown}"), help))
+        }
+        Err(error) => {
+            let help = "give a design file, TOML that can be read";
+            Err(wrong(format!("cannot read the design file {shown}: {error}"), help))
+        }
+        Ok(read) if read as u64 > MAX_BYTES => {
+            let message = format!("the design file {shown} is larger than {MAX_BYTES} bytes");
+            Err(wrong(message, "a design is a page of TOML: this is some other file"))
+        }
+        Ok(_) => {
+            // The mark that some editors put before UTF-8 would shift every column.
+            let text = String::from_utf8(bytes).map(|text| match text.strip_prefix('\u{feff}') {
+                Some(rest) => rest.to_owned(),
+                None => text,
+            });
+            text.map_err(|error| {
+                let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+                let line = valid.iter().filter(|byte| **byte == b'\n').count() + 1;
+                let message = format!("the design file {shown} is no UTF-8 in line {line}");
+                wrong(message, "save it as UTF-8 text")
+            })
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The design file: the keys of a controller in TOML, read as entries of a spec.
+//!
+//! ```toml
+//! name = "roll"
+//! n = 2
+//! mu = "exp(a=1)"
+//! gains = [20, 9]
+//! [params]
+//! tau = 1.0
+//! ```
+//!
+//! An entry's key is the dotted key of TOML: `gains`, `envelope.x_max`. Numbers keep the digits
+//! of the file; text is what it would be on the command line.
+
+mod file;
+mod quote;
+mod reader;
+mod statement;
+mod template;
+mod value;
+
+pub use file::load;
+pub use quote::Quote;
+pub use template::template;
+
+use std::ops::Range;
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::spec::Entry;
+use reader::Reader;
+use statement::statements;
+
+/// The tables of a design. Everything else stands at the top.
+const TABLES: [&str; 2] = ["params", "envelope"];
+
+/// Parameters that every controller has: their keys are the same with and without `params.`.
+const COMMON: [&str; 4] = ["tau", "t0", "eps", "u_max"];
+
+/// Code of a mistake in the TOML itself.
+pub const SYNTAX: &str = "toml";
+
+/// Code of a file that cannot be read at all.
+pub const UNREADABLE: &str = "unreadable-design";
+
+/// Most mistakes in the TOML itself that are told: a file of another kind is wrong in every line.
+const MAX_SYNTAX: usize = 10;
+
+/// The key of an entry, of one that may be written with `params.` before it.
+pub fn canonical(key: &str) -> &str {
+    key.strip_prefix("params.").filter(|name| COMMON.contains(name)).unwrap_or(key)
+}
+
+/// Whether `found` explains why `key` seems to be missing: its value could not be read, or the
+/// file or a line of it could not, which may have held it.
+pub fn explains_missing(found: &[Diagnostic], key: &str) -> bool {
+    found.iter().any(|own| [SYNTAX, UNREADABLE].contains(&own.code) || own.key == key)
+}
+
+/// Reads the text of a design file: the entries that can be read, and the mistakes in the others.
+/// `place` makes a place of a byte range of the text.
+pub fn read(
+    text: &str,
+    place: &mut dyn FnMut(Range<usize>) -> Place,
+) -> (Vec<Entry>, Vec<Diagnostic>) {
+    let mut reader = Reader::new(text, place);
+    let mut wrong = 0;
+    for statement in statements(text) {
+        wrong += usize::from(statement.wrong.is_some());
+        if wrong > MAX_SYNTAX {
+            break;
+        }
+        reader.statement(statement);
+    }
+    reader.finish()
+}
+
+/// The table of a design that a key of the library's table goes to, empty for the top, and its name
+/// there.
+fn section(key: &'static str) -> (&'static str, &'static str) {
+    match key.split_once('.') {
+        _ if COMMON.contains(&key) => ("params", key),
+        Some((table, name)) => (table, name),
+        None => ("", key),
+    }
+}

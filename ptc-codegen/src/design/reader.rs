@@ -1,0 +1,168 @@
+//! The lines of a design: which table they belong to, and what their keys mean.
+
+use std::ops::Range;
+
+use super::statement::{Head, Statement, Word};
+use super::{SYNTAX, TABLES, canonical};
+use crate::diagnostic::{Diagnostic, Place, near_miss};
+use crate::spec::Entry;
+
+/// What has been read so far.
+pub(super) struct Reader<'a> {
+    pub(super) text: &'a str,
+    pub(super) place: &'a mut dyn FnMut(Range<usize>) -> Place,
+    pub(super) found: Vec<Diagnostic>,
+    entries: Vec<Entry>,
+    section: Section,
+    /// The tables that have had their `[table]`, or a dotted key.
+    opened: Vec<&'static str>,
+}
+
+/// Where a line stands.
+#[derive(Clone, Copy)]
+enum Section {
+    /// Above the first table.
+    Top,
+    Table(&'static str),
+    /// In a table that is none of a design, so that the line means nothing.
+    Unknown,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(text: &'a str, place: &'a mut dyn FnMut(Range<usize>) -> Place) -> Self {
+        let (entries, found, opened) = (Vec::new(), Vec::new(), Vec::new());
+        Self { text, place, found, entries, section: Section::Top, opened }
+    }
+
+    pub(super) fn finish(self) -> (Vec<Entry>, Vec<Diagnostic>) {
+        (self.entries, self.found)
+    }
+
+    pub(super) fn statement(&mut self, statement: Statement<'_>) {
+        if let Some(wrong) = statement.wrong {
+            let key = self.key(&statement.words).unwrap_or_default();
+            return self.wrong(SYNTAX, &key, wrong.range, wrong.message, wrong.help);
+        }
+        match statement.head {
+            Head::Table => self.table(&statement.words, "[", "]"),
+            Head::Tables => {
+                self.table(&statement.words, "[[", "]]");
+                self.section = Section::Unknown;
+            }
+            Head::Pair(value) => {
+                let key_range = range(&statement.words);
+                let Some(key) = self.pair(&statement.words) else { return };
+                if TABLES.contains(&key.as_str()) {
+                    let message = format!("`{key}` is {}, not a table", value.described());
+                    let help = format!(
+                        "write `[{key}]` on a line of its own, and under it one `name = value` a line"
+                    );
+                    return self.wrong("bad-value", &key, value.range, message, help);
+                }
+                let place = (self.place)(key_range);
+                let key = canonical(&key).to_owned();
+                if let Some(value) = self.value(&key, value) {
+                    self.entries.push(Entry { key, place, value });
+                }
+            }
+        }
+    }
+
+    /// `[table]`, or `[[table]]`, of which a design has none.
+    fn table(&mut self, words: &[Word], open: &str, close: &str) {
+        let name = dotted(words);
+        let known = TABLES.into_iter().find(|table| *table == name);
+        self.section = known.map_or(Section::Unknown, Section::Table);
+        let at = range(words);
+        match known {
+            Some(_) if open == "[[" => {
+                let message = format!("`[[{name}]]` begins a list of tables");
+                self.wrong("unknown-table", &name, at, message, format!("write `[{name}]`"));
+            }
+            Some(table) if self.opened.contains(&table) => {
+                let message = format!("table `{name}` is opened twice");
+                let help = "put all its keys under the first `[table]`".to_owned();
+                self.wrong("repeated-key", &name, at, message, help);
+            }
+            Some(table) => self.opened.push(table),
+            None => self.unknown_table(&name, &format!("`{open}{name}{close}`"), at),
+        }
+    }
+
+    fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
+        let legal = "the tables are params and envelope; all other keys stand above the first";
+        let first = name.split('.').next().unwrap_or(name);
+        let help = match near_miss(first, TABLES) {
+            Some(meant) if meant == first => format!("a table holds no tables: {legal}"),
+            Some(meant) => format!("did you mean `{meant}`? {legal}"),
+            None => legal.to_owned(),
+        };
+        let message = format!("{shown} is no table of a design");
+        self.wrong("unknown-table", name, at, message, help);
+    }
+
+    /// The key of an entry, unless it has no meaning, which is told.
+    fn pair(&mut self, words: &[Word]) -> Option<String> {
+        if matches!(self.section, Section::Unknown) {
+            return None;
+        }
+        if let Some(word) = words.iter().find(|word| word.text.contains('.')) {
+            let message = format!("the key `{}` has a point inside quotes", word.text);
+            let help = format!("write `{} = ...` without quotes", word.text);
+            self.wrong("unknown-key", &word.text, word.range.clone(), message, help);
+            return None;
+        }
+        if let (Section::Top, [first, _]) = (self.section, words)
+            && let Some(table) = TABLES.into_iter().find(|table| *table == first.text)
+        {
+            self.opened.push(table);
+            return Some(dotted(words));
+        }
+        match words {
+            [_] => self.key(words),
+            _ => {
+                let name = dotted(words);
+                self.unknown_table(
+                    &name,
+                    &format!("`{}`", dotted(&words[..words.len() - 1])),
+                    range(words),
+                );
+                None
+            }
+        }
+    }
+
+    /// The dotted key of what is written as `words` here.
+    fn key(&self, words: &[Word]) -> Option<String> {
+        let name = dotted(words);
+        match self.section {
+            Section::Top => Some(name),
+            Section::Table(table) => Some(format!("{table}.{name}")),
+            Section::Unknown => None,
+        }
+    }
+
+    pub(super) fn wrong(
+        &mut self,
+        code: &'static str,
+        key: &str,
+        at: Range<usize>,
+        message: String,
+        help: String,
+    ) {
+        let place = Some((self.place)(at));
+        self.found.push(Diagnostic { code, key: key.to_owned(), place, message, help });
+    }
+}
+
+fn dotted(words: &[Word]) -> String {
+    words.iter().map(|word| word.text.as_ref()).collect::<Vec<_>>().join(".")
+}
+
+/// From the first to the last word.
+fn range(words: &[Word]) -> Range<usize> {
+    match (words.first(), words.last()) {
+        (Some(first), Some(last)) => first.range.start..last.range.end,
+        _ => 0..0,
+    }
+}

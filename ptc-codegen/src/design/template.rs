@@ -1,0 +1,48 @@
+//! A design file to begin with, made of the table of keys so that it tells them all.
+
+use super::{TABLES, section};
+use crate::spec::{KEYS, KeyInfo, number};
+
+/// Keys without which there is no controller: their examples are no comments.
+const NEEDED: [&str; 2] = ["n", "mu"];
+
+const HEAD: &str = "\
+# A controller for ptc-codegen, as TOML: `ptc-codegen emit --lang c FILE`.
+# Remove the `#` before a key to use it. What is not given is set at run time, or has its default.
+";
+
+/// The text of a design file that shows every key; `name` is the controller's.
+pub fn template(name: Option<&str>) -> String {
+    let mut text = HEAD.to_owned();
+    for table in std::iter::once("").chain(TABLES) {
+        let keys: Vec<_> = KEYS.iter().filter(|info| section(info.key).0 == table).collect();
+        if !table.is_empty() && !keys.is_empty() {
+            text.push_str(&format!("\n[{table}]\n"));
+        }
+        for info in keys {
+            text.push_str(&entry(info, name));
+        }
+    }
+    text
+}
+
+fn entry(info: &KeyInfo, name: Option<&str>) -> String {
+    let (key, meaning, legal) = (section(info.key).1, info.meaning, info.legal);
+    let given = name.filter(|_| key == "name");
+    let comment = if given.is_some() || NEEDED.contains(&key) { "" } else { "# " };
+    let value = value(given.unwrap_or(info.example));
+    format!("\n# {meaning}\n# legal: {legal}\n{comment}{key} = {value}\n")
+}
+
+/// A value of the command line as TOML writes it.
+pub(super) fn value(text: &str) -> String {
+    let is_number = |text: &str| text == "inf" || number(text).is_some();
+    if is_number(text) {
+        return text.to_owned();
+    }
+    let items: Vec<_> = text.split(',').map(str::trim).collect();
+    if items.len() > 1 && items.iter().all(|item| is_number(item)) {
+        return format!("[{}]", items.join(", "));
+    }
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}

@@ -1,0 +1,149 @@
+//! From values of TOML to values of a spec.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use super::reader::Reader;
+use super::template;
+use crate::diagnostic::Place;
+use crate::spec::{Fixed, KeyInfo, Node, Value, number, parse};
+
+/// A value as TOML knows it.
+pub(super) struct Toml<'a> {
+    pub(super) range: Range<usize>,
+    pub(super) kind: Kind<'a>,
+}
+
+pub(super) enum Kind<'a> {
+    /// A text, without its quotes and escapes.
+    Text(Cow<'a, str>),
+    /// A decimal number, inf or nan.
+    Number,
+    /// An integer of base 2, 8 or 16.
+    Radix(u32),
+    Boolean,
+    Date,
+    List(Vec<Toml<'a>>),
+    /// A table in braces.
+    Inline,
+}
+
+impl Toml<'_> {
+    /// What it is, for a message.
+    pub(super) fn described(&self) -> &'static str {
+        match self.kind {
+            Kind::Text(_) => "text",
+            Kind::Number => "a number",
+            Kind::Radix(16) => "a hexadecimal integer",
+            Kind::Radix(8) => "an octal integer",
+            Kind::Radix(_) => "a binary integer",
+            Kind::Boolean => "a boolean",
+            Kind::Date => "a date or a time",
+            Kind::List(_) => "a list",
+            Kind::Inline => "a table in braces",
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// The value of `key`, unless it is none of a spec, which is told.
+    pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
+        let Kind::List(items) = toml.kind else { return self.item(key, toml) };
+        let mut nodes = Vec::new();
+        let mut whole = true;
+        for (index, item) in items.into_iter().enumerate() {
+            match self.item(&format!("{key}[{index}]"), item) {
+                Some(node) => nodes.push(node),
+                None => whole = false,
+            }
+        }
+        let place = (self.place)(toml.range);
+        whole.then_some(Node { value: Value::List(nodes), place })
+    }
+
+    /// A number or a text, alone or in a list.
+    fn item(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
+        let described = toml.described();
+        match toml.kind {
+            Kind::Text(text) => self.text(key, &text, toml.range),
+            Kind::Number => self.number(key, toml.range),
+            _ => {
+                let written = &self.text[toml.range.clone()];
+                let mut help = legal(key);
+                if let Kind::Radix(radix) = toml.kind
+                    && let Some(value) = integer(written, radix)
+                {
+                    help = format!("write it in decimal: {value}");
+                }
+                let message = format!("{key} = `{}` is {described}", shorten(written));
+                self.wrong("bad-value", key, toml.range, message, help);
+                None
+            }
+        }
+    }
+
+    fn number(&mut self, key: &str, range: Range<usize>) -> Option<Node> {
+        let written = &self.text[range.clone()];
+        let value = match written {
+            "inf" | "+inf" => Some(Fixed::Infinite),
+            _ => number(&written.replace('_', "")),
+        };
+        if let Some(value) = value {
+            return Some(Node { value: Value::Number(value), place: (self.place)(range) });
+        }
+        let help = if written.ends_with("nan") || written.ends_with("inf") {
+            legal(key)
+        } else {
+            "a number has an exponent of at most 400 and at most 1000 digits".to_owned()
+        };
+        let message = format!("{key} = `{}` is no number that can be used", shorten(written));
+        self.wrong("bad-value", key, range, message, help);
+        None
+    }
+
+    /// A text is what it would be on the command line.
+    fn text(&mut self, key: &str, text: &str, range: Range<usize>) -> Option<Node> {
+        let start = range.start + 1;
+        let verbatim = self.text.get(start..range.end.saturating_sub(1)) == Some(text);
+        let mut locate = |part: Range<usize>| -> Place {
+            // Where escapes moved the bytes the whole text has to do.
+            let moved = start + part.start..start + part.end;
+            (self.place)(if verbatim { moved } else { range.clone() })
+        };
+        match parse(key, text, &mut locate) {
+            Ok(node) => Some(node),
+            Err(wrong) => {
+                self.found.push(wrong);
+                None
+            }
+        }
+    }
+}
+
+/// What may stand at `key`.
+fn legal(key: &str) -> String {
+    let root = key.split('[').next().unwrap_or(key);
+    match KeyInfo::find(root) {
+        Some(info) => {
+            let example = template::value(info.example);
+            format!("{root} is {}, for example {example}", info.legal)
+        }
+        None => "a value is a number, text in quotes, or a list of these in brackets".to_owned(),
+    }
+}
+
+/// The value of `0x1f`, where it is not out of all bounds.
+fn integer(written: &str, radix: u32) -> Option<u64> {
+    let digits = written.get(2..)?.replace('_', "");
+    u64::from_str_radix(&digits, radix).ok()
+}
+
+/// The first characters of a long text.
+pub(super) fn shorten(text: &str) -> String {
+    let line = text.lines().next().unwrap_or("");
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}...", &line[..end.min(line.len())]),
+        None if line.len() < text.len() => format!("{line}..."),
+        None => text.to_owned(),
+    }
+}

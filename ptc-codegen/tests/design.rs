@@ -1,0 +1,260 @@
+//! The reader of design files: every kind of value, the places, and what is told of mistakes.
+
+use std::ops::Range;
+
+use ptc_codegen::design::{self, Quote};
+use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::spec::{self, Entry, KEYS, Value};
+
+/// The entries, the mistakes, and the text at each place.
+fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>, Vec<&str>) {
+    let mut places: Vec<Range<usize>> = Vec::new();
+    let (entries, found) = design::read(text, &mut |range| {
+        places.push(range);
+        Place(places.len() - 1)
+    });
+    let quoted = places.into_iter().map(|range| text.get(range).expect("edges of characters"));
+    (entries, found, quoted.collect())
+}
+
+/// The one mistake of a text: what is underlined, the message and the help.
+fn mistake(text: &str) -> (String, String, String) {
+    let (_, found, places) = read(text);
+    let [wrong] = &found[..] else { panic!("{text}: {found:?}") };
+    let at = wrong.place.map_or("", |place| places[place.0]);
+    (at.to_owned(), wrong.message.clone(), wrong.help.clone())
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.to_string(),
+        Value::Word(word) => word.clone(),
+        Value::List(items) => {
+            format!("{:?}", items.iter().map(|item| shown(&item.value)).collect::<Vec<_>>())
+        }
+        Value::Call(name, arguments) => format!("{name}/{}", arguments.len()),
+    }
+}
+
+#[test]
+fn values_of_every_kind_keep_their_spelling_and_their_place() {
+    let text = "# a comment\r\nname = 'roll'\r\nn = 0_2\n".replace("0_2", "1_6")
+        + "mu = \"power(m=2)\"\ngains = [\n  2_0, # k_1\n  -9.50e+1, '7', \"inf\",\n]\n"
+        + "params.a = +1\n[params]\n tau = 1.0\n \"eps\" = 1e-3\nu_max = +inf\npsi = 20\n"
+        + "[envelope]\nx_max = [10, 1_0.5]\n";
+    let (entries, found, places) = read(&text);
+    let [twice] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(twice.message, "table `params` is opened twice");
+    let entries: Vec<_> = entries
+        .iter()
+        .map(|entry| {
+            let value = &entry.value;
+            (entry.key.as_str(), shown(&value.value), places[entry.place.0], places[value.place.0])
+        })
+        .collect();
+    let list = "[\n  2_0, # k_1\n  -9.50e+1, '7', \"inf\",\n]";
+    for (index, (key, value, key_text, text)) in [
+        ("name", "roll", "name", "roll"),
+        ("n", "16", "n", "1_6"),
+        ("mu", "power/1", "mu", "power(m=2)"),
+        ("gains", r#"["20", "-9.50e+1", "7", "inf"]"#, "gains", list),
+        ("params.a", "1", "params.a", "+1"),
+        ("tau", "1.0", "tau", "1.0"),
+        ("eps", "1e-3", "\"eps\"", "1e-3"),
+        ("u_max", "inf", "u_max", "+inf"),
+        ("params.psi", "20", "psi", "20"),
+        ("envelope.x_max", r#"["10", "10.5"]"#, "x_max", "[10, 1_0.5]"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_eq!(entries[index], (key, value.to_owned(), key_text, text));
+    }
+    assert_eq!(entries.len(), 10);
+}
+
+#[test]
+fn places_within_text_are_exact_unless_escapes_moved_them() {
+    for (text, at) in [
+        ("mu = \"exp(a=1\"", ""),
+        ("mu = 'exp(a = 1 2)'", "2"),
+        ("mu = \"exp(a = \\u0031 2)\"", "\"exp(a = \\u0031 2)\""),
+        ("mu = \"\"\"exp(a = 1 2)\"\"\"", "\"\"\"exp(a = 1 2)\"\"\""),
+        ("gains = [1, 'a b']", "b"),
+    ] {
+        let (found, message, _) = mistake(text);
+        assert_eq!(found, at, "{text}: {message}");
+        assert!(
+            message.starts_with("found `") || message.starts_with("found the end"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn a_value_that_is_none_of_a_spec_is_told_with_what_is() {
+    for (text, at, message, help) in [
+        ("n = 0x10", "0x10", "n = `0x10` is a hexadecimal integer", "write it in decimal: 16"),
+        ("n = 0o17", "0o17", "n = `0o17` is an octal integer", "decimal: 15"),
+        ("n = 0b1_1", "0b1_1", "n = `0b1_1` is a binary integer", "decimal: 3"),
+        ("guard = true", "true", "guard = `true` is a boolean", "guard is full, result or none"),
+        (
+            "tau = 1979-05-27",
+            "1979-05-27",
+            "tau = `1979-05-27` is a date or a time",
+            "tau is a number > 0",
+        ),
+        (
+            "mu = { a = 1 }",
+            "{ a = 1 }",
+            "mu = `{ a = 1 }` is a table in braces",
+            "example \"exp(a=1)\"",
+        ),
+        (
+            "params = { tau = [1] }",
+            "{ tau = [1] }",
+            "`params` is a table in braces, not a table",
+            "`[params]`",
+        ),
+        ("envelope = 3", "3", "`envelope` is a number, not a table", "`[envelope]`"),
+        ("tau = nan", "nan", "tau = `nan` is no number that can be used", "a number > 0"),
+        ("tau = -inf", "-inf", "tau = `-inf` is no number that can be used", "a number > 0"),
+        ("tau = 1e999", "1e999", "tau = `1e999` is no number that can be used", "at most 400"),
+        ("gains = [1, [2]]", "[2]", "gains[1] = `[2]` is a list", "example [120, 74, 15]"),
+        ("gains = [true]", "true", "gains[0] = `true` is a boolean", "n finite numbers"),
+        ("[params]\npsi = true", "true", "params.psi = `true` is a boolean", "text in quotes"),
+    ] {
+        let (found, told, fix) = mistake(text);
+        assert_eq!((found.as_str(), told.as_str()), (at, message), "{text}");
+        assert!(fix.contains(help), "{text}: {fix}");
+    }
+}
+
+#[test]
+fn tables_and_keys_that_mean_nothing_are_told() {
+    for (text, at, message, help) in [
+        (
+            "[param]\ntau = 1",
+            "param",
+            "`[param]` is no table of a design",
+            "did you mean `params`?",
+        ),
+        ("[limits]\nx = 1", "limits", "`[limits]` is no table of a design", "params and envelope"),
+        (
+            "[params.a]\nx = 1",
+            "params.a",
+            "`[params.a]` is no table of a design",
+            "holds no tables",
+        ),
+        ("[[params]]\ntau = 1", "params", "`[[params]]` begins a list of tables", "`[params]`"),
+        ("[[axes]]\ntau = 1", "axes", "`[[axes]]` is no table of a design", "params and envelope"),
+        ("parms.tau = 1", "parms.tau", "`parms` is no table of a design", "`params`?"),
+        ("params.a.b = 1", "params.a.b", "`params.a` is no table of a design", "holds no tables"),
+        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params and envelope"),
+        (
+            "\"params.a\" = 1",
+            "\"params.a\"",
+            "the key `params.a` has a point inside quotes",
+            "params.a = ...",
+        ),
+    ] {
+        let (found, told, fix) = mistake(text);
+        assert_eq!((found.as_str(), told.as_str()), (at, message), "{text}");
+        assert!(fix.contains(help), "{text}: {fix}");
+    }
+}
+
+#[test]
+fn what_is_no_toml_is_told_line_by_line() {
+    let text = "mu = exp(a=1) # no quotes\nn 3\nguard = none\ntau = .5\n= 1\nname = \"a\nprecision = 'f32'\neps = 1 2\ngains = [1, 2\n[params]\na = 1";
+    let (entries, found, places) = read(text);
+    let told: Vec<_> = found
+        .iter()
+        .map(|wrong| (wrong.place.map_or("", |place| places[place.0]), wrong.message.as_str()))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            ("exp(a=1)", "`exp(a=1)` is not in quotes"),
+            ("", "no TOML: key with no value"),
+            ("none", "`none` is not in quotes"),
+            (".5", "`.5` is no number of TOML: invalid mantissa"),
+            ("", "no TOML: unquoted keys cannot be empty"),
+            ("", "no TOML: invalid basic string"),
+            ("1 2", "`1 2` is no number of TOML: string values must be quoted"),
+            ("", "no TOML: missing comma between array elements"),
+        ],
+    );
+    assert!(found.iter().all(|wrong| wrong.code == "toml" && !wrong.help.is_empty()));
+    let keys: Vec<_> = entries.iter().map(|entry| entry.key.as_str()).collect();
+    assert_eq!(keys, ["precision"]);
+    assert!(design::explains_missing(&found, "mu"));
+}
+
+#[test]
+fn odd_files_are_told_without_a_panic() {
+    let deep = |open: &str, depth: usize| format!("n = {}", open.repeat(depth));
+    for text in [
+        deep("[", 100_000),
+        deep("{a=", 100_000),
+        format!("a{} = 1", ".a".repeat(100_000)),
+        format!("[a{}]", ".a".repeat(100_000)),
+        "\u{0}\u{1b}[31m = \u{7f}".to_owned(),
+        "x".repeat(10 << 20),
+        "= [\n".repeat(200_000),
+        "\"\"\"".to_owned(),
+        "n = \"\"\"é".to_owned(),
+    ] {
+        let (entries, found, _) = read(&text);
+        assert!(entries.is_empty() && !found.is_empty() && found.len() <= 10);
+        for wrong in found {
+            assert!(wrong.message.len() + wrong.help.len() < 400_000);
+        }
+    }
+    let (entries, found, _) = read("\u{feff}n = 3\r\n\r\n");
+    assert!(entries.len() == 1 && found.is_empty(), "{found:?}");
+    assert!(read("").0.is_empty() && read("").1.is_empty());
+}
+
+#[test]
+fn a_quote_is_one_line_with_its_numbers() {
+    let source = "a = 1\r\nbé = \tx\r\n";
+    let at = source.find('x').expect("an x");
+    let quote = Quote::new(source, at..at + 1);
+    assert_eq!((quote.line, quote.column, quote.text.as_str()), (2, 7, "bé =  x"));
+    assert_eq!(&quote.text[quote.range], "x");
+    let end = Quote::new(source, source.len()..source.len());
+    assert_eq!((end.line, end.column, end.text.as_str(), end.range), (3, 1, "", 0..0));
+    let long = format!("{}!{}", "é".repeat(1000), "é".repeat(1000));
+    let quote = Quote::new(&long, 2000..4001);
+    assert!(quote.text.len() < 200 && quote.text[quote.range].starts_with('!'));
+    assert_eq!(quote.column, 1001);
+}
+
+#[test]
+fn the_template_tells_every_key_and_is_a_design() {
+    for (text, name) in
+        [(design::template(None), None), (design::template(Some("roll")), Some("roll"))]
+    {
+        let (entries, found, _) = read(&text);
+        assert!(found.is_empty(), "{text}\n{found:?}");
+        assert_eq!(spec::read(&entries).expect("a spec").name.as_deref(), name);
+    }
+    let text = design::template(None);
+    for info in &KEYS {
+        assert!(text.contains(info.meaning) && text.contains(info.legal), "{}", info.key);
+    }
+    // Each example in a comment is an entry of its key.
+    let is_key = |line: &str| {
+        let names = KEYS.iter().filter_map(|info| info.key.rsplit('.').next());
+        names.into_iter().any(|name| line.starts_with(&format!("{name} = ")))
+    };
+    let lines = text.lines().map(|line| line.strip_prefix("# ").unwrap_or(line));
+    let lines: Vec<_> = lines.filter(|line| line.starts_with('[') || is_key(line)).collect();
+    let (entries, found, _) = read(&lines.join("\n"));
+    assert!(found.is_empty(), "{found:?}");
+    let keys: Vec<_> = entries.iter().map(|entry| entry.key.as_str()).collect();
+    for info in &KEYS {
+        assert!(keys.contains(&info.key), "{} is not in {text}", info.key);
+    }
+}
