@@ -8,7 +8,7 @@ use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program};
-use ptc_codegen::spec::{Fixed, Precision, Spec, number};
+use ptc_codegen::spec::{Fixed, Precision, Spec, TimeMapping, number};
 use support::program::{Outcome, Record, in_c, in_rust, real};
 use support::vectors::{Vector, read};
 use support::{folder, tolerance};
@@ -70,7 +70,10 @@ fn judge(test: &str, groups: &[(Spec, Vec<Vector>)]) {
             0 => String::new(),
             _ => format!("  ({skipped} times a gain does not fit)"),
         };
-        println!("{:9} {n:2}  {language:8}  {step:.1e}  {axis:.1e}{skipped}", family.name());
+        println!(
+            "{:9} {n:2}  {language:8}  {step:.1e}  {axis:.1e}{skipped}",
+            family.expect("a family").name()
+        );
     }
     assert!(
         wrong.is_empty(),
@@ -125,7 +128,7 @@ fn gain(program: &Program, vector: &Vector, j: usize, eps: f64) -> f64 {
         Input::StartTime => vector.t0,
         Input::Time => vector.t,
         Input::State(i) => f64::from(u8::from(i == j)),
-        Input::Gain(_) => f64::NAN,
+        Input::StateAtStart(_) | Input::Gain(_) => f64::NAN,
     };
     Interpreter::new(program, &input).value(program.step)
 }

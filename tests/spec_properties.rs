@@ -5,7 +5,8 @@ use proptest::test_runner::RngSeed;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::mapping::{FAMILIES, Family};
 use ptc_codegen::spec::{
-    Entry, Fixed, Guard, KEYS, KeyInfo, Parameter, Precision, Spec, number, parse, read,
+    Entry, Fixed, Guard, KEYS, KeyInfo, Parameter, Precision, Spec, TimeMapping, number, parse,
+    read,
 };
 
 /// A text near to what is legal, so that the reader is entered deeply.

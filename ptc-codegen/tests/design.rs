@@ -33,6 +33,7 @@ fn shown(value: &Value) -> String {
             format!("{:?}", items.iter().map(|item| shown(&item.value)).collect::<Vec<_>>())
         }
         Value::Call(name, arguments) => format!("{name}/{}", arguments.len()),
+        other => format!("{other:?}"),
     }
 }
 

@@ -1,0 +1,110 @@
+//! Controllers whose mapping or law is an expression, against the reference vectors of tests/data:
+//! what a family computes, written down by a user, must give the same u.
+
+mod support;
+
+use std::collections::BTreeMap;
+
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::law::Law;
+use ptc_codegen::lower::lower;
+use ptc_codegen::mapping::{FAMILIES, Family};
+use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read as read_spec};
+use support::vectors::{Vector, read};
+
+/// The spec of `keys`.
+fn spec(keys: &[(&str, String)]) -> Spec {
+    let entry = |(key, text): &(&str, String)| Entry {
+        key: (*key).to_owned(),
+        place: Place(0),
+        value: parse(key, text, &mut |_| Place(0)).unwrap_or_else(|e| panic!("{text}: {e}")),
+    };
+    let entries: Vec<_> = keys.iter().map(entry).collect();
+    read_spec(&entries).unwrap_or_else(|found| panic!("{keys:?}: {}", found[0]))
+}
+
+fn optimised(spec: &Spec) -> Program {
+    passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {})
+}
+
+/// What the parameter is in a vector.
+fn parameter(vector: &Vector, parameter: Parameter, eps: f64) -> f64 {
+    let values = vector.values(eps);
+    match parameter {
+        Parameter::Named(name) => match name.text() {
+            "a" => vector.a,
+            "m" => vector.m,
+            "a1" => vector.rates[0],
+            "a2" => vector.rates[1],
+            k => vector.k[k[1..].parse::<usize>().expect("a gain") - 1],
+        },
+        parameter => values.get(parameter),
+    }
+}
+
+/// Worst scaled error of step over the vectors of one family, by order.
+fn errors(family: Family, make: &dyn Fn(usize) -> Spec) -> BTreeMap<usize, (f64, f64)> {
+    let mut worst = BTreeMap::new();
+    let mut programs: BTreeMap<usize, Program> = BTreeMap::new();
+    for vector in [read("vectors.jsonl"), read("deadline.jsonl")].concat() {
+        if vector.family != family || vector.n > 8 || vector.rates.len() > 2 {
+            continue;
+        }
+        let program = programs.entry(vector.n).or_insert_with(|| optimised(&make(vector.n)));
+        let input = |input| match input {
+            Input::Parameter(p) => parameter(&vector, p, 1e-13),
+            Input::StartTime => vector.t0,
+            Input::Time => vector.t,
+            Input::State(i) | Input::StateAtStart(i) => vector.x[i - 1],
+            Input::Gain(_) => f64::NAN,
+        };
+        let law =
+            |arguments: &[f64]| -vector.k.iter().zip(arguments).map(|(k, xi)| k * xi).sum::<f64>();
+        let u = Interpreter::new(program, &input).with_law(&law).value(program.step);
+        let error = (u - vector.u).abs() / vector.scale;
+        let row: &mut (f64, f64) = worst.entry(vector.n).or_default();
+        if !(error <= row.0) {
+            *row = (error, vector.time_to_go() / vector.tau);
+        }
+    }
+    worst
+}
+
+fn show(label: &str, worst: &BTreeMap<usize, (f64, f64)>) {
+    let row: Vec<_> = worst.iter().map(|(n, (e, w))| format!("{n}:{e:.1e}@{w:.0e}")).collect();
+    println!("{label:24} {}", row.join(" "));
+}
+
+#[test]
+fn measure() {
+    for info in &FAMILIES {
+        let family = info.family;
+        let law = |n: usize| (1..=n).map(|i| format!("-k{i}*xi{i}")).collect::<Vec<_>>().join(" ");
+        let name = info.name.to_owned();
+        let of = |keys: Vec<(&'static str, String)>| {
+            move |n: usize| {
+                let mut keys = keys.clone();
+                keys.push(("n", n.to_string()));
+                spec(&keys)
+            }
+        };
+        let base = name.clone();
+        let state =
+            move |n: usize| spec(&[("mu", base.clone()), ("pi0", law(n)), ("n", n.to_string())]);
+        show(&format!("{name} pi0"), &errors(family, &state));
+        show(
+            &format!("{name} extern"),
+            &errors(family, &of(vec![("mu", name.clone()), ("pi0", "extern".to_owned())])),
+        );
+        if family == Family::ExpSum {
+            let mu = "mean(exp(a=a1), exp(a=a2))".to_owned();
+            show(&format!("{name} mu"), &errors(family, &of(vec![("mu", mu)])));
+            continue;
+        }
+        show(&format!("{name} mu"), &errors(family, &of(vec![("mu", info.mu.to_owned())])));
+        let kappa = info.kappa_in_time_to_go.replace('T', "(tau-dt)");
+        show(&format!("{name} kappa"), &errors(family, &of(vec![("kappa", kappa)])));
+    }
+}
