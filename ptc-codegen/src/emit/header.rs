@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use super::{Controller, Language};
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion;
-use crate::expression::Subject;
-use crate::law::Form;
-use crate::mapping::{Custom, FamilyInfo, Mapping};
+use crate::law::Form as LawForm;
+use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
 use crate::program::{Stage, cost};
 use crate::spec::{Feedback, Guard, Precision, Spec, TimeMapping};
 
@@ -87,18 +86,21 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
 /// What is told of a mapping that the user wrote down.
 fn as_given(custom: &Custom) -> Vec<String> {
     let mut lines = Vec::new();
-    if custom.subject == Subject::Mu {
-        lines.push(format!("  mu(t)       = {}, t the stretched time since t0", custom.given));
-        lines.push(format!("  tau - mu(t) = {}", custom.form));
-        lines.push(match &custom.inverse {
-            Some(inverse) => format!("  kappa       = {inverse}"),
-            None => {
-                "  kappa       = the root t of tau - mu(t) = T, by a bounded iteration".to_owned()
-            }
-        });
-    } else {
-        lines.push(format!("  kappa(dt) = {}", custom.given));
-        lines.push(format!("            = {}", custom.form));
+    match &custom.form {
+        Form::Mu(mu) => {
+            lines.push(format!("  mu(t)       = {}, t the stretched time since t0", custom.given));
+            lines.push(format!("  tau - mu(t) = {}", mu.complement));
+            let kappa = match &mu.inverse {
+                Some(inverse) => inverse.to_string(),
+                None => "the root t of tau - mu(t) = T, by a bounded iteration".to_owned(),
+            };
+            lines.push(format!("  kappa       = {kappa}"));
+        }
+        Form::Kappa(kappa) => {
+            lines.push(format!("  kappa(dt) = {}", custom.given));
+            lines.push(format!("            = {}", kappa.form));
+            lines.push(format!("  mu'(kappa) = r_1 = T*({})", kappa.rate));
+        }
     }
     lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned());
     lines
@@ -157,7 +159,7 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
         lines.push("  u = (sum_j gain_j x_j)/g".to_owned());
     }
     match &controller.law.form {
-        Form::Rows { base_inverse, rows } => {
+        LawForm::Rows { base_inverse, rows } => {
             let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
             lines.push(format!("  gain_j = {base}row_j"));
             lines.push(format!("  K_i = k_i/({})^(n+1-i)", algebra::text(&controller.law.rate)));
@@ -173,14 +175,14 @@ fn law(controller: &Controller<'_>) -> Vec<String> {
                 ));
             }
         }
-        Form::Series => {
+        LawForm::Series => {
             lines.push("  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1".to_owned());
             lines.push(
                 "  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned(),
             );
             lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
         }
-        Form::State => {
+        LawForm::State => {
             lines
                 .push("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j".to_owned());
             lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());

@@ -5,8 +5,9 @@ use super::coefficients::Coefficient;
 use super::exp_sum;
 use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
+use crate::expansion::bell::factorials;
 use crate::expression::{Expression, Function, Subject, Variable};
-use crate::mapping::{Custom, Family};
+use crate::mapping::{Family, Form, Kappa, Mu};
 use crate::program::{Op, Root, Value};
 use crate::spec::{Parameter, Precision, TimeMapping};
 
@@ -36,53 +37,50 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
         TimeMapping::Family { family, .. } => of_kappa(b, &family.kappa()),
-        TimeMapping::Custom(custom) if custom.subject == Subject::Mu => of_mu(b, custom),
-        TimeMapping::Custom(custom) => of_kappa(b, &custom.form),
+        TimeMapping::Custom(custom) => match &custom.form {
+            Form::Mu(mu) => of_mu(b, mu),
+            Form::Kappa(kappa) => of_kappa(b, kappa),
+        },
     }
 }
 
-/// From kappa in the time-to-go. With T (1 - s) in place of T the terms k_l of the series in s have
-/// the size of kappa, where those of the series in time grow like T^-l and leave the range. With
-/// v = k_1 s it is v + sum (k_l/k_1^l) v^l, whose inverse function is mu's.
-fn of_kappa(b: &mut Builder<'_>, kappa: &Expression) -> Taylor {
+/// From kappa in the time-to-go, by the stretched-time derivative D = r_1 d/dDt. With T (1 - s) in
+/// place of T it is unit (1 - s) g(s) d/ds, where unit = r_1/T now and g(0) = 1: everything has the
+/// size of mu's own series, where powers of 1/T would leave the range. So r_k = T unit^k f_k(0) with
+/// f_1 = (1 - s) g and f_(k+1) = f_1 f_k'.
+fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
     let time_to_go = b.time_to_go();
-    let point = Point {
-        variable: Variable::TimeToGo,
-        series: Series {
-            offset: None,
-            scale: Some(time_to_go),
-            terms: leading_terms(b.spec.n, 1, -1),
-        },
-    };
-    let series = b.series(kappa, &point);
-    let stretched = b.value_at(&series);
-    let stretched = b.coefficient(&stretched);
-    let slope = b.scaled(series.scale, &series.terms[1]);
-    let slope = b.coefficient(&slope);
-    let one = b.integer(1);
-    let unit = b.div(one, slope);
-    let unit = b.name(unit, "unit", "T-scaled slope of the mapping, 1/(T*kappa')");
-    let inverse = b.div(one, time_to_go);
-    let inverse = b.name(inverse, "inv_T", "1/T");
-    let base_inverse = b.mul(slope, inverse);
-    let r1 = b.mul(time_to_go, unit);
-    let tail = ratios(b, &series.terms);
-    let tail = reversed(b, &tail);
-    Taylor {
-        r1,
-        base_inverse: b.name(base_inverse, "inv_r1", "1/r1 = kappa'"),
-        tail,
-        unit: Some(unit),
-        stretched,
+    let n = b.spec.n;
+    let scale = Some(time_to_go);
+    let series = Series { offset: None, scale, terms: leading_terms(n, 1, -1) };
+    let point = Point { variable: Variable::TimeToGo, series };
+    let stretched = b.scalar(&kappa.form);
+    let rate = b.series(&kappa.rate, &point);
+    let (unit, rate) = b.leading(rate);
+    let unit = b.name(unit, "unit", "r1/T");
+    let first = b.product(&point.series.terms, &rate);
+    let mut tail = Vec::with_capacity(n);
+    let mut last = first.clone();
+    for l in 2..=n {
+        let slope: Vec<_> =
+            (1..last.len()).map(|k| b.times(&Coefficient::index(k), &last[k])).collect();
+        last = b.product(&slope, &first[..slope.len()]);
+        let factorial = Coefficient::Exact(BigRational::from_integer(factorials(l)[l].clone()));
+        tail.push(b.over(&last[0], &factorial));
     }
+    let r1 = b.mul(time_to_go, unit);
+    let one = b.integer(1);
+    let base_inverse = b.div(one, r1);
+    let base_inverse = b.name(base_inverse, "inv_r1", "1/r1 = kappa'");
+    Taylor { r1, base_inverse, tail, unit: Some(unit), stretched }
 }
 
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
-fn of_mu(b: &mut Builder<'_>, custom: &Custom) -> Taylor {
-    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, custom)) };
+fn of_mu(b: &mut Builder<'_>, mu: &Mu) -> Taylor {
+    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, mu)) };
     let point = around(b.spec.n, stretched);
-    let mut series = b.series(&custom.form, &point);
+    let mut series = b.series(&mu.complement, &point);
     if let (None, Coefficient::Exact(first)) = (series.offset, &series.terms[0])
         && *first != integer(0)
     {
@@ -127,24 +125,10 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
     terms[2..].iter().map(|term| b.times(term, &inverse)).collect()
 }
 
-/// The inverse function of v + sum_{l>=2} q_l v^l, by Lagrange: its term l is
-/// (1/l) \[v^(l-1)\] (1 + sum q_l v^(l-1))^-l.
-fn reversed(b: &mut Builder<'_>, tail: &[Coefficient]) -> Vec<Coefficient> {
-    let one = Coefficient::integer(1);
-    let shifted: Vec<_> = std::iter::once(one).chain(tail.iter().cloned()).collect();
-    (2..=tail.len() + 1)
-        .map(|l| {
-            let exponent = b.negative(&Coefficient::index(l));
-            let power = b.power_series(&shifted[..l], &exponent);
-            b.over(&power[l - 1], &Coefficient::index(l))
-        })
-        .collect()
-}
-
 /// Stretched time: in closed form where there is one, else the root y of ln(c(y)/T), which
 /// decreases, by Newton's method within a bracket.
-fn stretched_time(b: &mut Builder<'_>, custom: &Custom) -> Value {
-    if let Some(inverse) = &custom.inverse {
+fn stretched_time(b: &mut Builder<'_>, mu: &Mu) -> Value {
+    if let Some(inverse) = &mu.inverse {
         return b.scalar(inverse);
     }
     let target = b.time_to_go();
@@ -157,7 +141,7 @@ fn stretched_time(b: &mut Builder<'_>, custom: &Custom) -> Value {
     let (high, tolerance) = (b.number(ten(far)), b.number(ten(small).recip()));
     let unknown = b.push(Op::Unknown);
     let unknown = b.name(unknown, "y", "stretched time since t0");
-    let series = b.series(&custom.form, &around(1, Some(unknown)));
+    let series = b.series(&mu.complement, &around(1, Some(unknown)));
     let value = b.value_at(&series);
     let value = b.coefficient(&value);
     let slope = b.scaled(series.scale, &series.terms[1]);
@@ -175,7 +159,7 @@ fn stretched_time(b: &mut Builder<'_>, custom: &Custom) -> Value {
 impl Family {
     /// kappa in the time-to-go, on the family's own parameters; tau - T for `exp_sum`, which has
     /// none.
-    fn kappa(self) -> Expression {
+    fn kappa(self) -> Kappa {
         let form = self.info().form(Subject::Family);
         let own = |e: &Expression| match e {
             Expression::Parameter(Parameter::Named(name)) => match name.text() {
@@ -186,6 +170,6 @@ impl Family {
             _ => None,
         };
         let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
-        form.map_or(elapsed, |form| form.substitute(&own))
+        Kappa::new(form.map_or(elapsed, |form| form.substitute(&own)))
     }
 }

@@ -70,6 +70,13 @@ impl Builder<'_> {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 self.multiplied(a, b)
             }
+            // A cotangent, whose series is sound where that of the tangent is not.
+            Expression::Div(a, b) if matches!(&**b, Expression::Call(Function::Tan, _)) => {
+                let angle = b.operands().remove(0).clone();
+                let (sin, cos) = (Function::Sin, Function::Cos);
+                let above = (**a).clone().mul(Expression::call(cos, angle.clone()));
+                self.series(&above.div(Expression::call(sin, angle)), point)
+            }
             Expression::Div(a, b) => {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 self.divided(a, b)
@@ -167,13 +174,13 @@ impl Builder<'_> {
         Series::new(scale, self.product(&a.terms, &b.terms))
     }
 
-    fn product(&mut self, a: &[Coefficient], b: &[Coefficient]) -> Vec<Coefficient> {
+    pub(super) fn product(&mut self, a: &[Coefficient], b: &[Coefficient]) -> Vec<Coefficient> {
         let mut one = |_: &mut Self, _| Coefficient::integer(1);
         (0..a.len()).map(|k| self.convolution(a, b, k, 0..=k, &mut one)).collect()
     }
 
     /// Leading value and the terms divided by it, so that the first is 1.
-    fn leading(&mut self, a: Series) -> (Value, Vec<Coefficient>) {
+    pub(super) fn leading(&mut self, a: Series) -> (Value, Vec<Coefficient>) {
         let a = self.joined(a);
         let leading = self.value_at(&a);
         let leading = self.coefficient(&leading);

@@ -1,6 +1,6 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
-use crate::expression::{Expression, Subject, Variable, normal, solve};
+use crate::expression::{Expression, Function, Subject, Variable, normal, solve};
 use crate::spec::Parameter;
 
 /// A mapping given as mu(t) or as kappa(dt).
@@ -10,11 +10,55 @@ pub struct Custom {
     pub subject: Subject,
     /// The expression as it was given.
     pub given: Expression,
-    /// mu: the complement tau - mu(t), which keeps its digits where mu is near tau; kappa: the
-    /// same in the time-to-go T.
-    pub form: Expression,
-    /// mu: stretched time as an expression in T, where there is a closed form.
+    /// The form in which it is computed.
+    pub form: Form,
+}
+
+/// The form in which a mapping is computed, which keeps its digits up to the deadline.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Given as mu.
+    Mu(Mu),
+    /// Given as kappa.
+    Kappa(Kappa),
+}
+
+/// A mapping by mu, in stretched time t since the start.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mu {
+    /// tau - mu(t), whose digits are those of the time-to-go where mu is near tau.
+    pub complement: Expression,
+    /// t as an expression in the time-to-go T, where there is a closed form.
     pub inverse: Option<Expression>,
+}
+
+/// A mapping by kappa, in the time-to-go T.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kappa {
+    /// kappa.
+    pub form: Expression,
+    /// r_1/T = 1/(T kappa'): the rate at which T decays in stretched time.
+    pub rate: Expression,
+}
+
+impl Mu {
+    fn new(mu: &Expression) -> Self {
+        let complement = normal::complement(mu);
+        let inverse = solve(&complement, Variable::SinceStart, Variable::TimeToGo.into());
+        Self { complement, inverse }
+    }
+}
+
+impl Kappa {
+    /// The mapping by `kappa`, an expression in the time-to-go.
+    pub fn new(kappa: Expression) -> Self {
+        let form = normal::normal(&kappa);
+        let time_to_go = Expression::from(Variable::TimeToGo);
+        // kappa' is the derivative with respect to elapsed time: T falls as time goes on.
+        let slope = form.derivative(Variable::TimeToGo).neg();
+        let rate = Expression::integer(1).div(time_to_go.mul(slope));
+        Self { rate: normal::normal(&rate), form }
+    }
 }
 
 impl Custom {
@@ -27,27 +71,40 @@ impl Custom {
             Subject::Mu => (Variable::SinceStart, "t"),
             _ => (Variable::Elapsed, "dt"),
         };
+        let key = subject.key();
         if !given.contains(variable) {
-            let message = format!("{} does not depend on `{name}`", subject.key());
+            let message = format!("{key} does not depend on `{name}`");
             return Err((message, format!("give an expression in {name}, tau and parameters")));
         }
-        let tau = Expression::from(Parameter::Tau);
-        let elapsed = tau.clone().sub(Variable::TimeToGo.into());
+        let kinked = |e: &Expression| {
+            let kink = matches!(
+                e,
+                Expression::Min(..)
+                    | Expression::Max(..)
+                    | Expression::Call(Function::Abs | Function::Sign, _)
+            );
+            kink && e.contains(variable)
+        };
+        if given.any(&kinked) {
+            let message = format!("{key} has a kink: abs, sign, min or max of `{name}`");
+            let help =
+                "a mapping is as often differentiable as the order of the plant: leave them out";
+            return Err((message, help.to_owned()));
+        }
         let form = match subject {
-            Subject::Mu => normal::complement(&given),
-            _ => normal::normal(
-                &given.substitute(&|e| (*e == variable.into()).then(|| elapsed.clone())),
-            ),
+            Subject::Mu => Form::Mu(Mu::new(&given)),
+            _ => {
+                let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
+                let in_time_to_go =
+                    |e: &Expression| (*e == variable.into()).then(|| elapsed.clone());
+                Form::Kappa(Kappa::new(given.substitute(&in_time_to_go)))
+            }
         };
-        let inverse = match subject {
-            Subject::Mu => solve(&form, variable, Variable::TimeToGo.into()),
-            _ => None,
-        };
-        Ok(Self { subject, given, form, inverse })
+        Ok(Self { subject, given, form })
     }
 
     /// Whether stretched time is the root of an equation, found by an iteration.
     pub fn is_iterated(&self) -> bool {
-        self.subject == Subject::Mu && self.inverse.is_none()
+        matches!(&self.form, Form::Mu(mu) if mu.inverse.is_none())
     }
 }
