@@ -75,15 +75,28 @@ pub use error::Error;
 /// | key | meaning | value | default |
 /// | --- | --- | --- | --- |
 /// | `n` | order of the chain of integrators | an integer 1..=16 | must be given |
-/// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])` | must be given |
+/// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
+/// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
 /// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]` | run time |
+/// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]` | |
+/// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
+/// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
 /// | `tau` | prescribed settling time in s | a number > 0 | run time |
 /// | `t0` | start time in s | a finite number | run time |
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
+/// | `after` | what follows the deadline | `hold`: the gains stay; `zero`: u = 0; `extern`: `step` takes a closure of x and t | `hold` |
+/// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
+/// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, with `x0_max` | |
+/// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
+/// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
+/// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `envelope` | none |
+///
+/// Every other name in an expression is a parameter: a field of the parameters, or fixed by
+/// `params.a = 1`, or bounded by `params.a = [0.5, 2]`.
 ///
 ///
 /// `file = "roll.toml"` reads a design file, from the folder of `Cargo.toml` on. It holds the same
