@@ -10,6 +10,7 @@
 //! [`spec::read`]; the same spec gives the same bytes on any machine.
 
 pub mod algebra;
+pub mod check;
 pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
