@@ -8,6 +8,7 @@
 pub mod growth;
 pub mod poles;
 pub mod polynomial;
+pub mod sampling;
 pub mod stability;
 
 mod eigenvalues;
@@ -65,6 +66,11 @@ fn digits(value: f64) -> String {
     } else {
         format!("{rounded:e}")
     }
+}
+
+/// The middle of a positive bracket on the scale of its logarithm.
+fn middle(low: f64, high: f64) -> f64 {
+    low.sqrt() * high.sqrt()
 }
 
 #[cfg(test)]
