@@ -5,6 +5,7 @@
 //! the common form in which all of them are reported. What can be decided exactly is ([`growth`]),
 //! and what is numeric says so.
 
+pub mod deadline;
 pub mod growth;
 pub mod poles;
 pub mod polynomial;
@@ -68,6 +69,11 @@ fn digits(value: f64) -> String {
     }
 }
 
+/// Numbers to four significant digits, with commas between them.
+fn list(values: impl IntoIterator<Item = f64>) -> String {
+    values.into_iter().map(digits).collect::<Vec<_>>().join(", ")
+}
+
 /// The middle of a positive bracket on the scale of its logarithm.
 fn middle(low: f64, high: f64) -> f64 {
     low.sqrt() * high.sqrt()
@@ -83,6 +89,7 @@ mod tests {
         assert_eq!(digits(-0.0), "0");
         assert_eq!(digits(123_456_789.0), "1.235e8");
         assert_eq!(digits(f64::INFINITY), "inf");
+        assert_eq!(list([1.0, -2.5e-7]), "1, -2.5e-7");
     }
 
     #[test]
