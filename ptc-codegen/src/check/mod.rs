@@ -6,6 +6,7 @@
 //! and what is numeric says so.
 
 pub mod deadline;
+pub mod envelope;
 pub mod growth;
 pub mod poles;
 pub mod polynomial;

@@ -25,12 +25,14 @@
 //! falls more slowly than any exponential: every mode decides by the sign of Re lambda alone (on the
 //! imaginary axis powers of 1/T grow), except that lambda = 0, if simple, still is a constant x_1.
 
+mod report;
+
 use nalgebra::Complex;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use super::poles;
 use super::polynomial::Polynomial;
 use super::stability::{is_bounded, is_hurwitz};
-use super::{Outcome, Verdict, digits, poles};
 use crate::algebra::{BigInt, BigRational};
 
 /// What the mode of a simple pole at -m rho is as a function of time-to-go.
@@ -129,89 +131,11 @@ fn largest_rho(gains: &[BigRational], p: &Polynomial) -> Option<f64> {
     Some((low / unit).floor() * unit)
 }
 
-impl Growth {
-    /// The poles not left of -m rho as numbers, each with what it misses the line by.
-    fn misses(&self, m: usize) -> Vec<String> {
-        #[allow(clippy::cast_precision_loss)]
-        let line = -(m as f64) * self.rho;
-        let slack = 1e-6 * self.poles.iter().map(|pole| pole.norm()).fold(line.abs(), f64::max);
-        let missing = self.poles.iter().filter(|pole| pole.re > line - slack);
-        missing
-            .map(|pole| {
-                let by = pole.re - line;
-                let pole = poles::text(*pole);
-                if by <= slack {
-                    format!("the pole {pole} lies on the line Re = {}", digits(line))
-                } else {
-                    format!("the pole {pole} lies {} right of {}", digits(by), digits(line))
-                }
-            })
-            .collect()
-    }
-
-    fn rate(&self) -> &'static str {
-        match self.modes {
-            Modes::Polynomial => "a",
-            Modes::Analytic => "2 a",
-            Modes::Other => "the decay rate of mu'",
-        }
-    }
-}
-
-impl From<&Growth> for Outcome {
-    fn from(growth: &Growth) -> Self {
-        let n = growth.n;
-        let (verdict, found, misses) = match (growth.x_to_zero, growth.u_bounded) {
-            (false, Some(false)) => (
-                Verdict::Unsound,
-                "x does not go to 0 and u is unbounded at the deadline",
-                growth.misses(n.saturating_sub(1)),
-            ),
-            (false, _) => (
-                Verdict::Unsound,
-                "x does not go to 0 at the deadline",
-                growth.misses(n.saturating_sub(1)),
-            ),
-            (true, Some(false)) => {
-                (Verdict::Unsound, "u is unbounded at the deadline", growth.misses(n))
-            }
-            (true, None) => {
-                (Verdict::Undecided, "it is open whether u stays bounded", growth.misses(n))
-            }
-            (true, Some(true)) => (Verdict::Sound, "x goes to 0 at the deadline", Vec::new()),
-        };
-        let mut summary = found.to_owned();
-        if verdict == Verdict::Sound {
-            let u = if growth.u_to_zero == Some(true) { "goes to 0" } else { "stays bounded" };
-            summary = format!("{summary} and u {u}");
-        } else if let Some(worst) = misses.first() {
-            summary = format!("{summary}: {worst}");
-        }
-        let mut details = misses.get(1..).map(<[_]>::to_vec).unwrap_or_default();
-        details.extend(growth.excepted.iter().map(|m| {
-            format!("the simple pole at -m rho, m = {m}, leaves x{} at a constant", m + 1)
-        }));
-        let poles: Vec<_> = growth.poles.iter().map(|pole| poles::text(*pole)).collect();
-        details.push(format!("poles {}, rho = {}", poles.join(", "), digits(growth.rho)));
-        let fix = (verdict != Verdict::Sound).then(|| {
-            #[allow(clippy::cast_precision_loss)]
-            let line = digits(-(n as f64) * growth.rho);
-            let slower = match growth.largest_rho {
-                Some(rho) if growth.rho > 0.0 => {
-                    format!(", or, with these gains, {} of at most {}", growth.rate(), digits(rho))
-                }
-                _ => String::new(),
-            };
-            format!("place every pole left of {line}{slower}")
-        });
-        Self { name: "growth", verdict, summary, details, fix }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::algebra::integer;
+    use crate::check::digits;
     use crate::check::poles::{Pole, gains};
 
     fn with(poles: &[i64], rho: BigRational, modes: Modes) -> Growth {
@@ -252,16 +176,6 @@ mod tests {
         assert_eq!((on.x_to_zero, on.u_bounded, on.u_to_zero), (true, Some(true), Some(false)));
         let between = growth(&pair, &BigRational::new(3.into(), 2.into()), Modes::Polynomial);
         assert_eq!((between.x_to_zero, between.u_bounded), (true, Some(false)));
-        let outcome = Outcome::from(&between);
-        assert_eq!(outcome.verdict, Verdict::Unsound);
-        assert_eq!(
-            outcome.summary,
-            "u is unbounded at the deadline: the pole -2+5i lies 1 right of -3"
-        );
-        assert_eq!(
-            outcome.fix.as_deref(),
-            Some("place every pole left of -3, or, with these gains, a of at most 0.999")
-        );
     }
 
     #[test]
@@ -274,12 +188,6 @@ mod tests {
         assert_eq!(growth(&[0, -1, -1]), (false, Some(true), Some(true)));
         assert_eq!(growth(&[0, 0, -1]), (false, Some(false), Some(false)));
         assert_eq!(growth(&[1, -1, -1]), (false, Some(false), Some(false)));
-        let outcome = Outcome::from(&with(&[1, -1], integer(0), Modes::Other));
-        assert_eq!(
-            outcome.summary,
-            "x does not go to 0 and u is unbounded at the deadline: the pole 1 lies 1 right of 0"
-        );
-        assert_eq!(outcome.fix.as_deref(), Some("place every pole left of 0"));
         // A pair on the axis: u grows like powers of 1/T.
         let pair = super::growth(&[integer(4), integer(0)], &integer(0), Modes::Other);
         assert_eq!((pair.x_to_zero, pair.u_bounded), (false, Some(false)));
@@ -292,8 +200,5 @@ mod tests {
         assert_eq!(found(&[-4, -5, -6]).map(digits), Some("1.33".to_owned()));
         assert_eq!(found(&[-8]).map(digits), Some("7.99".to_owned()));
         assert_eq!(found(&[1, -2]), None);
-        let outcome = Outcome::from(&with(&[-3, -4], integer(1), Modes::Polynomial));
-        assert_eq!(outcome.summary, "x goes to 0 at the deadline and u goes to 0");
-        assert_eq!(outcome.fix, None);
     }
 }
