@@ -2,8 +2,8 @@
 //!
 //! The letter's practical prescribed-time convergence: the law is stopped at time-to-go eps, before
 //! its gains blow up, and what is left of the state then has to be small. With the linear law
-//! xi' = A_cl xi in stretched time, so
-//! x(T) = BB_n[mu](T) exp(A_cl kappa(T)) BB_n[kappa](0) x(t0) = Phi(T) x(t0), and
+//! xi' = A_cl xi in stretched time, so x(T) = Phi(T) x(t0) with
+//! `Phi(T) = BB_n[mu](T) exp(A_cl kappa(T)) BB_n[kappa](0)`, and
 //! |x_i(T)| <= sum_j |Phi_ij| |x_j(t0)|, with equality for some signs of x(t0).
 //!
 //! *A numeric bound.* Phi is computed in doubles, and T is tried on a logarithmic grid from 1e-12 tau
@@ -49,7 +49,7 @@ pub struct Deadline {
     pub bounds: Vec<f64>,
 }
 
-/// Finds the largest eps for which |x_i| <= `error` is kept from `x0_max`, bounds of |x_i(t0)|.
+/// Finds the largest eps for which |x_i| <= `error` is kept from `x0_max`, the n bounds of |x_i(t0)|.
 pub fn deadline(closed_loop: &ClosedLoop<'_>, x0_max: &[f64], error: f64) -> Deadline {
     let tau = closed_loop.tau;
     let start = bell(&(closed_loop.r)(tau), closed_loop.gains.len());

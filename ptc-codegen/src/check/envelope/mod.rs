@@ -159,6 +159,8 @@ fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(St
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
     use crate::check::{Outcome, Verdict};
     use crate::law::LinearLaw;
@@ -247,37 +249,41 @@ mod tests {
         assert_eq!(outcome.summary, "every value stays within f32 for T in [0.001, 1] s");
     }
 
-    /// Every value that the interpreter computes lies in its bounds.
-    #[test]
-    fn bounds_hold_what_is_computed() {
-        for family in FAMILIES {
-            let program = program(3, family, Precision::F64);
-            let input = inputs(1e-3, 1.0, Interval::point(3.0));
-            let early = Bounds::new(&program, &input);
-            for (low, high) in [(0.5, 0.6), (0.01, 0.011), (1e-3, 1.1e-3)] {
-                let mut bounds = early.at(low, high);
-                bounds.first_excess(&[program.step]);
-                bounds.first_excess(&program.gains);
-                let t = 1.0 - 0.5 * (low + high);
-                let at = |asked: Input| match asked {
-                    Input::Time => t,
-                    Input::State(_) => 0.3,
-                    other => input(other).low,
-                };
-                let mut interpreter = Interpreter::new(&program, &at);
-                let outputs = program.gains.iter().chain([&program.step]);
-                for value in program.needed(&outputs.copied().collect::<Vec<_>>()) {
-                    if program.get(value).looped || program.get(value).op == Op::Input(Input::Time)
-                    {
-                        continue;
-                    }
-                    let (bound, number) = (bounds.get(value), interpreter.value(value));
-                    assert!(
-                        bound.low <= number && number <= bound.high,
-                        "{family:?}: {} = {number} outside {bound:?}",
-                        describe(&program, value)
-                    );
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        /// Every value that the interpreter computes lies in its bounds.
+        #[test]
+        fn bounds_hold_what_is_computed(
+            family in prop::sample::select(&FAMILIES),
+            single in prop::bool::ANY,
+            (t, gain, state) in (0.0..0.9999f32, 1.0..20.0f32, -10.0..10.0f32),
+        ) {
+            let precision = if single { Precision::F32 } else { Precision::F64 };
+            let program = program(3, family, precision);
+            let eps = f64::from(1e-4f32);
+            let input = inputs(eps, 10.0, Interval::new(1.0, 20.0));
+            let time_to_go = 1.0 - f64::from(t);
+            let mut bounds = Bounds::new(&program, &input).at(0.99 * time_to_go, 1.01 * time_to_go);
+            bounds.first_excess(&program.gains);
+            bounds.first_excess(&[program.step]);
+            let at = |asked: Input| match asked {
+                Input::Time => f64::from(t),
+                Input::State(_) => f64::from(state),
+                Input::Parameter(Parameter::Gain(_)) => f64::from(gain),
+                other => input(other).low,
+            };
+            let mut interpreter = Interpreter::new(&program, &at);
+            let outputs: Vec<_> = program.gains.iter().chain([&program.step]).copied().collect();
+            for value in program.needed(&outputs) {
+                if program.get(value).looped || program.get(value).op == Op::Input(Input::Time) {
+                    continue;
                 }
+                let (bound, number) = (bounds.get(value), interpreter.value(value));
+                prop_assert!(
+                    bound.low <= number && number <= bound.high,
+                    "{:?}: {} = {number} outside {bound:?}", family, describe(&program, value)
+                );
             }
         }
     }

@@ -133,14 +133,21 @@ fn largest_rho(gains: &[BigRational], p: &Polynomial) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
     use crate::algebra::integer;
+    use crate::check::deadline::{ClosedLoop, deadline};
     use crate::check::digits;
     use crate::check::poles::{Pole, gains};
 
-    fn with(poles: &[i64], rho: BigRational, modes: Modes) -> Growth {
+    fn exact(poles: &[i64]) -> Vec<BigRational> {
         let poles: Vec<_> = poles.iter().map(|re| Pole::real(integer(*re))).collect();
-        growth(&gains(&poles).expect("conjugate pairs"), &rho, modes)
+        gains(&poles).expect("real poles need no partner")
+    }
+
+    fn with(poles: &[i64], rho: BigRational, modes: Modes) -> Growth {
+        growth(&exact(poles), &rho, modes)
     }
 
     fn verdicts(poles: &[i64], modes: Modes) -> (bool, Option<bool>, Option<bool>) {
@@ -200,5 +207,44 @@ mod tests {
         assert_eq!(found(&[-4, -5, -6]).map(digits), Some("1.33".to_owned()));
         assert_eq!(found(&[-8]).map(digits), Some("7.99".to_owned()));
         assert_eq!(found(&[1, -2]), None);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        /// The closed form of the state at T = 1e-12 tau is small where x -> 0 and is not where not:
+        /// with integer poles it falls at least like T.
+        #[test]
+        fn the_state_does_what_is_told(
+            poles in prop::collection::vec(-7i64..2, 1..5),
+            decaying in prop::bool::ANY,
+        ) {
+            let rho = integer(i64::from(decaying));
+            let found = with(&poles, rho, Modes::Polynomial);
+            let numbers: Vec<f64> = exact(&poles).iter().filter_map(ToPrimitive::to_f64).collect();
+            let exp = |t: f64| (1..=4).map(|k| -f64::powi(-1.0, k) * t).collect();
+            let rational = |t: f64| {
+                let factorial = |k| (1..=k).map(f64::from).product::<f64>();
+                (1..=4).map(|k| -f64::powi(-1.0, k) * factorial(k) * t.powi(k + 1)).collect()
+            };
+            let closed_loop = ClosedLoop {
+                gains: &numbers,
+                tau: 1.0,
+                r: if decaying { &exp } else { &rational },
+                stretched: if decaying { &|t: f64| -t.ln() } else { &|t: f64| (1.0 - t) / t },
+            };
+            let small = deadline(&closed_loop, &vec![1.0; poles.len()], 1e-6).largest_eps.is_some();
+            prop_assert_eq!(small, found.x_to_zero);
+        }
+    }
+
+    #[test]
+    fn sixteen_decimal_poles() {
+        let poles: Vec<_> = (1..=16)
+            .map(|i| Pole::real(BigRational::new((-16_000 - 137 * i).into(), 1000.into())))
+            .collect();
+        let found = growth(&gains(&poles).expect("real"), &integer(1), Modes::Polynomial);
+        assert!(found.x_to_zero && found.u_to_zero == Some(true));
+        assert_eq!(found.largest_rho.map(digits), Some("1".to_owned()));
     }
 }
