@@ -4,8 +4,10 @@
 //!
 //! From time-to-go `eps` on the gains stand still, and with a zero-order hold of period h the loop
 //! is x(t + h) = M(h) x(t), M = exp(A h) + B(h) gain^T with A and B of the chain of integrators.
-//! The example finds the h up to which the spectral radius of M stays below one.
+//! The example finds the h up to which the spectral radius of M stays below one
+//! (`ptc_codegen::check::sampling`).
 
+use ptc_codegen::check::sampling::longest_period;
 use ptc_codegen::law::Law;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::passes;
@@ -20,9 +22,11 @@ fn main() {
             let law = Law::of(&spec);
             let program = passes::optimise(lower::lower(&spec, &law), &mut |_, _| {});
             let (gains, eps) = (held_gains(&program, &spec), fixed(&spec, "eps"));
-            let longest = longest_period(&gains, eps);
             println!("order {}, held gains {gains:.4?}", spec.n);
-            println!("stable up to h = {longest:.4} s, which is {:.3} eps", longest / eps);
+            match longest_period(&gains, eps) {
+                Some(h) => println!("stable up to h = {h:.4} s, which is {:.3} eps", h / eps),
+                None => println!("unstable however short the sample period"),
+            }
         }
         Err(told) => {
             eprintln!("{told}\ngive --mu, --gains, --tau and --eps, with every parameter fixed");
@@ -69,49 +73,4 @@ fn held_gains(program: &Program, spec: &Spec) -> Vec<f64> {
     let input = |input| if input == Input::Time { tau } else { 0.0 };
     let mut interpreter = Interpreter::new(program, &input);
     program.gains.iter().map(|gain| interpreter.value(*gain)).collect()
-}
-
-/// The first h at which the spectral radius reaches one, by steps of 1 % and then bisection.
-fn longest_period(gains: &[f64], eps: f64) -> f64 {
-    let mut high = 1e-3 * eps;
-    while is_stable(gains, high) && high < 1e3 * eps {
-        high *= 1.01;
-    }
-    let mut low = high / 1.01;
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if is_stable(gains, middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
-/// Whether the powers of M vanish.
-fn is_stable(gains: &[f64], h: f64) -> bool {
-    let n = gains.len();
-    let taylor = |k: usize| (1..=k).fold(1.0, |product, i| product * h / i as f64);
-    let entry = |i: usize, j: usize| {
-        let chain = if j >= i { taylor(j - i) } else { 0.0 };
-        chain + taylor(n - i) * gains[j]
-    };
-    // In units of h^i the entries are of one size, and so are those of the powers.
-    let scale = |i: usize| h.powi(i as i32);
-    let mut power: Vec<Vec<f64>> =
-        (0..n).map(|i| (0..n).map(|j| entry(i, j) * scale(i) / scale(j)).collect()).collect();
-    let mut log_size = 0.0;
-    for _ in 0..40 {
-        let product = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
-        let square: Vec<Vec<f64>> =
-            (0..n).map(|i| (0..n).map(|j| product(i, j)).collect()).collect();
-        let size = square.iter().flatten().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-        if size == 0.0 {
-            return true;
-        }
-        log_size = 2.0 * log_size + size.ln();
-        power = square.iter().map(|row| row.iter().map(|entry| entry / size).collect()).collect();
-    }
-    log_size < 0.0
 }

@@ -1,3 +1,102 @@
-//! Checks of a design.
+//! Checks of a design before it is generated: do these gains, this rate, period and guard do what
+//! the deadline promises?
+//!
+//! Each check is a pure function of explicit arguments and returns a plain struct; [`Outcome`] is
+//! the common form in which all of them are reported. What can be decided exactly is ([`growth`]),
+//! and what is numeric says so.
 
+pub mod deadline;
+pub mod envelope;
+pub mod growth;
 pub mod poles;
+pub mod polynomial;
+pub mod sampling;
+pub mod stability;
+
+mod eigenvalues;
+
+/// What a check came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// The design meets the condition.
+    Sound,
+    /// The design misses the condition.
+    Unsound,
+    /// Inputs are known at which the design fails.
+    Refuted,
+    /// The check cannot tell.
+    Undecided,
+    /// Something that the check needs is not known.
+    NotChecked,
+}
+
+/// The result of one check, for a reader.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// Name of the check.
+    pub name: &'static str,
+    /// What it came to.
+    pub verdict: Verdict,
+    /// What is wrong, or that nothing is, in one sentence with its numbers.
+    pub summary: String,
+    /// Further facts, one sentence each.
+    pub details: Vec<String>,
+    /// What would put it right.
+    pub fix: Option<String>,
+}
+
+impl Outcome {
+    /// The outcome of a check that lacks something, which `reason` names.
+    pub fn not_checked(name: &'static str, reason: impl Into<String>) -> Self {
+        Self {
+            name,
+            verdict: Verdict::NotChecked,
+            summary: reason.into(),
+            details: Vec::new(),
+            fix: None,
+        }
+    }
+}
+
+/// A number to four significant digits.
+fn digits(value: f64) -> String {
+    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    // + 0 takes the sign off -0.
+    let size = f64::abs(rounded);
+    if size == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
+        format!("{}", rounded + 0.0)
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// Numbers to four significant digits, with commas between them.
+fn list(values: impl IntoIterator<Item = f64>) -> String {
+    values.into_iter().map(digits).collect::<Vec<_>>().join(", ")
+}
+
+/// The middle of a positive bracket on the scale of its logarithm.
+fn middle(low: f64, high: f64) -> f64 {
+    low.sqrt() * high.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        assert_eq!(digits(1.0 / 3.0), "0.3333");
+        assert_eq!(digits(-0.0), "0");
+        assert_eq!(digits(123_456_789.0), "1.235e8");
+        assert_eq!(digits(f64::INFINITY), "inf");
+        assert_eq!(list([1.0, -2.5e-7]), "1, -2.5e-7");
+    }
+
+    #[test]
+    fn what_was_not_checked_says_why() {
+        let outcome = Outcome::not_checked("sampling", "the period is not given");
+        assert_eq!(outcome.verdict, Verdict::NotChecked);
+        assert_eq!(outcome.summary, "the period is not given");
+    }
+}

@@ -1,0 +1,135 @@
+//! Bounds of every value of a program for inputs from intervals and a stretch of time-to-go.
+
+use super::interval::{Interval, apply, outward};
+use crate::program::{Input, Op, Program, Root, Stage, Value};
+
+/// A program's values as intervals.
+pub(super) struct Bounds<'a> {
+    program: &'a Program,
+    input: &'a dyn Fn(Input) -> Interval,
+    known: Vec<Option<Interval>>,
+    /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
+    held: Vec<Value>,
+}
+
+impl<'a> Bounds<'a> {
+    /// The bounds of what is known before time is.
+    pub(super) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Interval) -> Self {
+        let late = program.limits.late;
+        let mut held = vec![late];
+        if let Op::Min(a, b) = program.get(late).op {
+            held.extend([a, b].into_iter().filter(|v| program.get(*v).stage == Stage::Tick));
+        }
+        let mut bounds = Self { program, input, known: vec![None; program.values.len()], held };
+        for (index, definition) in program.values.iter().enumerate() {
+            if definition.stage < Stage::Tick {
+                bounds.known[index] = Some(bounds.compute(Value(index)));
+            }
+        }
+        bounds
+    }
+
+    /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
+    /// the digits it has left near the deadline would be lost in an interval of t - deadline.
+    pub(super) fn at(&self, low: f64, high: f64) -> Self {
+        let mut known = self.known.clone();
+        for held in &self.held {
+            known[held.0] = Some(outward(-high, -low, self.program.precision));
+        }
+        Self { program: self.program, input: self.input, known, held: self.held.clone() }
+    }
+
+    /// The bound of a value that has been computed.
+    pub(super) fn get(&self, value: Value) -> Interval {
+        self.known[value.0].unwrap_or(Interval::ANY)
+    }
+
+    /// Computes what `roots` need and returns the first value that may leave the range.
+    pub(super) fn first_excess(&mut self, roots: &[Value]) -> Option<Value> {
+        let needed = self.needed(roots);
+        for value in &needed {
+            if self.known[value.0].is_none() && !self.program.get(*value).looped {
+                self.known[value.0] = Some(self.compute(*value));
+            }
+        }
+        let computed = needed.into_iter().filter(|value| !self.program.get(*value).looped);
+        computed.into_iter().find(|value| self.get(*value).special)
+    }
+
+    /// Gives the gains, once computed, to what `axis` takes as inputs.
+    pub(super) fn hand_over_gains(&mut self) {
+        for (index, definition) in self.program.values.iter().enumerate() {
+            if let Op::Input(Input::Gain(j)) = definition.op {
+                self.known[index] = Some(self.get(self.program.gains[j - 1]));
+            }
+        }
+    }
+
+    /// The values needed for `roots`, without what only serves those that are held.
+    fn needed(&self, roots: &[Value]) -> Vec<Value> {
+        let mut wanted = vec![false; self.known.len()];
+        for root in roots {
+            wanted[root.0] = true;
+        }
+        for index in (0..wanted.len()).rev() {
+            if wanted[index] && !self.held.contains(&Value(index)) {
+                for operand in self.program.values[index].op.operands() {
+                    wanted[operand.0] = true;
+                }
+            }
+        }
+        (0..wanted.len()).filter(|index| wanted[*index]).map(Value).collect()
+    }
+
+    fn compute(&self, value: Value) -> Interval {
+        match &self.program.get(value).op {
+            Op::Input(input) => (self.input)(*input),
+            Op::Root(root) => self.root(root),
+            op => {
+                let operands: Vec<_> = op.operands().iter().map(|v| self.get(*v)).collect();
+                apply(op, &operands, self.program.precision)
+            }
+        }
+    }
+
+    /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
+    /// certain to have one sign, and to as far from there as the last step may be long. What the
+    /// loop computes on the way does not count: where it is no number the iteration bisects.
+    fn root(&self, root: &Root) -> Interval {
+        let [low, high, start, tolerance] =
+            [root.low, root.high, root.start, root.tolerance].map(|value| self.get(value));
+        if [low, high, start, tolerance].iter().any(|bound| bound.special) {
+            return Interval::ANY;
+        }
+        let (least, most) = (low.low.min(start.low), high.high.max(start.high));
+        let body: Vec<_> = self.needed(&[root.residual]);
+        let body: Vec<_> = body.into_iter().filter(|v| self.program.get(*v).looped).collect();
+        let mut scratch = Self { known: self.known.clone(), held: self.held.clone(), ..*self };
+        let mut residual = |y: f64| {
+            scratch.known[root.unknown.0] = Some(Interval::point(y));
+            for value in body.iter().filter(|value| **value != root.unknown) {
+                scratch.known[value.0] = Some(scratch.compute(*value));
+            }
+            scratch.get(root.residual)
+        };
+        let left = edge(least, most, &mut |y| residual(y).low > 0.0);
+        let right = edge(most, least, &mut |y| residual(y).high < 0.0);
+        let reach = tolerance.high;
+        outward((left - reach).max(least), (right + reach).min(most), self.program.precision)
+    }
+}
+
+/// The last point from `from` towards `to` at which `certain` holds; `from` where it never does.
+fn edge(from: f64, to: f64, certain: &mut dyn FnMut(f64) -> bool) -> f64 {
+    let (mut inside, mut outside) = (from, to);
+    // More halvings would gain less than the last step of the iteration takes away.
+    for _ in 0..24 {
+        let between = 0.5 * (inside + outside);
+        if certain(between) {
+            inside = between;
+        } else {
+            outside = between;
+        }
+    }
+    inside
+}

@@ -1,0 +1,214 @@
+//! Intervals that hold what a program computes, not what exact arithmetic would.
+
+use crate::expression::Function;
+use crate::program::{Op, interpret, number};
+use crate::spec::Precision;
+
+/// Numbers between two bounds, and possibly infinities and NaN besides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Lower bound.
+    pub low: f64,
+    /// Upper bound.
+    pub high: f64,
+    /// Whether the value may not be finite.
+    pub special: bool,
+}
+
+/// A number just below pi/2, up to which a tangent grows.
+const QUARTER: f64 = 1.57;
+
+impl Interval {
+    /// Anything at all.
+    pub const ANY: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, special: true };
+
+    /// The finite numbers from `low` to `high`.
+    pub fn new(low: f64, high: f64) -> Self {
+        Self { low, high, special: !(low.is_finite() && high.is_finite()) }
+    }
+
+    /// One finite number.
+    pub fn point(value: f64) -> Self {
+        Self::new(value, value)
+    }
+
+    /// Whether 0 lies in it.
+    pub fn holds_zero(self) -> bool {
+        self.low <= 0.0 && 0.0 <= self.high
+    }
+}
+
+/// The results of `op` on operands from `operands`, in the order of [`Op::operands`]; for inputs, the
+/// unknown and the root, which need more than operands, anything.
+///
+/// Each operation is monotone in each operand where it is defined, but for |a| and even powers, which
+/// turn at 0: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
+/// the program rounds bound what it computes, with nothing to add. The functions of a library are
+/// taken to be exact to two units in the last place.
+pub(super) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Interval {
+    if matches!(op, Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Law(_)) {
+        return Interval::ANY;
+    }
+    let mut operands = operands.to_vec();
+    let mut special = operands.iter().any(|operand| operand.special);
+    match (op, operands.as_mut_slice()) {
+        (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.holds_zero() => return Interval::ANY,
+        (Op::Call(Function::Ln, _) | Op::Pow(..), [a, ..]) if a.low <= 0.0 => return Interval::ANY,
+        (Op::Call(Function::Atanh, _), [a]) if a.low <= -1.0 || a.high >= 1.0 => {
+            return Interval::ANY;
+        }
+        (Op::Call(Function::Tan, _), [a]) if a.low <= -QUARTER || a.high >= QUARTER => {
+            return Interval::ANY;
+        }
+        (Op::Call(Function::Sin | Function::Cos, _), _) => {
+            return Interval { low: -1.0, high: 1.0, special };
+        }
+        (Op::Call(Function::Sqrt, _), [a]) if a.high < 0.0 => return Interval::ANY,
+        (Op::Call(Function::Sqrt, _), [a]) if a.low < 0.0 => {
+            a.low = 0.0;
+            special = true;
+        }
+        _ => {}
+    }
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for corner in corners(op, &operands) {
+        match interpret::apply(op, &corner, precision) {
+            Some(value) if !value.is_nan() => {
+                low = low.min(value);
+                high = high.max(value);
+            }
+            _ => return Interval::ANY,
+        }
+    }
+    let exact = matches!(op, Op::Call(Function::Abs | Function::Sign | Function::Sqrt, _));
+    if matches!(op, Op::Call(..) | Op::Pow(..)) && !exact {
+        let positive =
+            matches!(op, Op::Call(Function::Exp | Function::Cosh, _) | Op::Pow(..));
+        for _ in 0..2 {
+            low = down(low, precision).max(if positive { 0.0 } else { f64::NEG_INFINITY });
+            high = -down(-high, precision);
+        }
+    }
+    Interval { low, high, special: special || !low.is_finite() || !high.is_finite() }
+}
+
+/// The points at which the extremes of `op` lie.
+fn corners(op: &Op, operands: &[Interval]) -> Vec<Vec<f64>> {
+    let turn = |a: &Interval| (a.low < 0.0 && 0.0 < a.high).then_some(0.0);
+    match (op, operands) {
+        (Op::Call(Function::Abs | Function::Cosh, _) | Op::Power(..), [a]) => {
+            [a.low, a.high].into_iter().chain(turn(a)).map(|x| vec![x]).collect()
+        }
+        (Op::Mul(a, b), [x, _]) if a == b => {
+            [x.low, x.high].into_iter().chain(turn(x)).map(|x| vec![x, x]).collect()
+        }
+        (_, [a, b]) => {
+            let ends = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
+            ends.map(|(a, b)| vec![a, b]).to_vec()
+        }
+        (_, [a]) => vec![vec![a.low], vec![a.high]],
+        _ => vec![Vec::new()],
+    }
+}
+
+/// The next number below in `precision`.
+#[allow(clippy::cast_possible_truncation)]
+fn down(value: f64, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => value.next_down(),
+        Precision::F32 => f64::from((value as f32).next_down()),
+    }
+}
+
+/// The numbers of `precision` nearest to `low` and `high` that hold both between them.
+pub(super) fn outward(low: f64, high: f64, precision: Precision) -> Interval {
+    let below = |value: f64| {
+        let rounded = number::settle(value, precision);
+        if rounded <= value { rounded } else { down(rounded, precision) }
+    };
+    Interval::new(below(low), -below(-high))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::algebra::integer;
+    use crate::program::Value;
+
+    const A: Value = Value(0);
+    const B: Value = Value(1);
+
+    fn on(op: &Op, operands: &[(f64, f64)]) -> Interval {
+        let operands: Vec<_> = operands.iter().map(|(a, b)| Interval::new(*a, *b)).collect();
+        apply(op, &operands, Precision::F64)
+    }
+
+    #[test]
+    fn corners_and_turns() {
+        assert_eq!(on(&Op::Sub(A, B), &[(1.0, 2.0), (5.0, 7.0)]), Interval::new(-6.0, -3.0));
+        assert_eq!(on(&Op::Mul(A, B), &[(-1.0, 2.0), (-3.0, 5.0)]), Interval::new(-6.0, 10.0));
+        assert_eq!(on(&Op::Mul(A, A), &[(-1.0, 2.0), (-1.0, 2.0)]), Interval::new(0.0, 4.0));
+        assert_eq!(on(&Op::Power(A, 2), &[(-3.0, 2.0)]), Interval::new(0.0, 9.0));
+        assert_eq!(on(&Op::Power(A, 3), &[(-3.0, 2.0)]), Interval::new(-27.0, 8.0));
+        assert_eq!(on(&Op::Call(Function::Abs, A), &[(-3.0, 2.0)]), Interval::new(0.0, 3.0));
+        assert_eq!(on(&Op::Min(A, B), &[(-3.0, 2.0), (0.0, 1.0)]), Interval::new(-3.0, 1.0));
+        assert_eq!(on(&Op::Number(integer(3)), &[]), Interval::point(3.0));
+    }
+
+    #[test]
+    fn outside_the_domain() {
+        assert_eq!(on(&Op::Div(A, B), &[(1.0, 2.0), (-1.0, 1.0)]), Interval::ANY);
+        assert_eq!(on(&Op::Call(Function::Ln, A), &[(0.0, 2.0)]), Interval::ANY);
+        let root = on(&Op::Call(Function::Sqrt, A), &[(-1.0, 4.0)]);
+        assert_eq!(root, Interval { low: 0.0, high: 2.0, special: true });
+        assert!(on(&Op::Call(Function::Exp, A), &[(0.0, 800.0)]).special);
+        let huge = Interval::new(0.0, 1e30);
+        assert!(apply(&Op::Power(A, 2), &[huge], Precision::F32).special);
+        assert!(!apply(&Op::Power(A, 2), &[huge], Precision::F64).special);
+        let never = Interval { special: true, ..huge };
+        assert!(apply(&Op::Neg(A), &[never], Precision::F64).special, "once lost, always lost");
+    }
+
+    #[test]
+    fn ends_are_rounded_outward() {
+        let tenth = outward(0.1, 0.1, Precision::F32);
+        assert!(tenth.low < 0.1 && 0.1 < tenth.high && tenth.high - tenth.low < 1e-8);
+        assert_eq!(outward(0.1, 0.1, Precision::F64), Interval::point(0.1));
+    }
+
+    proptest! {
+        #[test]
+        fn results_lie_inside(
+            a in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
+            b in (-9.0..9.0f64, 0.0..4.0f64, 0.0..=1.0f64),
+        ) {
+            let ops = [
+                Op::Neg(A), Op::Power(A, 2), Op::Power(A, 5), Op::Add(A, B), Op::Sub(A, B),
+                Op::Mul(A, B), Op::Div(A, B), Op::Quotient(A, B), Op::Max(A, B), Op::Min(A, B),
+                Op::Pow(A, B),
+            ];
+            let calls = Function::ALL.map(|(_, function)| Op::Call(function, A));
+            for precision in [Precision::F64, Precision::F32] {
+                for op in ops.iter().chain(&calls) {
+                    let draw = |(low, width, share): (f64, f64, f64)| {
+                        let settle = |x| number::settle(x, precision);
+                        let (low, high) = (settle(low), settle(low + width));
+                        (Interval::new(low, high), settle(low + share * (high - low)))
+                    };
+                    let drawn: Vec<_> =
+                        [a, b].into_iter().take(op.operands().len()).map(draw).collect();
+                    let (boxes, points): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
+                    let bound = apply(op, &boxes, precision);
+                    let value = interpret::apply(op, &points, precision).expect("numbers");
+                    prop_assert!(
+                        (bound.low <= value && value <= bound.high)
+                            || (bound.special && !value.is_finite()),
+                        "{op:?} {boxes:?} {points:?}: {value} outside {bound:?}"
+                    );
+                }
+            }
+        }
+    }
+}

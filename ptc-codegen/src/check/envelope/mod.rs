@@ -1,0 +1,290 @@
+//! Can any value of the controller overflow, for all inputs from given intervals?
+//!
+//! The staged program is computed on intervals, piece by piece of time-to-go. Where no bound leaves
+//! the range of the program's precision, no input does; where one does, the bound may be too wide, so
+//! a corner of the inputs is tried with the interpreter, and only what overflows there is refuted.
+//!
+//! Two things are taken on trust: that a library's functions are exact to two units in the last place,
+//! and that an iteration ends no further from its root than its last step may be long.
+
+mod bounds;
+mod interval;
+mod report;
+
+pub use interval::Interval;
+
+use bounds::Bounds;
+use report::{describe, input_name};
+
+use crate::program::interpret::Interpreter;
+use crate::program::{Input, Op, Program, Value, number};
+use crate::spec::Precision;
+
+/// A value that may leave the range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Excess {
+    /// The value: the first in order of computation.
+    pub value: Value,
+    /// Its name, or the expression that it is.
+    pub what: String,
+    /// The piece of time-to-go.
+    pub time_to_go: (f64, f64),
+    /// The other inputs at which it may, with their names.
+    pub inputs: Vec<(String, Interval)>,
+    /// A time-to-go at which the interpreter overflows at one end of each input.
+    pub refuted_at: Option<f64>,
+}
+
+/// Whether the values of a program stay in range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Envelope {
+    /// Precision of the program.
+    pub precision: Precision,
+    /// Time-to-go that was covered.
+    pub time_to_go: (f64, f64),
+    /// What may leave the range in `step`: the largest time-to-go at which something does.
+    pub step: Option<Excess>,
+    /// What may leave the range in `tick` or `axis`, where the gains stand alone.
+    pub axis: Option<Excess>,
+}
+
+/// Scans time-to-go from `tau` down to `eps` in `pieces` of equal ratio. `input` bounds every input
+/// but time and the gains, by numbers of the program's precision.
+pub fn scan(
+    program: &Program,
+    input: &dyn Fn(Input) -> Interval,
+    eps: f64,
+    tau: f64,
+    pieces: u32,
+) -> Envelope {
+    let pieces = pieces.max(1);
+    let early = Bounds::new(program, input);
+    // The program's own time-to-go has a rounding or two, but is never below eps.
+    let slack = 2.0 * epsilon(program.precision);
+    let (mut step, mut axis) = (None, None);
+    let mut high = tau;
+    for piece in 1..=pieces {
+        let low = if piece == pieces {
+            eps
+        } else {
+            tau * (eps / tau).powf(f64::from(piece) / f64::from(pieces))
+        };
+        let mut bounds = early.at((low * (1.0 - slack)).max(eps), high * (1.0 + slack));
+        let found = |value: Value| Found { value, time_to_go: (low, high) };
+        step = step.or_else(|| bounds.first_excess(&[program.step]).map(found));
+        axis = axis.or_else(|| {
+            let gain = bounds.first_excess(&program.gains);
+            bounds.hand_over_gains();
+            gain.or_else(|| bounds.first_excess(program.axis.as_slice())).map(found)
+        });
+        if step.is_some() && axis.is_some() {
+            break;
+        }
+        high = low;
+    }
+    let report = |found: Found, root| {
+        let overflow = |t| overflow(program, input, tau, t, root);
+        Excess {
+            value: found.value,
+            what: describe(program, found.value),
+            time_to_go: found.time_to_go,
+            inputs: named_inputs(program, input),
+            refuted_at: [found.time_to_go.0, eps].into_iter().find_map(overflow),
+        }
+    };
+    Envelope {
+        precision: program.precision,
+        time_to_go: (eps, tau),
+        step: step.map(|found| report(found, program.step)),
+        axis: axis.zip(program.axis).map(|(found, root)| report(found, root)),
+    }
+}
+
+/// The distance from 1 to the next number of `precision`.
+fn epsilon(precision: Precision) -> f64 {
+    match precision {
+        Precision::F32 => f64::from(f32::EPSILON),
+        Precision::F64 => f64::EPSILON,
+    }
+}
+
+/// Where a bound left the range.
+#[derive(Clone, Copy)]
+struct Found {
+    value: Value,
+    time_to_go: (f64, f64),
+}
+
+/// The time-to-go, next to the given one, at which `root` is not finite with parameters all at their
+/// lower or all at their upper ends, and states at those ends that give all terms of u one sign.
+fn overflow(
+    program: &Program,
+    input: &dyn Fn(Input) -> Interval,
+    tau: f64,
+    time_to_go: f64,
+    root: Value,
+) -> Option<f64> {
+    let settle = |value| number::settle(value, program.precision);
+    [false, true].into_iter().find_map(|upper| {
+        let end = |bound: Interval, upper| if upper { bound.high } else { bound.low };
+        let early = |asked: Input| match asked {
+            Input::Time => {
+                let start = end(input(Input::StartTime), upper);
+                settle(settle(start + tau) - settle(time_to_go))
+            }
+            other => end(input(other), upper),
+        };
+        let mut interpreter = Interpreter::new(program, &early);
+        let gains: Vec<_> = program.gains.iter().map(|gain| interpreter.value(*gain)).collect();
+        let aligned = |asked: Input| match asked {
+            Input::State(j) => end(input(asked), gains[j - 1] >= 0.0),
+            Input::Gain(j) => gains[j - 1],
+            other => early(other),
+        };
+        let finite = Interpreter::new(program, &aligned).value(root).is_finite();
+        (!finite).then(|| -interpreter.value(program.limits.late))
+    })
+}
+
+/// Every input that u depends on but time, with its bounds.
+fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(String, Interval)> {
+    let needed = program.needed(&[program.step]).into_iter();
+    let given = needed.filter_map(|value| match program.get(value).op {
+        Op::Input(Input::Time) => None,
+        Op::Input(asked) => Some((input_name(asked), input(asked))),
+        _ => None,
+    });
+    given.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::check::{Outcome, Verdict};
+    use crate::law::Law;
+    use crate::lower;
+    use crate::mapping::Family;
+    use crate::program::passes;
+    use crate::spec::{Parameter, Spec};
+
+    fn program(n: usize, family: Family, precision: Precision) -> Program {
+        let spec = Spec { precision, ..Spec::new(n, family) };
+        let law = Law::of(&spec);
+        passes::optimise(lower::lower(&spec, &law), &mut |_, _| {})
+    }
+
+    /// tau = 1, t0 = 0, a = 1, m = 1.5, rates 1 and 2, all gains 1 but for those that are asked for.
+    fn inputs(eps: f64, state: f64, gain: Interval) -> impl Fn(Input) -> Interval {
+        move |input| match input {
+            Input::Parameter(Parameter::Eps) => Interval::point(eps),
+            Input::Parameter(Parameter::M) => Interval::point(1.5),
+            Input::Parameter(Parameter::Rate(i)) => Interval::point(if i == 1 { 1.0 } else { 2.0 }),
+            Input::Parameter(Parameter::Gain(_)) => gain,
+            Input::Parameter(_) => Interval::point(1.0),
+            Input::StartTime => Interval::point(0.0),
+            Input::State(_) | Input::StateAtStart(_) => Interval::new(-state, state),
+            Input::Time | Input::Gain(_) => panic!("{input:?} is not asked for"),
+        }
+    }
+
+    const FAMILIES: [Family; 7] = [
+        Family::Exp,
+        Family::Rational,
+        Family::Power,
+        Family::Tan,
+        Family::Tanh,
+        Family::Algebraic,
+        Family::ExpSum,
+    ];
+
+    #[test]
+    fn common_designs_stay_in_range() {
+        for family in FAMILIES {
+            for precision in [Precision::F64, Precision::F32] {
+                let program = program(3, family, precision);
+                let input = inputs(f64::from(1e-2f32), 10.0, Interval::new(1.0, 20.0));
+                let found = scan(&program, &input, f64::from(1e-2f32), 1.0, 200);
+                let outcome = Outcome::from(&found);
+                assert_eq!(outcome.verdict, Verdict::Sound, "{family:?}: {outcome:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_overflow_is_found_and_shown() {
+        // gain_1 is about 1/eps^4 for exp and 1/eps^8 for rational.
+        let eps = f64::from(1e-6f32);
+        for family in FAMILIES {
+            let program = program(4, family, Precision::F32);
+            let input = inputs(eps, 1e30, Interval::point(1.0));
+            let found = scan(&program, &input, eps, 1.0, 200);
+            let outcome = Outcome::from(&found);
+            assert_eq!(outcome.verdict, Verdict::Refuted, "{family:?}: {outcome:?}");
+            let excess = found.step.expect("overflow");
+            assert!(excess.time_to_go.0 > 1e-6, "the first piece from tau down: {excess:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_reader_is_told() {
+        let program = program(1, Family::Exp, Precision::F32);
+        let input = inputs(f64::from(1e-3f32), 1e36, Interval::point(1.0));
+        let outcome = Outcome::from(&scan(&program, &input, f64::from(1e-3f32), 1.0, 30));
+        assert_eq!(
+            outcome.summary,
+            "step overflows f32 at T = 0.002512 s; (K1*x1)/late may be the first to"
+        );
+        assert_eq!(
+            outcome.details[0],
+            "axis overflows f32 at T = 0.002512 s; gain1*x1 may be the first to"
+        );
+        assert_eq!(
+            outcome.details[1],
+            "with a = 1, k[0] = 1, t0 = 0, tau = 1, eps = 0.001, x1 in [-1e36, 1e36]"
+        );
+        let calm = inputs(f64::from(1e-3f32), 1.0, Interval::point(1.0));
+        let outcome = Outcome::from(&scan(&program, &calm, f64::from(1e-3f32), 1.0, 30));
+        assert_eq!(outcome.summary, "every value stays within f32 for T in [0.001, 1] s");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        /// Every value that the interpreter computes lies in its bounds.
+        #[test]
+        fn bounds_hold_what_is_computed(
+            family in prop::sample::select(&FAMILIES),
+            single in prop::bool::ANY,
+            (t, gain, state) in (0.0..0.9999f32, 1.0..20.0f32, -10.0..10.0f32),
+        ) {
+            let precision = if single { Precision::F32 } else { Precision::F64 };
+            let program = program(3, family, precision);
+            let eps = f64::from(1e-4f32);
+            let input = inputs(eps, 10.0, Interval::new(1.0, 20.0));
+            let time_to_go = 1.0 - f64::from(t);
+            let mut bounds = Bounds::new(&program, &input).at(0.99 * time_to_go, 1.01 * time_to_go);
+            bounds.first_excess(&program.gains);
+            bounds.first_excess(&[program.step]);
+            let at = |asked: Input| match asked {
+                Input::Time => f64::from(t),
+                Input::State(_) => f64::from(state),
+                Input::Parameter(Parameter::Gain(_)) => f64::from(gain),
+                other => input(other).low,
+            };
+            let mut interpreter = Interpreter::new(&program, &at);
+            let outputs: Vec<_> = program.gains.iter().chain([&program.step]).copied().collect();
+            for value in program.needed(&outputs) {
+                if program.get(value).looped || program.get(value).op == Op::Input(Input::Time) {
+                    continue;
+                }
+                let (bound, number) = (bounds.get(value), interpreter.value(value));
+                prop_assert!(
+                    bound.low <= number && number <= bound.high,
+                    "{:?}: {} = {number} outside {bound:?}", family, describe(&program, value)
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! Does the state vanish, and does u stay bounded, at the deadline?
+//!
+//! *Claim.* Let p be the characteristic polynomial of k_1..k_n and rho > 0 the decay rate of mu'. For
+//! generic initial states
+//! - x -> 0 iff all roots of p lie left of -(n-1) rho;
+//! - u stays bounded iff, without the simple roots at -m rho for integers 0 <= m < n where these are
+//!   harmless (below), none lies right of -n rho and those on that line are simple;
+//! - u -> 0 iff, without the simple ones that add nothing, all lie left of -n rho.
+//!
+//! *Proof.* Time-to-go T falls like e^(-rho t) in stretched time t, so a mode t^q e^(lambda t) of xi_1
+//! = x_1 is T^p (ln T)^q to leading order, p = -lambda/rho, and x_(i+1) is its i-th derivative in time,
+//! p(p-1)...(p-i+1) T^(p-i) (ln T)^q to leading order, up to constants; u = x_n' is the one for i = n.
+//! The product vanishes only for integer p = m < i. Where it does not, the derivative tends to 0 for
+//! Re p > i, grows for Re p < i, and for Re p = i stays bounded without tending to 0 iff q = 0. Where
+//! it does and q > 0, the next term T^(m-i) (ln T)^(q-1) grows. Where it does and q = 0, the mode is
+//! simple and all depends on what follows the leading term, by [`Modes`]:
+//! - `Polynomial` (exp): the mode is T^m, whose later derivatives are 0;
+//! - `Analytic` (tanh): it is E^m with E = T/(2 tau - T), whose later derivatives are finite at T = 0;
+//!   for m >= 1 they are not 0, as E is a series in T with positive coefficients;
+//! - `Other` (sums of exponentials): T^m is followed by other, real powers of T. Undecided, but for
+//!   m = 0, where x_1 is constant for every mapping.
+//!
+//! In each case x_(m+1) -> a constant other than 0, so x -> 0 needs Re p > n-1 without exception. The
+//! modes are independent, so for generic initial states none makes up for another. For rho = 0, T
+//! falls more slowly than any exponential: every mode decides by the sign of Re lambda alone (on the
+//! imaginary axis powers of 1/T grow), except that lambda = 0, if simple, still is a constant x_1.
+
+mod report;
+
+use nalgebra::Complex;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::poles;
+use super::polynomial::Polynomial;
+use super::stability::{is_bounded, is_hurwitz};
+use crate::algebra::{BigInt, BigRational};
+
+/// What the mode of a simple pole at -m rho is as a function of time-to-go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Modes {
+    /// T^m, as for `exp`, where rho = a.
+    Polynomial,
+    /// A power series in T that begins with T^m, as for `tanh`, where rho = 2a.
+    Analytic,
+    /// Anything else, as for `exp_sum`, where rho = min a_i.
+    Other,
+}
+
+/// What gains do at the deadline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Growth {
+    /// Order n.
+    pub n: usize,
+    /// Decay rate rho of mu'.
+    pub rho: f64,
+    /// What simple poles at -m rho do.
+    pub modes: Modes,
+    /// Whether x -> 0.
+    pub x_to_zero: bool,
+    /// Whether u stays bounded; none where undecided.
+    pub u_bounded: Option<bool>,
+    /// Whether u -> 0; none where undecided.
+    pub u_to_zero: Option<bool>,
+    /// The m < n for which a pole lies at -m rho and is simple.
+    pub excepted: Vec<usize>,
+    /// The poles as numbers, rightmost first.
+    pub poles: Vec<Complex<f64>>,
+    /// The largest decay rate, to three digits from below, at which x -> 0 and u -> 0 with these
+    /// gains; none if there is none.
+    pub largest_rho: Option<f64>,
+}
+
+/// Decides, exactly, what gains k_1..k_n do for a mapping with decay rate `rho` >= 0 of mu'.
+pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth {
+    let n = gains.len();
+    let p = Polynomial::characteristic(gains);
+    let line = |m: usize| -(rho * BigInt::from(m));
+    let hurwitz_left_of = |p: &Polynomial, m| is_hurwitz(&p.shifted(&line(m)));
+
+    let (mut rest, mut excepted) = (p.clone(), Vec::new());
+    // For rho = 0 all -m rho are one pole, which counts as m = 0.
+    let candidates = if rho.is_zero() { n.min(1) } else { n };
+    for m in 0..candidates {
+        let (multiplicity, without) = rest.without(&line(m));
+        if multiplicity == 1 {
+            excepted.push(m);
+            rest = without;
+        }
+    }
+    let rest_to_zero = hurwitz_left_of(&rest, n);
+    let rest_bounded = rest_to_zero || (rho.is_positive() && is_bounded(&rest.shifted(&line(n))));
+    let only_constant = excepted.iter().all(|m| *m == 0);
+    let excepted_bounded = (only_constant || modes != Modes::Other).then_some(true);
+    let excepted_to_zero = match modes {
+        Modes::Polynomial => Some(true),
+        Modes::Analytic => Some(only_constant),
+        Modes::Other => only_constant.then_some(true),
+    };
+    Growth {
+        n,
+        rho: rho.to_f64().unwrap_or(f64::NAN),
+        modes,
+        x_to_zero: hurwitz_left_of(&p, n.saturating_sub(1)),
+        u_bounded: if rest_bounded { excepted_bounded } else { Some(false) },
+        u_to_zero: if rest_to_zero { excepted_to_zero } else { Some(false) },
+        excepted,
+        poles: poles::numeric(gains),
+        largest_rho: largest_rho(gains, &p),
+    }
+}
+
+/// Bisects, with exact decisions, for the largest rho with all poles left of -n rho.
+fn largest_rho(gains: &[BigRational], p: &Polynomial) -> Option<f64> {
+    if gains.is_empty() || !is_hurwitz(p) {
+        return None;
+    }
+    let n = BigInt::from(gains.len());
+    // The rightmost pole is not left of their mean, -k_n/n.
+    let mut high = gains.last()? / (&n * &n);
+    let mut low = BigRational::zero();
+    while low.is_zero() || &high - &low > &low / BigInt::from(4096) {
+        let middle = (&low + &high) / BigInt::from(2);
+        if is_hurwitz(&p.shifted(&-(&middle * &n))) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let low = low.to_f64()?;
+    let unit = 10f64.powf(low.log10().floor() - 2.0);
+    Some((low / unit).floor() * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::algebra::integer;
+    use crate::check::deadline::{ClosedLoop, deadline};
+    use crate::check::digits;
+    use crate::check::poles::{Pole, gains};
+
+    fn exact(poles: &[i64]) -> Vec<BigRational> {
+        let poles: Vec<_> = poles.iter().map(|re| Pole::real(integer(*re))).collect();
+        gains(&poles).expect("real poles need no partner")
+    }
+
+    fn with(poles: &[i64], rho: BigRational, modes: Modes) -> Growth {
+        growth(&exact(poles), &rho, modes)
+    }
+
+    fn verdicts(poles: &[i64], modes: Modes) -> (bool, Option<bool>, Option<bool>) {
+        let growth = with(poles, integer(1), modes);
+        (growth.x_to_zero, growth.u_bounded, growth.u_to_zero)
+    }
+
+    #[test]
+    fn strictly_left_and_on_the_line() {
+        use Modes::{Analytic, Other, Polynomial};
+        for modes in [Polynomial, Analytic, Other] {
+            assert_eq!(verdicts(&[-3, -4], modes), (true, Some(true), Some(true)));
+            // The letter's own case, u = 3 - 6T: bounded, not to 0.
+            assert_eq!(verdicts(&[-2, -3], modes), (true, Some(true), Some(false)));
+            // Twice on the line: ln T.
+            assert_eq!(verdicts(&[-2, -2], modes), (true, Some(false), Some(false)));
+            assert_eq!(verdicts(&[-1, -1], modes), (false, Some(false), Some(false)));
+            assert_eq!(verdicts(&[0, -3], modes), (false, Some(true), Some(true)));
+            assert_eq!(verdicts(&[0, 0], modes), (false, Some(false), Some(false)));
+        }
+        assert_eq!(verdicts(&[-1, -3], Polynomial), (false, Some(true), Some(true)));
+        assert_eq!(verdicts(&[-1, -3], Analytic), (false, Some(true), Some(false)));
+        assert_eq!(verdicts(&[-1, -3], Other), (false, None, None));
+        assert_eq!(verdicts(&[-1, 1], Polynomial), (false, Some(false), Some(false)));
+        assert_eq!(verdicts(&[0, -1, -2], Polynomial), (false, Some(true), Some(true)));
+    }
+
+    #[test]
+    fn complex_poles_on_the_line_and_between_the_lines() {
+        let pole = |re: i64, im: i64| Pole { re: integer(re), im: integer(im) };
+        let pair = gains(&[pole(-2, 5), pole(-2, -5)]).expect("conjugate pairs");
+        let on = growth(&pair, &integer(1), Modes::Polynomial);
+        assert_eq!((on.x_to_zero, on.u_bounded, on.u_to_zero), (true, Some(true), Some(false)));
+        let between = growth(&pair, &BigRational::new(3.into(), 2.into()), Modes::Polynomial);
+        assert_eq!((between.x_to_zero, between.u_bounded), (true, Some(false)));
+    }
+
+    #[test]
+    fn without_decay_the_left_half_plane_is_enough() {
+        let growth = |poles: &[i64]| {
+            let growth = with(poles, integer(0), Modes::Other);
+            (growth.x_to_zero, growth.u_bounded, growth.u_to_zero)
+        };
+        assert_eq!(growth(&[-1, -1, -1]), (true, Some(true), Some(true)));
+        assert_eq!(growth(&[0, -1, -1]), (false, Some(true), Some(true)));
+        assert_eq!(growth(&[0, 0, -1]), (false, Some(false), Some(false)));
+        assert_eq!(growth(&[1, -1, -1]), (false, Some(false), Some(false)));
+        // A pair on the axis: u grows like powers of 1/T.
+        let pair = super::growth(&[integer(4), integer(0)], &integer(0), Modes::Other);
+        assert_eq!((pair.x_to_zero, pair.u_bounded), (false, Some(false)));
+    }
+
+    #[test]
+    fn the_largest_rate_is_told() {
+        let found = |poles: &[i64]| with(poles, integer(1), Modes::Polynomial).largest_rho;
+        // -n rho = -4 at rho = 4/3, from below.
+        assert_eq!(found(&[-4, -5, -6]).map(digits), Some("1.33".to_owned()));
+        assert_eq!(found(&[-8]).map(digits), Some("7.99".to_owned()));
+        assert_eq!(found(&[1, -2]), None);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+
+        /// The closed form of the state at T = 1e-12 tau is small where x -> 0 and is not where not:
+        /// with integer poles it falls at least like T.
+        #[test]
+        fn the_state_does_what_is_told(
+            poles in prop::collection::vec(-7i64..2, 1..5),
+            decaying in prop::bool::ANY,
+        ) {
+            let rho = integer(i64::from(decaying));
+            let found = with(&poles, rho, Modes::Polynomial);
+            let numbers: Vec<f64> = exact(&poles).iter().filter_map(ToPrimitive::to_f64).collect();
+            let exp = |t: f64| (1..=4).map(|k| -f64::powi(-1.0, k) * t).collect();
+            let rational = |t: f64| {
+                let factorial = |k| (1..=k).map(f64::from).product::<f64>();
+                (1..=4).map(|k| -f64::powi(-1.0, k) * factorial(k) * t.powi(k + 1)).collect()
+            };
+            let closed_loop = ClosedLoop {
+                gains: &numbers,
+                tau: 1.0,
+                r: if decaying { &exp } else { &rational },
+                stretched: if decaying { &|t: f64| -t.ln() } else { &|t: f64| (1.0 - t) / t },
+            };
+            let small = deadline(&closed_loop, &vec![1.0; poles.len()], 1e-6).largest_eps.is_some();
+            prop_assert_eq!(small, found.x_to_zero);
+        }
+    }
+
+    #[test]
+    fn sixteen_decimal_poles() {
+        let poles: Vec<_> = (1..=16)
+            .map(|i| Pole::real(BigRational::new((-16_000 - 137 * i).into(), 1000.into())))
+            .collect();
+        let found = growth(&gains(&poles).expect("real"), &integer(1), Modes::Polynomial);
+        assert!(found.x_to_zero && found.u_to_zero == Some(true));
+        assert_eq!(found.largest_rho.map(digits), Some("1".to_owned()));
+    }
+}

@@ -1,0 +1,172 @@
+//! What a reader is told of [`Growth`].
+
+use super::super::{Outcome, Verdict, digits, poles};
+use super::{Growth, Modes};
+
+impl Growth {
+    /// The line Re = -m rho.
+    #[allow(clippy::cast_precision_loss)]
+    fn line(&self, m: usize) -> f64 {
+        -(m as f64) * self.rho
+    }
+
+    /// The poles right of the line -m rho, each with what it misses it by, and those on it. A pole
+    /// counts as on the line where numbers do not tell it from the line.
+    fn misses(&self, m: usize) -> (Vec<String>, Vec<String>) {
+        let line = self.line(m);
+        let slack = 1e-6 * self.poles.iter().map(|pole| pole.norm()).fold(line.abs(), f64::max);
+        let right = self.poles.iter().filter(|pole| pole.re > line + slack).map(|pole| {
+            let by = digits(pole.re - line);
+            format!("the pole {} lies {by} right of {}", poles::text(*pole), digits(line))
+        });
+        let on = self.poles.iter().filter(|pole| (pole.re - line).abs() <= slack);
+        (right.collect(), on.map(|pole| poles::text(*pole)).collect())
+    }
+
+    /// What keeps x from 0: no pole may lie on the line.
+    fn misses_of_x(&self) -> Vec<String> {
+        let (mut misses, on) = self.misses(self.n.saturating_sub(1));
+        let line = digits(self.line(self.n.saturating_sub(1)));
+        misses.extend(on.iter().map(|pole| format!("the pole {pole} is not left of {line}")));
+        misses
+    }
+
+    /// What makes u grow: the exact test has found poles right of the line, or multiple ones on it.
+    fn misses_of_u(&self) -> Vec<String> {
+        let (mut misses, on) = self.misses(self.n);
+        if let (true, Some(pole)) = (misses.is_empty(), on.first()) {
+            let line = digits(self.line(self.n));
+            misses.push(format!("the pole {pole} is multiple on the line Re = {line}"));
+        }
+        misses
+    }
+
+    fn fix(&self) -> String {
+        let line = digits(self.line(self.n));
+        let rate = match self.modes {
+            Modes::Polynomial => "a",
+            Modes::Analytic => "2 a",
+            Modes::Other => "a least rate",
+        };
+        match self.largest_rho {
+            Some(rho) if self.rho > 0.0 => format!(
+                "place every pole left of {line}, or, with these gains, take {rate} of at most {}",
+                digits(rho)
+            ),
+            _ => format!("place every pole left of {line}"),
+        }
+    }
+}
+
+impl From<&Growth> for Outcome {
+    fn from(growth: &Growth) -> Self {
+        // Where x -> 0 no pole is excepted, so what u does is decided.
+        let (found, misses) = match (growth.x_to_zero, growth.u_bounded) {
+            (false, Some(false)) => {
+                ("x does not go to 0 and u is unbounded at the deadline", growth.misses_of_x())
+            }
+            (false, _) => ("x does not go to 0 at the deadline", growth.misses_of_x()),
+            (true, Some(false)) => ("u is unbounded at the deadline", growth.misses_of_u()),
+            (true, _) if growth.u_to_zero == Some(true) => {
+                ("x and u go to 0 at the deadline", Vec::new())
+            }
+            (true, _) => ("x goes to 0 and u stays bounded at the deadline", Vec::new()),
+        };
+        let sound = growth.x_to_zero && growth.u_bounded != Some(false);
+        let mut misses = misses.into_iter();
+        let summary = match misses.next() {
+            Some(worst) => format!("{found}: {worst}"),
+            None => found.to_owned(),
+        };
+        let mut details: Vec<_> = misses.collect();
+        details.extend(growth.excepted.iter().map(|m| {
+            format!("the simple pole at -m rho, m = {m}, leaves x{} at a constant", m + 1)
+        }));
+        if !growth.x_to_zero && growth.u_bounded != Some(false) {
+            let bounded = growth.u_bounded.is_some();
+            let u = if bounded { "u stays bounded" } else { "it is open whether u stays bounded" };
+            details.push(u.to_owned());
+        }
+        let poles: Vec<_> = growth.poles.iter().map(|pole| poles::text(*pole)).collect();
+        details.push(format!("poles {}; rho = {}", poles.join(", "), digits(growth.rho)));
+        Self {
+            name: "growth",
+            verdict: if sound { Verdict::Sound } else { Verdict::Unsound },
+            summary,
+            details,
+            fix: (!sound).then(|| growth.fix()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::algebra::{BigRational, integer};
+    use crate::check::growth::{Modes, growth};
+    use crate::check::poles::{Pole, gains};
+    use crate::check::{Outcome, Verdict};
+
+    fn told(poles: &[(i64, i64)], rho: BigRational, modes: Modes) -> Outcome {
+        let poles: Vec<_> =
+            poles.iter().map(|(re, im)| Pole { re: integer(*re), im: integer(*im) }).collect();
+        let outcome = Outcome::from(&growth(&gains(&poles).expect("conjugate pairs"), &rho, modes));
+        assert_eq!(outcome.verdict == Verdict::Sound, outcome.fix.is_none());
+        outcome
+    }
+
+    #[test]
+    fn sound() {
+        let outcome = told(&[(-3, 0), (-4, 0)], integer(1), Modes::Polynomial);
+        assert_eq!(outcome.summary, "x and u go to 0 at the deadline");
+        assert_eq!(outcome.details, ["poles -3, -4; rho = 1"]);
+        let outcome = told(&[(-2, 0), (-3, 0)], integer(1), Modes::Polynomial);
+        assert_eq!(outcome.summary, "x goes to 0 and u stays bounded at the deadline");
+    }
+
+    #[test]
+    fn between_the_lines() {
+        let rho = BigRational::new(3.into(), 2.into());
+        let outcome = told(&[(-2, 5), (-2, -5)], rho, Modes::Analytic);
+        assert_eq!(
+            outcome.summary,
+            "u is unbounded at the deadline: the pole -2+5i lies 1 right of -3"
+        );
+        assert_eq!(outcome.details[0], "the pole -2-5i lies 1 right of -3");
+        assert_eq!(
+            outcome.fix.as_deref(),
+            Some("place every pole left of -3, or, with these gains, take 2 a of at most 0.999")
+        );
+    }
+
+    #[test]
+    fn on_the_lines() {
+        let outcome = told(&[(-2, 0), (-2, 0)], integer(1), Modes::Polynomial);
+        assert_eq!(
+            outcome.summary,
+            "u is unbounded at the deadline: the pole -2 is multiple on the line Re = -2"
+        );
+        let outcome = told(&[(-1, 0), (-3, 0)], integer(1), Modes::Other);
+        assert_eq!(
+            outcome.summary,
+            "x does not go to 0 at the deadline: the pole -1 is not left of -1"
+        );
+        assert_eq!(
+            outcome.details,
+            [
+                "the simple pole at -m rho, m = 1, leaves x2 at a constant",
+                "it is open whether u stays bounded",
+                "poles -1, -3; rho = 1",
+            ]
+        );
+    }
+
+    #[test]
+    fn without_decay() {
+        let outcome = told(&[(1, 0), (-1, 0)], integer(0), Modes::Other);
+        assert_eq!(
+            outcome.summary,
+            "x does not go to 0 and u is unbounded at the deadline: the pole 1 lies 1 right of 0"
+        );
+        assert_eq!(outcome.fix.as_deref(), Some("place every pole left of 0"));
+    }
+}

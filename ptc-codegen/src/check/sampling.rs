@@ -1,0 +1,262 @@
+//! The guard that a sample period asks for.
+//!
+//! With gains frozen at time-to-go T and a zero-order hold of period h the chain of integrators goes
+//! x(t + h) = M(h, T) x(t), M = exp(A h) + B(h) gain(T)^T, which is stable iff the spectral radius of
+//! M is below 1. A is nilpotent, so exp(A h) holds h^(j-i)/(j-i)! and B(h) holds h^(n+1-i)/(n+1-i)!.
+//!
+//! From time-to-go eps on the gains are frozen at T = eps for good, and there the test is exact; for
+//! T > eps they move slowly compared with the loop as long as h is well below T, and it is a guide.
+
+use nalgebra::DMatrix;
+
+use super::eigenvalues::eigenvalues;
+use super::{Outcome, Verdict, digits, middle};
+
+/// The guard to take is this many times the least one: at the least one the loop with held gains
+/// neither decays nor grows, and twice as far the period may be late by as much as itself.
+pub const MARGIN: f64 = 2.0;
+
+/// Ratio of neighbouring points of the scans: thresholds closer together than this are not told
+/// apart.
+const STEP: f64 = 1.01;
+
+/// The scan ends at this share of the smaller one of h and tau: gains that are stable there are so
+/// small that any eps will do.
+const FLOOR: f64 = 1e-3;
+
+/// What a sample period asks of the guard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// Sample period h in s.
+    pub period: f64,
+    /// Settling time tau in s.
+    pub tau: f64,
+    /// The least eps such that the sampled loop is stable for every T in [eps, tau]; none where it
+    /// is not stable even at tau.
+    pub least_eps: Option<f64>,
+    /// [`MARGIN`] times as much; none where that is not below tau.
+    pub default_eps: Option<f64>,
+    /// Whether the gains at T = tau are stable without sampling. Where they are not, frozen gains
+    /// say nothing: a loop may converge that passes such gains only once.
+    pub continuous: bool,
+}
+
+/// Scans T from tau down, on a logarithmic grid, to where gains frozen at T do not bear `period`.
+/// `gains` gives the n feedback gains of u = sum gain_j x_j at time-to-go T.
+pub fn sampling(gains: &dyn Fn(f64) -> Vec<f64>, period: f64, tau: f64) -> Sampling {
+    let stable = |time_to_go: f64| is_stable(&gains(time_to_go), period, time_to_go);
+    let floor = FLOOR * period.min(tau);
+    let least_eps = stable(tau).then(|| {
+        let mut high = tau;
+        while high > floor && stable(high / STEP) {
+            high /= STEP;
+        }
+        if high <= floor { high } else { bisect(high, high / STEP, stable) }
+    });
+    let default_eps = least_eps.map(|eps| MARGIN * eps).filter(|eps| *eps < tau);
+    let continuous = is_stable(&gains(tau), 0.0, tau);
+    Sampling { period, tau, least_eps, default_eps, continuous }
+}
+
+/// The first sample period at which the loop with `gains` held at time-to-go `eps` is not stable,
+/// searched between 1e-3 and 1e3 eps; none where it is unstable at the lower end already.
+pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
+    let stable = |period: f64| is_stable(gains, period, eps);
+    let (mut low, last) = (1e-3 * eps, 1e3 * eps);
+    if !stable(low) {
+        return None;
+    }
+    while low < last && stable(low * STEP) {
+        low *= STEP;
+    }
+    Some(if low >= last { low } else { bisect(low, low * STEP, stable) })
+}
+
+/// Whether the loop with `gains` and a zero-order hold of `period` is stable; for a period of 0,
+/// the loop without sampling. `unit` is the time unit of the computation, best the time-to-go.
+///
+/// With x_i in units of unit^(1-i), d = h/unit and M = 1 + d K, K stays of the size of the gains
+/// where h is short and M next to 1: its eigenvalues c keep their digits, and |1 + d c| < 1 iff
+/// 2 Re c + d |c|^2 < 0.
+pub fn is_stable(gains: &[f64], period: f64, unit: f64) -> bool {
+    let (n, d) = (gains.len(), period / unit);
+    // d^k/(k+1)!
+    let shares: Vec<f64> = (0..n)
+        .scan(1.0, |share, k| {
+            let this = *share;
+            *share *= d / to_f64(k + 2);
+            Some(this)
+        })
+        .collect();
+    let powers: Vec<f64> = (0..n).map(|j| unit.powi(power(n - j))).collect();
+    let loop_matrix = DMatrix::from_fn(n, n, |i, j| {
+        let chain = if j > i { shares[j - i - 1] } else { 0.0 };
+        chain + shares[n - 1 - i] * gains[j] * powers[j]
+    });
+    eigenvalues(loop_matrix)
+        .is_some_and(|found| found.iter().all(|c| 2.0 * c.re + d * c.norm_sqr() < 0.0))
+}
+
+/// The last point from `good` towards `bad` at which `stable` holds, by bisection.
+fn bisect(mut good: f64, mut bad: f64, stable: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..50 {
+        let between = middle(good, bad);
+        if stable(between) {
+            good = between;
+        } else {
+            bad = between;
+        }
+    }
+    good
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn to_f64(count: usize) -> f64 {
+    count as f64
+}
+
+fn power(count: usize) -> i32 {
+    i32::try_from(count).unwrap_or(i32::MAX)
+}
+
+impl Sampling {
+    /// The outcome for a guard `eps` that the design has chosen, if it has.
+    pub fn outcome(&self, eps: Option<f64>) -> Outcome {
+        let (period, tau) = (digits(self.period), digits(self.tau));
+        let (verdict, summary, fix) = match (self.least_eps, eps) {
+            (None, _) if !self.continuous => (
+                Verdict::Undecided,
+                format!("gains frozen at T = tau = {tau} s are unstable without sampling too"),
+                Some("gains that hold the loop alone at T = tau can be judged".to_owned()),
+            ),
+            (None, _) => (
+                Verdict::Unsound,
+                format!("a period of {period} s is unstable at T = tau = {tau} s already"),
+                Some("sample faster, take a larger tau or smaller gains".to_owned()),
+            ),
+            (Some(least), Some(eps)) if eps < least => (
+                Verdict::Unsound,
+                format!(
+                    "held gains are unstable: a period of {period} s needs eps >= {} s, not {} s",
+                    digits(least),
+                    digits(eps)
+                ),
+                Some(self.advice(least)),
+            ),
+            (Some(least), Some(eps)) => (
+                Verdict::Sound,
+                format!(
+                    "eps = {} s is {} times the least that a period of {period} s bears",
+                    digits(eps),
+                    digits(eps / least)
+                ),
+                (eps < MARGIN * least).then(|| self.advice(least)),
+            ),
+            (Some(least), None) => (
+                Verdict::Sound,
+                format!("a period of {period} s is stable for eps >= {} s", digits(least)),
+                None,
+            ),
+        };
+        let details = self
+            .least_eps
+            .map(|least| format!("the threshold of h/T is {}", digits(self.period / least)));
+        Outcome { name: "sampling", verdict, summary, details: details.into_iter().collect(), fix }
+    }
+
+    fn advice(&self, least: f64) -> String {
+        match self.default_eps {
+            Some(eps) => format!("take eps = {} s", digits(eps)),
+            None => {
+                format!("sample faster: eps = {} s leaves nothing of tau", digits(MARGIN * least))
+            }
+        }
+    }
+}
+
+impl From<&Sampling> for Outcome {
+    fn from(sampling: &Sampling) -> Self {
+        sampling.outcome(None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Feedback gains -c_j/T^(n+1-j), the form of exp with a = 1.
+    fn held(c: &[f64]) -> impl Fn(f64) -> Vec<f64> {
+        move |t| c.iter().zip((1..=c.len()).rev()).map(|(c, k)| -c / t.powi(power(k))).collect()
+    }
+
+    /// The coefficients of exp with a = 1: c_j = sum_i k_(i+1) (-1)^(i-j) S2(i, j), k_(n+1) = 1.
+    const CASES: [(&[f64], f64); 4] = [
+        (&[1.0], 2.0),
+        (&[2.0, 3.0 - 1.0], 1.0),
+        (&[20.0, 9.0 - 1.0], 0.25),
+        (&[6.0, 11.0 - 6.0 + 1.0, 6.0 - 3.0], 0.732),
+    ];
+
+    #[test]
+    fn thresholds_of_the_exp_family() {
+        for (c, threshold) in CASES {
+            let found = sampling(&held(c), 1e-3, 1.0).least_eps.expect("stable at tau");
+            // Half a unit of the last digit of the reference value.
+            assert!((1e-3 / found - threshold).abs() < 5e-4, "{c:?}: {}", 1e-3 / found);
+            let longest = longest_period(&held(c)(0.01), 0.01).expect("stable");
+            assert!((longest / 0.01 - threshold).abs() < 5e-4, "{c:?}: {longest}");
+        }
+    }
+
+    #[test]
+    fn a_period_that_tau_does_not_bear() {
+        let found = sampling(&held(&[20.0, 8.0]), 0.3, 1.0);
+        assert_eq!((found.least_eps, found.continuous), (None, true));
+        assert_eq!(Outcome::from(&found).verdict, Verdict::Unsound);
+        let found = sampling(&held(&[-1.0]), 0.3, 1.0);
+        assert_eq!((found.least_eps, found.continuous), (None, false));
+        assert_eq!(Outcome::from(&found).verdict, Verdict::Undecided);
+        // An eps exists, but twice as much is not below tau.
+        let found = sampling(&held(&[1.0]), 1.5, 1.0);
+        assert!(found.least_eps.is_some() && found.default_eps.is_none());
+    }
+
+    #[test]
+    fn what_a_reader_is_told() {
+        let found = sampling(&held(&[1.0]), 1e-3, 1.0);
+        let told = found.outcome(Some(4e-4));
+        assert_eq!(
+            told.summary,
+            "held gains are unstable: a period of 0.001 s needs eps >= 5e-4 s, not 4e-4 s"
+        );
+        assert_eq!(told.fix.as_deref(), Some("take eps = 0.001 s"));
+        let told = found.outcome(Some(2e-3));
+        assert_eq!((told.verdict, told.fix), (Verdict::Sound, None));
+        assert_eq!(
+            told.summary,
+            "eps = 0.002 s is 4 times the least that a period of 0.001 s bears"
+        );
+        let told = Outcome::from(&found);
+        assert_eq!(told.summary, "a period of 0.001 s is stable for eps >= 5e-4 s");
+        assert_eq!(told.details, ["the threshold of h/T is 2"]);
+    }
+
+    proptest! {
+        /// M is 1 to twelve digits, and the sampled loop still is as stable as the continuous one.
+        #[test]
+        fn short_periods_keep_their_digits(poles in prop::collection::vec(0.2..9.0f64, 1..8)) {
+            let mut c = vec![1.0];
+            for pole in poles {
+                let lower = c.iter().map(|c| c * pole).chain([0.0]);
+                let upper = std::iter::once(0.0).chain(c.iter().copied());
+                c = lower.zip(upper).map(|(a, b)| a + b).collect();
+            }
+            c.pop();
+            prop_assert!(is_stable(&held(&c)(1e-3), 1e-15, 1e-3));
+            c[0] = -c[0];
+            prop_assert!(!is_stable(&held(&c)(1e-3), 1e-15, 1e-3));
+        }
+    }
+}
