@@ -3,10 +3,13 @@
 //! [`resolve`] makes one of a parsed value: names become variables, functions and parameters. What
 //! is known by then is folded, exactly.
 
+mod derivative;
 pub(crate) mod normal;
 mod print;
 mod resolve;
 mod solve;
+#[cfg(test)]
+pub(crate) mod testing;
 
 pub use resolve::{Scope, Subject, resolve};
 pub use solve::solve;

@@ -1,0 +1,129 @@
+//! Derivatives.
+
+use super::{Expression, Function, Variable};
+
+impl Expression {
+    /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
+    /// side or their mean: whether there is a kink is for the caller to ask.
+    pub fn derivative(&self, wrt: Variable) -> Self {
+        let d = |e: &Self| e.derivative(wrt);
+        let two = || Self::integer(2);
+        match self {
+            Self::Number(_) | Self::Pi | Self::Parameter(_) => Self::integer(0),
+            Self::Variable(variable) => Self::integer(i64::from(*variable == wrt)),
+            Self::Neg(a) => d(a).neg(),
+            Self::Add(a, b) => d(a).add(d(b)),
+            Self::Sub(a, b) => d(a).sub(d(b)),
+            Self::Mul(a, b) => {
+                let (a, b) = (&**a, &**b);
+                d(a).mul(b.clone()).add(a.clone().mul(d(b)))
+            }
+            Self::Div(a, b) => {
+                let (da, db) = (d(a), d(b));
+                let (a, b) = ((**a).clone(), (**b).clone());
+                if db.is(0) {
+                    return da.div_or_zero(b);
+                }
+                let numerator = da.mul(b.clone()).sub(a.mul(db));
+                numerator.div_or_zero(b.power(two()))
+            }
+            Self::Power(a, b) => {
+                let (da, db) = (d(a), d(b));
+                let (a, b) = ((**a).clone(), (**b).clone());
+                let of_base = if da.is(0) {
+                    Self::integer(0)
+                } else {
+                    let less = b.clone().sub(Self::integer(1));
+                    b.clone().mul(a.clone().power(less)).mul(da)
+                };
+                let of_exponent = if db.is(0) {
+                    Self::integer(0)
+                } else {
+                    self.clone().mul(Self::call(Function::Ln, a)).mul(db)
+                };
+                of_base.add(of_exponent)
+            }
+            Self::Min(a, b) => Self::of_the_chosen(a, b, d(a), d(b), false),
+            Self::Max(a, b) => Self::of_the_chosen(a, b, d(a), d(b), true),
+            Self::Call(function, a) => {
+                let inner = d(a);
+                if inner.is(0) {
+                    return inner;
+                }
+                function.derivative(a).mul(inner)
+            }
+        }
+    }
+
+    fn div_or_zero(self, by: Self) -> Self {
+        if self.is(0) { self } else { self.div(by) }
+    }
+
+    /// (da + db)/2 +- sign(a - b) (da - db)/2, the derivative of the greater or smaller one.
+    fn of_the_chosen(a: &Self, b: &Self, da: Self, db: Self, greater: bool) -> Self {
+        if da == db {
+            return da;
+        }
+        let half = || Self::integer(1).div(Self::integer(2));
+        let mean = da.clone().add(db.clone()).mul(half());
+        let which = Self::call(Function::Sign, a.clone().sub(b.clone()));
+        let off = which.mul(da.sub(db)).mul(half());
+        if greater { mean.add(off) } else { mean.sub(off) }
+    }
+}
+
+impl Function {
+    /// The derivative of the function at `a`.
+    fn derivative(self, a: &Expression) -> Expression {
+        let call = |function| Expression::call(function, a.clone());
+        let one = || Expression::integer(1);
+        let square = |e: Expression| e.power(Expression::integer(2));
+        match self {
+            Self::Abs => call(Self::Sign),
+            Self::Sign => Expression::integer(0),
+            Self::Sqrt => one().div(Expression::integer(2).mul(call(Self::Sqrt))),
+            Self::Exp => call(Self::Exp),
+            Self::Ln => one().div(a.clone()),
+            Self::Sin => call(Self::Cos),
+            Self::Cos => call(Self::Sin).neg(),
+            Self::Tan => one().add(square(call(Self::Tan))),
+            Self::Atan => one().div(one().add(square(a.clone()))),
+            Self::Sinh => call(Self::Cosh),
+            Self::Cosh => call(Self::Sinh),
+            Self::Tanh => one().sub(square(call(Self::Tanh))),
+            Self::Atanh => one().div(one().sub(square(a.clone()))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::expression::Variable::SinceStart;
+    use crate::expression::testing::{evaluate, mu};
+
+    #[test]
+    fn derivatives_are_slopes() {
+        for text in [
+            "tau*t^3 - 2/t + sqrt(t)/(1 + t)",
+            "exp(-a*t)*sin(t) + cos(2*t)^2 - tan(t/4)",
+            "ln(1 + t^2) + atan(3*t) - t^(1/3) + 2^t + t^t",
+            "sinh(t)/cosh(t/2) + tanh(t) + atanh(t/8) - 3",
+            "min(t, 2*t^2) + max(t, 3) + abs(t - 5)*sign(t - 7)",
+        ] {
+            let e = mu(text);
+            let derived = e.derivative(SinceStart);
+            for t in [0.3, 0.9, 1.7, 2.5] {
+                let h = 1e-5;
+                let slope = (evaluate(&e, t + h) - evaluate(&e, t - h)) / (2.0 * h);
+                let got = evaluate(&derived, t);
+                assert!((got - slope).abs() < 1e-7 * (1.0 + slope.abs()), "{text} at {t}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_constant_drops_out() {
+        assert_eq!(mu("tau*a").derivative(SinceStart).to_string(), "0");
+        assert_eq!(mu("(a*t + 1)/tau").derivative(SinceStart).to_string(), "a/tau");
+    }
+}

@@ -1,0 +1,64 @@
+//! What tests of expressions share.
+
+use num_traits::ToPrimitive;
+
+use super::{Expression, Function, Scope, Subject, resolve};
+use crate::diagnostic::{Diagnostics, Place};
+use crate::spec::{Parameter, parse};
+
+fn read(text: &str, subject: Subject) -> Expression {
+    let node = parse(subject.key(), text, &mut |_| Place(0)).expect(text);
+    let scope = Scope { subject, n: 3, known: &[Parameter::Tau] };
+    let mut found = Diagnostics::default();
+    resolve(&node, scope, &mut found).unwrap_or_else(|| panic!("{text}"))
+}
+
+/// The expression in `t` that `text` spells.
+pub(crate) fn mu(text: &str) -> Expression {
+    read(text, Subject::Mu)
+}
+
+/// The expression in `dt` that `text` spells.
+pub(crate) fn kappa(text: &str) -> Expression {
+    read(text, Subject::Kappa)
+}
+
+/// Its value with every variable at `at`, tau = 2, m = 1/2, any other parameter 3/4.
+pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
+    let value = |e: &Expression| evaluate(e, at);
+    match expression {
+        Expression::Number(number) => number.to_f64().expect("a float"),
+        Expression::Pi => std::f64::consts::PI,
+        Expression::Parameter(Parameter::Tau) => 2.0,
+        Expression::Parameter(p) if p.spelling() == "m" => 0.5,
+        Expression::Parameter(_) => 0.75,
+        Expression::Variable(_) => at,
+        Expression::Neg(a) => -value(a),
+        Expression::Add(a, b) => value(a) + value(b),
+        Expression::Sub(a, b) => value(a) - value(b),
+        Expression::Mul(a, b) => value(a) * value(b),
+        Expression::Div(a, b) => value(a) / value(b),
+        Expression::Power(a, b) => value(a).powf(value(b)),
+        Expression::Min(a, b) => value(a).min(value(b)),
+        Expression::Max(a, b) => value(a).max(value(b)),
+        Expression::Call(function, a) => {
+            let a = value(a);
+            match function {
+                Function::Abs => a.abs(),
+                Function::Sign if a == 0.0 => a,
+                Function::Sign => a.signum(),
+                Function::Sqrt => a.sqrt(),
+                Function::Exp => a.exp(),
+                Function::Ln => a.ln(),
+                Function::Sin => a.sin(),
+                Function::Cos => a.cos(),
+                Function::Tan => a.tan(),
+                Function::Atan => a.atan(),
+                Function::Sinh => a.sinh(),
+                Function::Cosh => a.cosh(),
+                Function::Tanh => a.tanh(),
+                Function::Atanh => a.atanh(),
+            }
+        }
+    }
+}
