@@ -1,6 +1,6 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
-use crate::expression::{Expression, Subject, Variable, normal, solve};
+use crate::expression::{Expression, Subject, Variable, leading, normal, solve};
 use crate::spec::Parameter;
 
 /// A mapping given as mu(t) or as kappa(dt).
@@ -40,10 +40,21 @@ impl Custom {
             ),
         };
         let inverse = match subject {
-            Subject::Mu => solve(&form, variable, Variable::TimeToGo.into()),
+            Subject::Mu => {
+                let inverse = solve(&form, variable, Variable::TimeToGo.into());
+                inverse.map(|inverse| normal::normal(&inverse))
+            }
             _ => None,
         };
         Ok(Self { subject, given, form, inverse })
+    }
+
+    /// The rate at which the derivative of mu falls, -lim (ln mu')'; none where it is not found.
+    pub fn decay_rate(&self) -> Option<Expression> {
+        match self.subject {
+            Subject::Mu => leading::decay_rate(&self.form, Variable::SinceStart),
+            _ => leading::decay_rate_of_inverse(&self.form, Variable::TimeToGo),
+        }
     }
 
     /// Whether stretched time is the root of an equation, found by an iteration.
