@@ -51,6 +51,8 @@ pub enum Kind {
     CotangentRate,
     /// (pi/(2 tau)) (1 + y^2) = kappa'/a of the tan family.
     Slope,
+    /// A part of a user's expression that no polynomial holds: a name, or a call.
+    Kernel,
 }
 
 /// A symbol: a kind and, for indexed ones, its index (1-based; 0 where there is none).
@@ -108,6 +110,7 @@ impl Symbol {
             Kind::Secant => "sec",
             Kind::CotangentRate => "cot_rate",
             Kind::Slope => "slope",
+            Kind::Kernel => "z",
         };
         if self.index == 0 { stem.to_owned() } else { format!("{stem}{}", self.index) }
     }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::{Controller, Language};
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion;
+use crate::expression::Subject;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
 use crate::program::{Stage, cost};
@@ -86,20 +87,17 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
 /// What is told of a mapping that the user wrote down.
 fn as_given(custom: &Custom) -> Vec<String> {
     let mut lines = Vec::new();
+    let given = if custom.subject == Subject::Mu { "mu(t) " } else { "kappa(dt)" };
+    lines.push(format!("  {given} = {}", custom.given));
     match &custom.form {
-        Form::Mu(mu) => {
-            lines.push(format!("  mu(t)       = {}, t the stretched time since t0", custom.given));
-            lines.push(format!("  tau - mu(t) = {}", mu.complement));
-            let kappa = match &mu.inverse {
-                Some(inverse) => inverse.to_string(),
-                None => "the root t of tau - mu(t) = T, by a bounded iteration".to_owned(),
-            };
-            lines.push(format!("  kappa       = {kappa}"));
+        Form::Complement(form) => {
+            lines.push(format!("  tau - mu(t) = {form}, t the stretched time since t0"));
+            lines
+                .push("  kappa = the root t of tau - mu(t) = T, by a bounded iteration".to_owned());
         }
         Form::Kappa(kappa) => {
-            lines.push(format!("  kappa(dt) = {}", custom.given));
-            lines.push(format!("            = {}", kappa.form));
-            lines.push(format!("  mu'(kappa) = r_1 = T*({})", kappa.rate));
+            lines.push(format!("  kappa = {}", kappa.form));
+            lines.push(format!("  r_1 = T*({})", kappa.rate));
         }
     }
     lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned());

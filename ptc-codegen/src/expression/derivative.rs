@@ -50,6 +50,12 @@ impl Expression {
                 if inner.is(0) {
                     return inner;
                 }
+                if let (Function::Atan, Self::Div(over, under)) = (function, &**a) {
+                    // The slope of atan(p/q), without the pole of p/q where q is 0.
+                    let (p, q) = ((**over).clone(), (**under).clone());
+                    let turn = d(over).mul(q.clone()).sub(p.clone().mul(d(under)));
+                    return turn.div_or_zero(p.power(two()).add(q.power(two())));
+                }
                 function.derivative(a).mul(inner)
             }
         }
@@ -107,6 +113,7 @@ mod tests {
             "tau*t^3 - 2/t + sqrt(t)/(1 + t)",
             "exp(-a*t)*sin(t) + cos(2*t)^2 - tan(t/4)",
             "ln(1 + t^2) + atan(3*t) - t^(1/3) + 2^t + t^t",
+            "atan((1 + t)/t) - atan(1/t)*t",
             "sinh(t)/cosh(t/2) + tanh(t) + atanh(t/8) - 3",
             "min(t, 2*t^2) + max(t, 3) + abs(t - 5)*sign(t - 7)",
         ] {

@@ -3,10 +3,15 @@
 //! [`resolve`] makes one of a parsed value: names become variables, functions and parameters. What
 //! is known by then is folded, exactly.
 
+mod compact;
 mod derivative;
+mod field;
+pub(crate) mod leading;
 pub(crate) mod normal;
 mod print;
+mod ratio;
 mod resolve;
+pub(crate) mod sign;
 mod solve;
 #[cfg(test)]
 pub(crate) mod testing;

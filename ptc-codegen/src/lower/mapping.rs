@@ -7,7 +7,7 @@ use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::bell::factorials;
 use crate::expression::{Expression, Function, Subject, Variable};
-use crate::mapping::{Family, Form, Kappa, Mu};
+use crate::mapping::{Family, Form, Kappa};
 use crate::program::{Op, Root, Value};
 use crate::spec::{Parameter, Precision, TimeMapping};
 
@@ -38,7 +38,7 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
         TimeMapping::Family { family, .. } => of_kappa(b, &family.kappa()),
         TimeMapping::Custom(custom) => match &custom.form {
-            Form::Mu(mu) => of_mu(b, mu),
+            Form::Complement(form) => of_complement(b, form),
             Form::Kappa(kappa) => of_kappa(b, kappa),
         },
     }
@@ -77,10 +77,10 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
 
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
-fn of_mu(b: &mut Builder<'_>, mu: &Mu) -> Taylor {
-    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, mu)) };
+fn of_complement(b: &mut Builder<'_>, complement: &Expression) -> Taylor {
+    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, complement)) };
     let point = around(b.spec.n, stretched);
-    let mut series = b.series(&mu.complement, &point);
+    let mut series = b.series(complement, &point);
     if let (None, Coefficient::Exact(first)) = (series.offset, &series.terms[0])
         && *first != integer(0)
     {
@@ -125,12 +125,8 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
     terms[2..].iter().map(|term| b.times(term, &inverse)).collect()
 }
 
-/// Stretched time: in closed form where there is one, else the root y of ln(c(y)/T), which
-/// decreases, by Newton's method within a bracket.
-fn stretched_time(b: &mut Builder<'_>, mu: &Mu) -> Value {
-    if let Some(inverse) = &mu.inverse {
-        return b.scalar(inverse);
-    }
+/// Stretched time: the root y of ln(c(y)/T), which decreases, by Newton's method within a bracket.
+fn stretched_time(b: &mut Builder<'_>, complement: &Expression) -> Value {
     let target = b.time_to_go();
     let (low, start) = (b.integer(0), b.integer(0));
     let (far, small) = match b.spec.precision {
@@ -141,7 +137,7 @@ fn stretched_time(b: &mut Builder<'_>, mu: &Mu) -> Value {
     let (high, tolerance) = (b.number(ten(far)), b.number(ten(small).recip()));
     let unknown = b.push(Op::Unknown);
     let unknown = b.name(unknown, "y", "stretched time since t0");
-    let series = b.series(&mu.complement, &around(1, Some(unknown)));
+    let series = b.series(complement, &around(1, Some(unknown)));
     let value = b.value_at(&series);
     let value = b.coefficient(&value);
     let slope = b.scaled(series.scale, &series.terms[1]);
@@ -170,6 +166,6 @@ impl Family {
             _ => None,
         };
         let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
-        Kappa::new(form.map_or(elapsed, |form| form.substitute(&own)))
+        Kappa::new(&form.map_or(elapsed, |form| form.substitute(&own)))
     }
 }

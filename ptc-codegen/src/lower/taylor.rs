@@ -227,6 +227,16 @@ impl Builder<'_> {
     }
 
     fn raised(&mut self, a: Series, exponent: &Expression) -> Series {
+        if let Some(k) = exponent.small_integer().filter(|k| k.unsigned_abs() <= 64 && *k != 0) {
+            let power = self.multiple(&a, k.unsigned_abs());
+            return if k < 0 {
+                let mut one = vec![Coefficient::integer(0); power.terms.len()];
+                one[0] = Coefficient::integer(1);
+                self.divided(Series::new(None, one), power)
+            } else {
+                power
+            };
+        }
         let (leading, terms) = self.leading(a);
         let power = match exponent.number() {
             Some(number) => Exact(number.clone()),
@@ -234,6 +244,16 @@ impl Builder<'_> {
         };
         let scale = self.scalar_power(leading, exponent);
         Series::new(Some(scale), self.power_series(&terms, &power))
+    }
+
+    /// a^k by squares, for which a may be 0.
+    fn multiple(&mut self, a: &Series, k: u32) -> Series {
+        if k == 1 {
+            return a.clone();
+        }
+        let half = self.multiple(a, k / 2);
+        let square = self.multiplied(half.clone(), half);
+        if k % 2 == 1 { self.multiplied(square, a.clone()) } else { square }
     }
 
     /// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).

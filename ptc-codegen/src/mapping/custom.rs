@@ -1,6 +1,6 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
-use crate::expression::{Expression, Function, Subject, Variable, normal, solve};
+use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
 use crate::spec::Parameter;
 
 /// A mapping given as mu(t) or as kappa(dt).
@@ -17,19 +17,11 @@ pub struct Custom {
 /// The form in which a mapping is computed, which keeps its digits up to the deadline.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Given as mu.
-    Mu(Mu),
-    /// Given as kappa.
+    /// By the complement tau - mu(t), t the stretched time since the start, where no closed form of
+    /// kappa is found: its digits are those of the time-to-go where mu is near tau.
+    Complement(Expression),
+    /// By kappa.
     Kappa(Kappa),
-}
-
-/// A mapping by mu, in stretched time t since the start.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mu {
-    /// tau - mu(t), whose digits are those of the time-to-go where mu is near tau.
-    pub complement: Expression,
-    /// t as an expression in the time-to-go T, where there is a closed form.
-    pub inverse: Option<Expression>,
 }
 
 /// A mapping by kappa, in the time-to-go T.
@@ -41,18 +33,28 @@ pub struct Kappa {
     pub rate: Expression,
 }
 
-impl Mu {
-    fn new(mu: &Expression) -> Self {
+impl Form {
+    fn of_mu(mu: &Expression) -> Self {
         let complement = normal::complement(mu);
-        let inverse = solve(&complement, Variable::SinceStart, Variable::TimeToGo.into());
-        Self { complement, inverse }
+        match solve(&complement, Variable::SinceStart, Variable::TimeToGo.into()) {
+            Some(kappa) => Self::Kappa(Kappa::new(&kappa)),
+            None => Self::Complement(complement),
+        }
     }
 }
 
 impl Kappa {
     /// The mapping by `kappa`, an expression in the time-to-go.
-    pub fn new(kappa: Expression) -> Self {
-        let form = normal::normal(&kappa);
+    pub fn new(kappa: &Expression) -> Self {
+        // A cotangent in place of a tangent's inverse: the tangent has a pole at the start.
+        let without_tan = kappa.substitute(&|e| match e {
+            Expression::Call(Function::Tan, angle) => {
+                let part = |function| Expression::call(function, (**angle).clone());
+                Some(part(Function::Sin).div(part(Function::Cos)))
+            }
+            _ => None,
+        });
+        let form = normal::normal(&without_tan);
         let time_to_go = Expression::from(Variable::TimeToGo);
         // kappa' is the derivative with respect to elapsed time: T falls as time goes on.
         let slope = form.derivative(Variable::TimeToGo).neg();
@@ -92,19 +94,27 @@ impl Custom {
             return Err((message, help.to_owned()));
         }
         let form = match subject {
-            Subject::Mu => Form::Mu(Mu::new(&given)),
+            Subject::Mu => Form::of_mu(&given),
             _ => {
                 let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
                 let in_time_to_go =
                     |e: &Expression| (*e == variable.into()).then(|| elapsed.clone());
-                Form::Kappa(Kappa::new(given.substitute(&in_time_to_go)))
+                Form::Kappa(Kappa::new(&given.substitute(&in_time_to_go)))
             }
         };
         Ok(Self { subject, given, form })
     }
 
+    /// The rate at which the derivative of mu falls, -lim (ln mu')'; none where it is not found.
+    pub fn decay_rate(&self) -> Option<Expression> {
+        match &self.form {
+            Form::Complement(form) => leading::decay_rate(form, Variable::SinceStart),
+            Form::Kappa(kappa) => leading::decay_rate_of_inverse(&kappa.form, Variable::TimeToGo),
+        }
+    }
+
     /// Whether stretched time is the root of an equation, found by an iteration.
     pub fn is_iterated(&self) -> bool {
-        matches!(&self.form, Form::Mu(mu) if mu.inverse.is_none())
+        matches!(self.form, Form::Complement(_))
     }
 }

@@ -7,7 +7,7 @@
 mod custom;
 mod families;
 
-pub use custom::{Custom, Form, Kappa, Mu};
+pub use custom::{Custom, Form, Kappa};
 pub use families::{FAMILIES, Family, FamilyInfo};
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};

@@ -52,7 +52,9 @@ pub(super) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
     let mut operands = operands.to_vec();
     let mut special = operands.iter().any(|operand| operand.special);
     match (op, operands.as_mut_slice()) {
-        (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.holds_zero() => return Interval::ANY,
+        (Op::Div(..) | Op::Quotient(..), [_, divisor]) if divisor.holds_zero() => {
+            return Interval::ANY;
+        }
         (Op::Call(Function::Ln, _) | Op::Pow(..), [a, ..]) if a.low <= 0.0 => return Interval::ANY,
         (Op::Call(Function::Atanh, _), [a]) if a.low <= -1.0 || a.high >= 1.0 => {
             return Interval::ANY;
@@ -82,8 +84,7 @@ pub(super) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
     }
     let exact = matches!(op, Op::Call(Function::Abs | Function::Sign | Function::Sqrt, _));
     if matches!(op, Op::Call(..) | Op::Pow(..)) && !exact {
-        let positive =
-            matches!(op, Op::Call(Function::Exp | Function::Cosh, _) | Op::Pow(..));
+        let positive = matches!(op, Op::Call(Function::Exp | Function::Cosh, _) | Op::Pow(..));
         for _ in 0..2 {
             low = down(low, precision).max(if positive { 0.0 } else { f64::NEG_INFINITY });
             high = -down(-high, precision);

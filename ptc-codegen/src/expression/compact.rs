@@ -1,0 +1,186 @@
+//! From fractions back to a short expression.
+
+use num_traits::{One, Signed};
+
+use super::field::{Field, Kernel, Terms};
+use super::ratio::{Ratio, content};
+use super::{Expression, Function};
+use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+
+impl Expression {
+    /// Number of its operations and leaves.
+    pub(crate) fn size(&self) -> usize {
+        1 + self.operands().into_iter().map(Self::size).sum::<usize>()
+    }
+}
+
+/// Factors over and under a fraction bar, and e to what.
+#[derive(Default)]
+struct Product {
+    over: Vec<Expression>,
+    under: Vec<Expression>,
+    exponents: Terms,
+}
+
+impl Field {
+    /// The shorter one of the sum as it stands and as one fraction.
+    pub(super) fn shortest(&self, terms: &Terms) -> Expression {
+        let apart = self.sum_of(terms);
+        match Self::combined(terms).map(|ratio| self.expression(&ratio)) {
+            Some(one) if one.size() <= apart.size() => one,
+            _ => apart,
+        }
+    }
+
+    /// The sum, positive terms first.
+    pub(super) fn sum_of(&self, terms: &Terms) -> Expression {
+        let all = terms.iter().map(|term| self.signed(term)).collect();
+        added(all)
+    }
+
+    fn expression(&self, ratio: &Ratio) -> Expression {
+        added(vec![self.signed(ratio)])
+    }
+
+    /// Whether the fraction is negative as it is written, and its size.
+    fn signed(&self, ratio: &Ratio) -> (bool, Expression) {
+        if ratio.num.is_zero() {
+            return (false, Expression::integer(0));
+        }
+        let (number, mut common) = content(&ratio.num);
+        // Of exponentials the slowest one is taken out, so that the others are 1 or less; of roots
+        // likewise, so that none is computed twice.
+        for (symbol, _) in common.clone().factors() {
+            if matches!(self.kernel(*symbol), Some(Kernel::Exp(_) | Kernel::Root(..))) {
+                let greatest = ratio.num.terms().map(|(m, _)| m.exponent(*symbol)).max();
+                let slowest = greatest.filter(|e| *e <= 0).unwrap_or(common.exponent(*symbol));
+                common = common.without(*symbol).times(&Monomial::power(*symbol, slowest));
+            }
+        }
+        let outer = Poly::term(number.clone(), common.clone());
+        let mut inner = ratio.num.clone();
+        if let Some(inverse) = outer.inverse() {
+            inner = inner.times(&inverse);
+        }
+        // A difference is turned round rather than preceded by a minus.
+        let mut negative = number.is_negative();
+        if negative && inner.terms().any(|(_, c)| c.is_negative()) {
+            inner = inner.scaled(&integer(-1));
+            negative = false;
+        }
+        let mut product = Product::default();
+        self.monomial(&common, &mut product);
+        if inner != Poly::one() {
+            product.over.push(self.polynomial(&inner));
+        }
+        for (factor, count) in &ratio.den {
+            let power = Expression::integer(i64::from(*count));
+            product.under.push(self.polynomial(factor).power(power));
+        }
+        (negative, self.built(&number.abs(), product))
+    }
+
+    fn polynomial(&self, poly: &Poly) -> Expression {
+        let term = |(m, c): (&Monomial, &BigRational)| {
+            let mut product = Product::default();
+            self.monomial(m, &mut product);
+            (c.is_negative(), self.built(&c.abs(), product))
+        };
+        added(poly.terms().map(term).collect())
+    }
+
+    fn monomial(&self, monomial: &Monomial, product: &mut Product) {
+        for (symbol, exponent) in monomial.factors() {
+            self.factor(*symbol, *exponent, product);
+        }
+    }
+
+    fn factor(&self, symbol: Symbol, exponent: i32, product: &mut Product) {
+        let whole = |e: i32| Expression::integer(i64::from(e));
+        let mut put = |base: Expression, e: i32| {
+            let side = if e > 0 { &mut product.over } else { &mut product.under };
+            side.push(base.power(whole(e.abs())));
+        };
+        match self.kernel(symbol) {
+            None => {}
+            Some(Kernel::Atom(atom)) => put(atom.clone(), exponent),
+            Some(Kernel::Exp(unit)) => {
+                product.exponents.push(unit.scaled(&integer(i64::from(exponent))));
+            }
+            Some(Kernel::Root(base, index)) => {
+                let base = self.expression(base);
+                if index.number().is_some_and(|n| *n == BigRational::new(1.into(), 2.into())) {
+                    put(Expression::call(Function::Sqrt, base), exponent);
+                } else if let Some(number) = index.number() {
+                    let power = number * integer(i64::from(exponent));
+                    product.over.push(base.power(Expression::Number(power)));
+                } else {
+                    let (size, k) = (index.clone(), whole(exponent.abs()));
+                    let power = match size {
+                        Expression::Div(a, b) => k.mul(*a).div(*b),
+                        other => k.mul(other),
+                    };
+                    let power = if exponent < 0 { negative(power) } else { power };
+                    product.over.push(base.power(power));
+                }
+            }
+        }
+    }
+
+    /// number * over * e^exponents / under.
+    fn built(&self, number: &BigRational, mut product: Product) -> Expression {
+        if !product.exponents.is_empty() {
+            let mut terms = Terms::new();
+            for term in std::mem::take(&mut product.exponents) {
+                match super::field::sum(terms.clone(), vec![term.clone()]) {
+                    Some(more) => terms = more,
+                    None => terms.push(term),
+                }
+            }
+            product.over.push(Expression::call(Function::Exp, self.sum_of(&terms)));
+        }
+        let whole = |n: &crate::algebra::BigInt| Expression::Number(n.clone().into());
+        let over = product.over.into_iter().fold(whole(number.numer()), Expression::mul);
+        let first = Expression::Number(BigRational::one());
+        let under = product.under.into_iter().fold(first, Expression::mul);
+        if under.number().is_some() {
+            return match over {
+                Expression::Number(_) => Expression::Number(number.clone()),
+                over => over.div(whole(number.denom())),
+            };
+        }
+        over.div(whole(number.denom()).mul(under))
+    }
+}
+
+/// The sum of signed terms, positive ones first.
+fn added(terms: Vec<(bool, Expression)>) -> Expression {
+    let (minus, plus): (Vec<_>, Vec<_>) = terms.into_iter().partition(|(negative, _)| *negative);
+    let mut total = plus.into_iter().map(|(_, e)| e).reduce(Expression::add);
+    for (_, e) in minus {
+        total = Some(match total {
+            Some(total) => total.sub(e),
+            None => negative(e),
+        });
+    }
+    total.unwrap_or_else(|| Expression::integer(0))
+}
+
+/// -e, with the sign at its first factor.
+pub(super) fn negative(e: Expression) -> Expression {
+    match e {
+        Expression::Mul(a, b) => negative(*a).mul(*b),
+        Expression::Div(a, b) => negative(*a).div(*b),
+        other => other.neg(),
+    }
+}
+
+/// Whether its first factor has a minus.
+pub(super) fn is_negative(e: &Expression) -> bool {
+    match e {
+        Expression::Neg(_) => true,
+        Expression::Number(number) => number.is_negative(),
+        Expression::Mul(a, _) | Expression::Div(a, _) => is_negative(a),
+        _ => false,
+    }
+}
