@@ -80,6 +80,17 @@ fn middle(low: f64, high: f64) -> f64 {
     low.sqrt() * high.sqrt()
 }
 
+/// A count as a number.
+#[allow(clippy::cast_precision_loss)]
+fn to_f64(count: usize) -> f64 {
+    count as f64
+}
+
+/// A count as an exponent.
+fn exponent(count: usize) -> i32 {
+    i32::try_from(count).unwrap_or(i32::MAX)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,9 +5,9 @@ use std::fmt;
 use nalgebra::{Complex, DMatrix};
 use num_traits::{ToPrimitive, Zero};
 
-use super::digits;
 use super::eigenvalues::eigenvalues;
 use super::polynomial::Polynomial;
+use super::{digits, exponent, to_f64};
 use crate::algebra::{BigInt, BigRational};
 
 /// A pole re + im i of the closed loop in stretched time.
@@ -99,7 +99,7 @@ pub fn numeric(gains: &[BigRational]) -> Vec<Complex<f64>> {
     }
     let companion = DMatrix::from_fn(n, n, |i, j| {
         if i + 1 == n {
-            -gains[j] / size.powi(power(n - j))
+            -gains[j] / size.powi(exponent(n - j))
         } else if j == i + 1 {
             1.0
         } else {
@@ -121,15 +121,6 @@ pub(super) fn text(pole: Complex<f64>) -> String {
     }
     let sign = if pole.im < 0.0 { '-' } else { '+' };
     format!("{}{sign}{}i", digits(pole.re), digits(pole.im.abs()))
-}
-
-#[allow(clippy::cast_precision_loss)]
-fn to_f64(count: usize) -> f64 {
-    count as f64
-}
-
-fn power(count: usize) -> i32 {
-    i32::try_from(count).unwrap_or(i32::MAX)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 use nalgebra::DMatrix;
 
 use super::eigenvalues::eigenvalues;
-use super::{Outcome, Verdict, digits, middle};
+use super::{Outcome, Verdict, digits, exponent, middle, to_f64};
 
 /// The guard to take is this many times the least one: at the least one the loop with held gains
 /// neither decays nor grows, and twice as far the period may be late by as much as itself.
@@ -88,7 +88,7 @@ pub fn is_stable(gains: &[f64], period: f64, unit: f64) -> bool {
             Some(this)
         })
         .collect();
-    let powers: Vec<f64> = (0..n).map(|j| unit.powi(power(n - j))).collect();
+    let powers: Vec<f64> = (0..n).map(|j| unit.powi(exponent(n - j))).collect();
     let loop_matrix = DMatrix::from_fn(n, n, |i, j| {
         let chain = if j > i { shares[j - i - 1] } else { 0.0 };
         chain + shares[n - 1 - i] * gains[j] * powers[j]
@@ -108,15 +108,6 @@ fn bisect(mut good: f64, mut bad: f64, stable: impl Fn(f64) -> bool) -> f64 {
         }
     }
     good
-}
-
-#[allow(clippy::cast_precision_loss)]
-fn to_f64(count: usize) -> f64 {
-    count as f64
-}
-
-fn power(count: usize) -> i32 {
-    i32::try_from(count).unwrap_or(i32::MAX)
 }
 
 impl Sampling {
@@ -188,7 +179,7 @@ mod tests {
 
     /// Feedback gains -c_j/T^(n+1-j), the form of exp with a = 1.
     fn held(c: &[f64]) -> impl Fn(f64) -> Vec<f64> {
-        move |t| c.iter().zip((1..=c.len()).rev()).map(|(c, k)| -c / t.powi(power(k))).collect()
+        move |t| c.iter().zip((1..=c.len()).rev()).map(|(c, k)| -c / t.powi(exponent(k))).collect()
     }
 
     /// The coefficients of exp with a = 1: c_j = sum_i k_(i+1) (-1)^(i-j) S2(i, j), k_(n+1) = 1.

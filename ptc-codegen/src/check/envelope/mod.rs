@@ -49,7 +49,8 @@ pub struct Envelope {
 }
 
 /// Scans time-to-go from `tau` down to `eps` in `pieces` of equal ratio. `input` bounds every input
-/// but time and the gains, by numbers of the program's precision.
+/// but time and the gains, by numbers of the program's precision. Some 20 pieces a decade tell apart
+/// what overflows and what does not in every family.
 pub fn scan(
     program: &Program,
     input: &dyn Fn(Input) -> Interval,

@@ -26,7 +26,7 @@ fn expression(program: &Program, value: Value, depth: u32) -> String {
         Op::Number(number) => digits(number::round(number, program.precision)),
         Op::Input(input) => input_name(*input),
         Op::Unknown | Op::Root(_) => "stretched time".to_owned(),
-        _ if depth == 0 => "(...)".to_owned(),
+        _ if depth == 0 => "...".to_owned(),
         Op::Neg(a) => format!("-{}", part(a)),
         Op::Add(a, b) => infix(a, " + ", b),
         Op::Sub(a, b) => infix(a, " - ", b),

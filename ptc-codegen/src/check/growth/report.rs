@@ -1,13 +1,12 @@
 //! What a reader is told of [`Growth`].
 
-use super::super::{Outcome, Verdict, digits, poles};
+use super::super::{Outcome, Verdict, digits, poles, to_f64};
 use super::{Growth, Modes};
 
 impl Growth {
     /// The line Re = -m rho.
-    #[allow(clippy::cast_precision_loss)]
     fn line(&self, m: usize) -> f64 {
-        -(m as f64) * self.rho
+        -to_f64(m) * self.rho
     }
 
     /// The poles right of the line -m rho, each with what it misses it by, and those on it. A pole

@@ -1,25 +1,8 @@
-//! The guard that a wanted final error asks for.
-//!
-//! The letter's practical prescribed-time convergence: the law is stopped at time-to-go eps, before
-//! its gains blow up, and what is left of the state then has to be small. With the linear law
-//! xi' = A_cl xi in stretched time, so x(T) = Phi(T) x(t0) with
-//! `Phi(T) = BB_n[mu](T) exp(A_cl kappa(T)) BB_n[kappa](0)`, and
-//! |x_i(T)| <= sum_j |Phi_ij| |x_j(t0)|, with equality for some signs of x(t0).
-//!
-//! *A numeric bound.* Phi is computed in doubles, and T is tried on a logarithmic grid from 1e-12 tau
-//! up: a peak between two of its points is not seen, nor is what happens below it. Where n poles of
-//! high order lie close together it holds to few digits once |x| is far below rounding. Disturbances,
-//! sampling and the limit of u are left out.
+//! The state of a closed loop at any time-to-go, in closed form.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Outcome, Verdict, digits, list, middle};
-
-/// The grid begins at this share of tau.
-const FLOOR: f64 = 1e-12;
-
-/// Ratio of neighbouring points of the grid.
-const STEP: f64 = 1.02;
+use super::super::to_f64;
 
 /// A closed loop in the numbers that its state at the deadline depends on.
 #[derive(Clone, Copy)]
@@ -35,52 +18,15 @@ pub struct ClosedLoop<'a> {
     pub stretched: &'a dyn Fn(f64) -> f64,
 }
 
-/// What a wanted final error asks of the guard.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Deadline {
-    /// The wanted bound of every |x_i|.
-    pub error: f64,
-    /// Settling time tau in s.
-    pub tau: f64,
-    /// The largest eps such that every |x_i| <= error for all T <= eps; none where the error is
-    /// exceeded next to the deadline already.
-    pub largest_eps: Option<f64>,
-    /// The bounds of |x_i| at that eps; where there is none, at 1e-12 tau.
-    pub bounds: Vec<f64>,
-}
-
-/// Finds the largest eps for which |x_i| <= `error` is kept from `x0_max`, the n bounds of |x_i(t0)|.
-pub fn deadline(closed_loop: &ClosedLoop<'_>, x0_max: &[f64], error: f64) -> Deadline {
-    let tau = closed_loop.tau;
-    let start = bell(&(closed_loop.r)(tau), closed_loop.gains.len());
-    let bounds = |time_to_go: f64| closed_loop.bounds(&start, x0_max, time_to_go);
-    // A bound that is not a number is no bound.
-    let kept = |time_to_go: f64| bounds(time_to_go).iter().all(|bound| *bound <= error);
-    let mut eps = FLOOR * tau;
-    if !kept(eps) {
-        return Deadline { error, tau, largest_eps: None, bounds: bounds(eps) };
-    }
-    while eps < tau && kept((eps * STEP).min(tau)) {
-        eps = (eps * STEP).min(tau);
-    }
-    if eps < tau {
-        let mut beyond = (eps * STEP).min(tau);
-        for _ in 0..40 {
-            let between = middle(eps, beyond);
-            if kept(between) {
-                eps = between;
-            } else {
-                beyond = between;
-            }
-        }
-    }
-    Deadline { error, tau, largest_eps: Some(eps), bounds: bounds(eps) }
-}
-
 impl ClosedLoop<'_> {
+    /// BB_n[kappa](0).
+    pub(super) fn start(&self) -> DMatrix<f64> {
+        bell(&(self.r)(self.tau), self.gains.len())
+    }
+
     /// The bounds of |x_i| at time-to-go T; infinite where they cannot be computed. `start` is
     /// BB_n[kappa](0).
-    fn bounds(&self, start: &DMatrix<f64>, x0_max: &[f64], time_to_go: f64) -> Vec<f64> {
+    pub(super) fn bounds(&self, start: &DMatrix<f64>, x0_max: &[f64], time_to_go: f64) -> Vec<f64> {
         let n = self.gains.len();
         let stretched = (self.stretched)(time_to_go);
         let here = bell(&(self.r)(time_to_go), n);
@@ -152,52 +98,10 @@ fn bell(r: &[f64], n: usize) -> DMatrix<f64> {
     entries
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn to_f64(count: usize) -> f64 {
-    count as f64
-}
-
-impl Deadline {
-    /// The outcome for a guard `eps` that the design has chosen, if it has.
-    pub fn outcome(&self, eps: Option<f64>) -> Outcome {
-        let error = digits(self.error);
-        let (verdict, summary, fix) = match (self.largest_eps, eps) {
-            (None, _) => (
-                Verdict::Unsound,
-                format!("|x| exceeds {error} next to the deadline already"),
-                Some("place the poles further left or allow a larger error".to_owned()),
-            ),
-            (Some(largest), Some(eps)) if eps > largest => (
-                Verdict::Unsound,
-                format!(
-                    "eps = {} s is too early to stop: |x| <= {error} from {} s on",
-                    digits(eps),
-                    digits(largest)
-                ),
-                Some(format!("take eps <= {} s or place the poles further left", digits(largest))),
-            ),
-            (Some(largest), _) => (
-                Verdict::Sound,
-                format!("|x| <= {error} for every eps <= {} s", digits(largest)),
-                None,
-            ),
-        };
-        let at = digits(self.largest_eps.unwrap_or(FLOOR * self.tau));
-        let bounds = list(self.bounds.iter().copied());
-        let details = vec![format!("numeric bounds of |x_i| at T = {at} s: {bounds}")];
-        Outcome { name: "deadline", verdict, summary, details, fix }
-    }
-}
-
-impl From<&Deadline> for Outcome {
-    fn from(deadline: &Deadline) -> Self {
-        deadline.outcome(None)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::deadline::deadline;
 
     /// r_k of exp: (-1)^(k-1) a^k T.
     fn exp_r(a: f64) -> impl Fn(f64) -> Vec<f64> {
@@ -213,9 +117,8 @@ mod tests {
     }
 
     fn check_exact(closed_loop: &ClosedLoop<'_>, exact: impl Fn(f64) -> Vec<f64>, j: usize) {
-        let n = closed_loop.gains.len();
-        let start = bell(&(closed_loop.r)(closed_loop.tau), n);
-        let mut x0 = vec![0.0; n];
+        let start = closed_loop.start();
+        let mut x0 = vec![0.0; closed_loop.gains.len()];
         x0[j] = 1.0;
         for share in [1.0, 0.7, 0.1, 1e-3, 1e-6] {
             let t = share * closed_loop.tau;
@@ -307,7 +210,7 @@ mod tests {
         };
         let closed_loop =
             ClosedLoop { gains: &gains, tau: 1.0, r: &exp_r(1.0), stretched: &|t: f64| -t.ln() };
-        let start = bell(&exp_r(1.0)(1.0), 8);
+        let start = closed_loop.start();
         let x0 = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         for (t, tolerance) in [(0.1f64, 1e-8), (1e-3, 1e-4), (1e-6, 0.1)] {
             let term = |pi: &f64| {
@@ -323,21 +226,5 @@ mod tests {
                 "{found:e} for {exact:e} at {t}"
             );
         }
-    }
-
-    #[test]
-    fn a_state_that_does_not_vanish() {
-        let gains = [0.2, 1.2];
-        let closed_loop =
-            ClosedLoop { gains: &gains, tau: 1.0, r: &exp_r(1.0), stretched: &|t: f64| -t.ln() };
-        let found = deadline(&closed_loop, &[1.0, 0.0], 0.1);
-        assert_eq!(found.largest_eps, None);
-        assert_eq!(Outcome::from(&found).summary, "|x| exceeds 0.1 next to the deadline already");
-        let wide = deadline(&ClosedLoop { gains: &[6.0, 5.0], ..closed_loop }, &[1.0, 0.0], 10.0);
-        assert_eq!(wide.largest_eps, Some(1.0));
-        let narrow = deadline(&ClosedLoop { gains: &[6.0, 5.0], ..closed_loop }, &[1.0, 0.0], 0.06);
-        let told = narrow.outcome(Some(0.1));
-        assert_eq!(told.summary, "eps = 0.1 s is too early to stop: |x| <= 0.06 from 0.0101 s on");
-        assert_eq!(told.details, ["numeric bounds of |x_i| at T = 0.0101 s: 3.041e-4, 0.06"]);
     }
 }
