@@ -22,6 +22,7 @@ pub mod mapping;
 pub mod program;
 pub mod spec;
 
+use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
 use emit::{Controller, File, Language};
 use law::Law;
@@ -31,22 +32,24 @@ use spec::{Precision, Spec};
 /// Generates the source files of one controller.
 ///
 /// # Errors
-/// Everything in the spec that cannot be generated.
+/// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let law = Law::of(spec);
-    let program = optimised(spec, &law)?;
-    Ok(emit::emit(&Controller { spec, law: &law, program: &program }, language))
+    let report = examine(spec).accepted()?;
+    let law = Law::of(&report.spec);
+    let program = optimised(&report.spec, &law)?;
+    Ok(emit::emit(&Controller { report: &report, law: &law, program: &program }, language))
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
 /// facade crate `ptc` in place of its own.
 ///
 /// # Errors
-/// Everything in the spec that cannot be generated.
+/// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    let law = Law::of(spec);
-    let program = optimised(spec, &law)?;
-    Ok(emit::emit_items(&Controller { spec, law: &law, program: &program }))
+    let report = examine(spec).accepted()?;
+    let law = Law::of(&report.spec);
+    let program = optimised(&report.spec, &law)?;
+    Ok(emit::emit_items(&Controller { report: &report, law: &law, program: &program }))
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

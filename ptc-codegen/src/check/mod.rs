@@ -7,6 +7,7 @@
 
 pub mod deadline;
 pub mod envelope;
+pub mod examine;
 pub mod growth;
 pub mod poles;
 pub mod polynomial;
@@ -28,6 +29,19 @@ pub enum Verdict {
     Undecided,
     /// Something that the check needs is not known.
     NotChecked,
+}
+
+impl Verdict {
+    /// The verdict in a word or two.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Sound => "sound",
+            Self::Unsound => "unsound",
+            Self::Refuted => "refuted",
+            Self::Undecided => "undecided",
+            Self::NotChecked => "not checked",
+        }
+    }
 }
 
 /// The result of one check, for a reader.

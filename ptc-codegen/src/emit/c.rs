@@ -10,7 +10,7 @@ use crate::spec::{After, Feedback, Guard, Precision, Spec};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
-    let spec = controller.spec;
+    let spec = controller.spec();
     let name = spec.name();
     let real = match spec.precision {
         Precision::F32 => "float",

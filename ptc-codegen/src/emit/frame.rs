@@ -62,7 +62,7 @@ impl Frame {
         real: &'static str,
         syntax: &dyn Syntax,
     ) -> Self {
-        let Controller { spec, program, .. } = *controller;
+        let (spec, program) = (controller.spec(), controller.program);
         let plan = Plan::new(program);
         let body = |function| print::print(&plan, function, syntax);
         let (init, arm) = (body(Routine::Init), body(Routine::Arm));

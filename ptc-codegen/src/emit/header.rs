@@ -16,7 +16,7 @@ const SHOWN: usize = 6;
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
-    let Controller { spec, .. } = controller;
+    let spec = controller.spec();
     let lang = match language {
         Language::C => "c",
         Language::Rust => "rust",
@@ -40,6 +40,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
     lines.extend(mapping(controller));
     lines.extend(law(controller));
     lines.extend(behaviour(controller));
+    lines.extend(checks(controller));
     lines.extend(count(controller));
     lines.into_iter().flat_map(|line| wrap(&line)).collect()
 }
@@ -47,15 +48,15 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
 fn parameters(controller: &Controller<'_>) -> Vec<String> {
     let mut lines = vec![String::new(), "Parameters:".to_owned()];
     let mut last = "";
-    for parameter in controller.spec.parameters() {
+    for parameter in controller.spec().parameters() {
         let key = parameter.key();
         let about = format!(
             "{} [{}], {}",
             parameter.meaning(),
             parameter.unit(),
-            controller.spec.domain(parameter).text()
+            controller.spec().domain(parameter).text()
         );
-        match controller.spec.fixed.get(&parameter) {
+        match controller.spec().fixed.get(&parameter) {
             Some(value) => {
                 let index = parameter.index().map(|i| format!("[{i}]")).unwrap_or_default();
                 lines.push(format!("  {key}{index} = {value}, fixed: {about}"));
@@ -69,7 +70,7 @@ fn parameters(controller: &Controller<'_>) -> Vec<String> {
 }
 
 fn mapping(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec;
+    let spec = controller.spec();
     let head = [
         String::new(),
         "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):"
@@ -140,7 +141,7 @@ fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
 }
 
 fn law(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec;
+    let spec = controller.spec();
     let pi0 = match &spec.feedback {
         Feedback::Linear => "-(k_1 xi_1 + ... + k_n xi_n)".to_owned(),
         Feedback::Expression(law) => law.to_string(),
@@ -197,7 +198,7 @@ fn definitions(base_inverse: Option<Symbol>, rows: &[Poly]) -> Vec<String> {
 }
 
 fn behaviour(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec;
+    let spec = controller.spec();
     let guard = match spec.guard {
         Guard::Full => "full: every input and pointer is checked.",
         Guard::Result => {
@@ -221,10 +222,20 @@ fn behaviour(controller: &Controller<'_>) -> Vec<String> {
     ]
 }
 
+/// What the checks say of the design. What they could not check is a condition for the user.
+fn checks(controller: &Controller<'_>) -> Vec<String> {
+    let mut lines = vec![String::new(), "Checks of the design (ptc-codegen check tells more):".to_owned()];
+    for outcome in &controller.report.outcomes {
+        let verdict = outcome.verdict.text();
+        lines.push(format!("  {}: {verdict}: {}.", outcome.name, outcome.summary));
+    }
+    lines
+}
+
 fn count(controller: &Controller<'_>) -> Vec<String> {
     let program = controller.program;
     let step = cost::count(program, &[program.step], Stage::Tick);
-    let loops = if controller.spec.is_iterated() { ", one round of the iteration" } else { "" };
+    let loops = if controller.spec().is_iterated() { ", one round of the iteration" } else { "" };
     let cycles: Vec<_> = cost::WEIGHTS
         .iter()
         .map(|w| format!("{} about {} cycles", w.target, step.cycles(w)))

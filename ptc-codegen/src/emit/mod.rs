@@ -10,6 +10,7 @@ mod plan;
 mod print;
 mod rust;
 
+use crate::check::examine::Report;
 use crate::law::Law;
 use crate::program::Program;
 use crate::spec::Spec;
@@ -35,12 +36,19 @@ pub struct File {
 /// Everything that a back end is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Controller<'a> {
-    /// What was asked for.
-    pub spec: &'a Spec,
+    /// What was asked for, and what the checks say of it.
+    pub report: &'a Report,
     /// The law, for the documentation in the emitted code.
     pub law: &'a Law,
     /// The optimised program.
     pub program: &'a Program,
+}
+
+impl<'a> Controller<'a> {
+    /// What was asked for.
+    pub fn spec(&self) -> &'a Spec {
+        &self.report.spec
+    }
 }
 
 /// The files of a controller in `language`.

@@ -11,7 +11,7 @@ use crate::spec::{After, Guard, Precision, Spec};
 
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
-    let name = controller.spec.name();
+    let name = controller.spec().name();
     let real = real(controller.spec);
     let items = render(controller, "");
     let calls = |function: &str| items.contains(&format!("math::{function}("));
@@ -21,7 +21,7 @@ pub(super) fn file(controller: &Controller<'_>) -> File {
     let module = Module {
         head: &head.iter().map(|line| format!("//! {line}\n")).collect::<String>(),
         real,
-        functions: functions.map(|f| MathFunction::new(f, controller.spec.precision)).collect(),
+        functions: functions.map(|f| MathFunction::new(f, controller.spec().precision)).collect(),
         items: &items,
     };
     File { name: format!("{name}.rs"), text: tidy(&module.render().unwrap_or_default()) }
@@ -34,7 +34,7 @@ pub(super) fn items(controller: &Controller<'_>) -> String {
 
 /// The items; `runtime` is the path of the types that they stand on.
 fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
-    let spec = controller.spec;
+    let spec = controller.spec();
     let frame = Frame::new(controller, real(spec), &Rust { spec, runtime });
     let (type_name, parameters) = (spec.type_name(), declared(spec));
     let hold = match spec.after {

@@ -1,0 +1,227 @@
+//! All checks on one design, and what follows from them for the guard eps.
+
+mod known;
+mod numbers;
+
+use known::{decay_rate, fixed_gains, is_known};
+use numbers::Numbers;
+
+use super::envelope::{Interval, scan};
+use super::growth::growth;
+use super::membership::prove;
+use super::sampling::sampling;
+use super::{Outcome, Verdict};
+use crate::check::deadline::{ClosedLoop, deadline};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::law::Law;
+use crate::lower::lower;
+use crate::program::{Input, number, passes};
+use crate::spec::{Feedback, Fixed, Parameter, Spec};
+
+/// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
+const PIECES: f64 = 20.0;
+
+/// What the checks found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// The design, with eps where a check has set it.
+    pub spec: Spec,
+    /// One outcome for each check.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Report {
+    /// The outcomes for which the design is refused: those that fail and are not allowed to.
+    pub fn refusals(&self) -> impl Iterator<Item = &Outcome> {
+        let allowed = &self.spec.promises.allow;
+        self.outcomes.iter().filter(move |outcome| {
+            matches!(outcome.verdict, Verdict::Unsound | Verdict::Refuted)
+                && !allowed.iter().any(|name| name == outcome.name)
+        })
+    }
+
+    /// The refusals as mistakes in the spec.
+    ///
+    /// # Errors
+    /// One diagnostic for each refusal.
+    pub fn accepted(self) -> Result<Self, Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        for outcome in self.refusals() {
+            let fix = outcome.fix.as_ref().map(|fix| format!("{fix}; ")).unwrap_or_default();
+            found.push(
+                outcome.name,
+                self.spec.key_of(outcome.name),
+                None,
+                format!("{}: {}", outcome.name, outcome.summary),
+                format!("{fix}`allow` = {} lets it pass", outcome.name),
+            );
+        }
+        found.finish(Some(self))
+    }
+}
+
+/// Runs every check on `spec`. What lacks a value is not checked, and says which value.
+pub fn examine(spec: &Spec) -> Report {
+    let mut spec = spec.clone();
+    let membership = membership(&spec);
+    let growth = check_growth(&spec);
+    let (sampling, deadline) = guard(&mut spec);
+    let envelope = envelope(&spec);
+    Report { spec, outcomes: vec![membership, growth, sampling, deadline, envelope] }
+}
+
+fn membership(spec: &Spec) -> Outcome {
+    let Some(custom) = spec.custom() else {
+        return Outcome {
+            name: "membership",
+            verdict: Verdict::Sound,
+            summary: format!("{} is of class M for all its parameters", spec.mapping_name()),
+            details: Vec::new(),
+            fix: None,
+        };
+    };
+    let ranges = |parameter| {
+        let exact = |value: &Fixed| value.number().cloned();
+        match (spec.fixed.get(&parameter), spec.bounds.get(&parameter)) {
+            (Some(value), _) => exact(value).map(|value| (value.clone(), value)),
+            (None, Some((least, greatest))) => exact(least).zip(exact(greatest)),
+            (None, None) => None,
+        }
+    };
+    Outcome::from(&prove(custom, spec.n, &ranges))
+}
+
+fn check_growth(spec: &Spec) -> Outcome {
+    let lacks = |reason: &str| Outcome::not_checked("growth", reason);
+    if spec.feedback != Feedback::Linear {
+        return lacks("the law is no sum of gains, so its poles are not known");
+    }
+    let Some(gains) = fixed_gains(spec) else {
+        return lacks("the gains are left to run time: their poles must lie left of -n rho");
+    };
+    let (rate, modes) = decay_rate(spec);
+    let zero = crate::algebra::integer(0);
+    match rate {
+        Some(rate) => Outcome::from(&growth(&gains, &rate, modes)),
+        None => {
+            // A pole that fails for the slowest mapping fails for every one.
+            let at_rest = growth(&gains, &zero, modes);
+            if !at_rest.x_to_zero {
+                return Outcome::from(&at_rest);
+            }
+            let limit = at_rest.largest_rho.map_or("no rate".to_owned(), super::digits);
+            lacks(&format!(
+                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {limit}"
+            ))
+        }
+    }
+}
+
+/// What the sample period and the wanted error ask of eps; sets it where the design leaves it open.
+fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
+    let number = |value: &Option<Fixed>| value.as_ref().and_then(known::to_f64);
+    let (period, error) = (number(&spec.promises.sample_time), number(&spec.promises.error));
+    let unasked = |name, key: &str| Outcome::not_checked(name, format!("`{key}` is not given"));
+    let lacking = known::lacking(spec);
+    let lacks = |name| {
+        let reason = match &lacking {
+            Some(lacking) => format!("it needs {lacking}"),
+            None => String::new(),
+        };
+        Outcome::not_checked(name, reason)
+    };
+    if period.is_none() && error.is_none() {
+        return (unasked("sampling", "sample_time"), unasked("deadline", "error"));
+    }
+    if lacking.is_some() {
+        return (lacks("sampling"), lacks("deadline"));
+    }
+    let numbers = Numbers::new(spec);
+    let tau = numbers.tau;
+    let sampled = period.map(|period| sampling(&|t| numbers.gains(t), period, tau));
+    let bounds: Vec<_> = spec.promises.x0_max.iter().filter_map(known::to_f64).collect();
+    let ended = error.map(|error| {
+        let gains = numbers.feedback();
+        let closed_loop = ClosedLoop {
+            gains: &gains,
+            tau,
+            r: &|t| numbers.r(t),
+            stretched: &|t| numbers.stretched(t),
+        };
+        deadline(&closed_loop, &bounds, error)
+    });
+    if !spec.fixed.contains_key(&Parameter::Eps) {
+        // The largest eps is the gentlest on noise; the period then only has to bear it.
+        let wanted = ended.as_ref().and_then(|ended| ended.largest_eps.filter(|eps| *eps < tau));
+        let eps = wanted.or(sampled.as_ref().and_then(|sampled| sampled.default_eps));
+        if let Some(fixed) = eps.and_then(known::rounded_down) {
+            spec.fixed.insert(Parameter::Eps, fixed);
+        }
+    }
+    let eps = spec.fixed.get(&Parameter::Eps).and_then(known::to_f64);
+    (
+        sampled.map_or_else(|| unasked("sampling", "sample_time"), |s| s.outcome(eps)),
+        ended.map_or_else(|| unasked("deadline", "error"), |d| d.outcome(eps)),
+    )
+}
+
+fn envelope(spec: &Spec) -> Outcome {
+    let lacks = |reason: String| Outcome::not_checked("envelope", reason);
+    if spec.promises.x_max.is_empty() {
+        return lacks("`x_max` is not given".to_owned());
+    }
+    if spec.feedback == Feedback::Extern {
+        return lacks("the law is a function of yours, whose range is not known".to_owned());
+    }
+    let open = |p: &Parameter| {
+        !matches!(p, Parameter::UMax | Parameter::StartTime)
+            && !is_known(spec, *p)
+            && !spec.bounds.contains_key(p)
+    };
+    if let Some(open) = spec.parameters().into_iter().find(open) {
+        return lacks(format!("`{}` is left to run time without bounds", open.spelling()));
+    }
+    let law = Law::of(spec);
+    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
+    let round = |value: &Fixed| {
+        value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
+    };
+    let parameter = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {
+        (Some(value), _) if p != Parameter::UMax => Interval::point(round(value)),
+        (_, Some((least, greatest))) => Interval::new(round(least), round(greatest)),
+        _ => Interval::point(0.0),
+    };
+    let around = |bounds: &[Fixed], j: usize| {
+        bounds.get(j - 1).map(|bound| Interval::new(-round(bound), round(bound)))
+    };
+    let promises = &spec.promises;
+    let input = |input: Input| match input {
+        Input::Parameter(p) => parameter(p),
+        Input::StartTime => parameter(Parameter::StartTime),
+        Input::State(j) => around(&promises.x_max, j).unwrap_or(Interval::ANY),
+        Input::StateAtStart(j) => around(&promises.x0_max, j)
+            .or_else(|| around(&promises.x_max, j))
+            .unwrap_or(Interval::ANY),
+        Input::Time | Input::Gain(_) => Interval::ANY,
+    };
+    let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
+    let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    Outcome::from(&scan(&program, &input, eps, tau, pieces.ceil() as u32))
+}
+
+impl Spec {
+    /// The key of the spec that decides a check.
+    fn key_of(&self, check: &str) -> &'static str {
+        match check {
+            "membership" if self.custom().is_some_and(|c| c.subject.key() == "kappa") => "kappa",
+            "membership" => "mu",
+            "growth" if !self.poles.is_empty() => "poles",
+            "growth" => "gains",
+            "envelope" => "x_max",
+            _ if self.fixed.contains_key(&Parameter::Eps) => "eps",
+            "sampling" => "sample_time",
+            _ => "error",
+        }
+    }
+}
