@@ -1,3 +1,4 @@
 //! Checks of a design.
 
+pub mod membership;
 pub mod poles;
