@@ -9,6 +9,7 @@ pub mod deadline;
 pub mod envelope;
 pub mod examine;
 pub mod growth;
+pub mod membership;
 pub mod poles;
 pub mod polynomial;
 pub mod sampling;

@@ -25,10 +25,12 @@ Examples:
   ptc-codegen list                                    the families of time mappings
   ptc-codegen emit --lang c --n 3 --mu exp -o out     out/ptc_exp3.h and out/ptc_exp3.c
   ptc-codegen new roll                                roll.toml, a design file to begin with
+  ptc-codegen check roll.toml                         does the design keep its promise?
   ptc-codegen emit roll.toml --lang c -o out          out/roll.h and out/roll.c
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
-Exit codes: 0 done, 1 --check found drift, 2 bad input or a place that cannot be written.";
+Exit codes: 0 done, 1 a design is refused or --check found drift, 2 bad input or a place that
+cannot be written.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -39,6 +41,13 @@ pub(crate) enum Command {
                           ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]"
     )]
     Emit(Emit),
+    /// Check a design: its mapping, its gains at the deadline, sampling, final error and overflow
+    #[command(
+        after_help = CHECK_EXAMPLES,
+        override_usage = "ptc-codegen check <DESIGN> [OPTIONS]\n       \
+                          ptc-codegen check --n <N> --mu <MU> [OPTIONS]"
+    )]
+    Check(Check),
     /// Print the expansions behind a controller
     #[command(
         after_help = SHOW_EXAMPLES,
@@ -67,6 +76,30 @@ Examples:
       what the file roll.toml says, but for tau
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check
       writes nothing; exit code 1 if the files in out are not what would be written";
+
+const CHECK_EXAMPLES: &str = "\
+What lacks a value is not checked, and the report says which value. Exit codes: 0 the design is
+accepted, 1 it is refused, 2 bad input.
+
+JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"checks\":[{\"name\":\"growth\",
+\"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound,
+refuted, undecided or not checked.
+
+Examples:
+  ptc-codegen check roll.toml
+  ptc-codegen check roll.toml --sample-time 1e-3 --format json
+  ptc-codegen check --n 2 --mu \"exp(a=1)\" --poles=-4,-5";
+
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) design: Design,
+    #[command(flatten)]
+    pub(crate) spec: SpecFlags,
+    /// Notation
+    #[arg(long, value_enum, default_value = "text")]
+    pub(crate) format: ListFormat,
+}
 
 /// The design file of a command that can have one.
 #[derive(Debug, Args)]

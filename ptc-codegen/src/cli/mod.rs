@@ -1,8 +1,10 @@
 //! The command line: flags and a design file in, files or text out; every mistake goes to the standard error.
 //!
-//! Exit codes: 0 done, 1 `--check` found drift, 2 bad input or a place that cannot be written.
+//! Exit codes: 0 done, 1 a check refuses the design or `--check` found drift, 2 bad input or a place
+//! that cannot be written.
 
 mod args;
+mod check;
 mod emit;
 mod list;
 mod new;
@@ -32,6 +34,7 @@ pub(crate) fn run() -> ExitCode {
 fn execute(command: Command) -> Result<(), Failure> {
     match command {
         Command::Emit(request) => emit::emit(&request),
+        Command::Check(request) => check::check(&request),
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),

@@ -25,6 +25,11 @@ impl Failure {
         Self { exit: 1, notices }
     }
 
+    /// A check refuses the design.
+    pub(crate) fn refused(notices: Vec<Notice>) -> Self {
+        Self { exit: 1, notices }
+    }
+
     /// One thing went wrong that no flag's value is to blame for.
     pub(crate) fn because(title: String, help: &str) -> Self {
         Self { exit: 2, notices: vec![Notice { help: Some(help.to_owned()), ..Notice::of(title) }] }

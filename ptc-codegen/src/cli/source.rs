@@ -45,6 +45,12 @@ pub(crate) struct Parsed<'a> {
     found: Vec<Diagnostic>,
 }
 
+/// Whether one key stands in place of the other: they are the same, or say the same in two ways.
+fn rivals(one: &str, other: &str) -> bool {
+    let groups = [["mu", "kappa", ""], ["gains", "poles", "pi0"]];
+    one == other || groups.iter().any(|group| group.contains(&one) && group.contains(&other))
+}
+
 /// The flag of a key.
 pub(crate) fn flag(key: &str) -> String {
     format!("--{}", key.replace('_', "-"))
@@ -85,7 +91,7 @@ impl Source {
             Parsed { source: self, places: Vec::new(), entries: Vec::new(), found: Vec::new() };
         if let Some((_, text)) = &self.file {
             let (entries, found) = design::read(text, &mut |range| parsed.place(Spot::File(range)));
-            let stands = |key: &str| self.given.iter().all(|flag| flag.key != whole(key));
+            let stands = |key: &str| self.given.iter().all(|flag| !rivals(&flag.key, whole(key)));
             parsed.entries.extend(entries.into_iter().filter(|entry| stands(&entry.key)));
             // What is no TOML is told in any case: the file is wrong whatever stands for its keys.
             let kept = |wrong: &Diagnostic| wrong.code == design::SYNTAX || stands(&wrong.key);

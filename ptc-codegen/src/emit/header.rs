@@ -224,7 +224,8 @@ fn behaviour(controller: &Controller<'_>) -> Vec<String> {
 
 /// What the checks say of the design. What they could not check is a condition for the user.
 fn checks(controller: &Controller<'_>) -> Vec<String> {
-    let mut lines = vec![String::new(), "Checks of the design (ptc-codegen check tells more):".to_owned()];
+    let mut lines =
+        vec![String::new(), "Checks of the design (ptc-codegen check tells more):".to_owned()];
     for outcome in &controller.report.outcomes {
         let verdict = outcome.verdict.text();
         lines.push(format!("  {}: {verdict}: {}.", outcome.name, outcome.summary));

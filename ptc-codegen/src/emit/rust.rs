@@ -12,7 +12,7 @@ use crate::spec::{After, Guard, Precision, Spec};
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec().name();
-    let real = real(controller.spec);
+    let real = real(controller.spec());
     let items = render(controller, "");
     let calls = |function: &str| items.contains(&format!("math::{function}("));
     let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow"]);

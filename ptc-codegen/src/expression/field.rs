@@ -81,7 +81,7 @@ impl Field {
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
         use Expression as E;
         Some(match expression {
-            E::Number(number) => vec![Ratio::number(number.clone())],
+            E::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
             E::Pi | E::Parameter(_) | E::Variable(_) => vec![self.atom(expression.clone())?],
             E::Neg(a) => self.terms(a)?.iter().map(Ratio::neg).collect(),
             E::Add(a, b) => sum(self.terms(a)?, self.terms(b)?)?,
@@ -148,6 +148,9 @@ impl Field {
             return self.exponential(&(**a).clone().mul(exponent.clone()));
         }
         let base = self.fraction(base)?;
+        if base == Ratio::number(integer(1)) {
+            return Some(base);
+        }
         let exponent_ratio = self.fraction(exponent)?;
         if let Some(number) = exponent_ratio.as_number() {
             let (p, q) = (number.numer().to_i32()?, number.denom().to_i32()?);

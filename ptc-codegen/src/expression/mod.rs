@@ -6,6 +6,7 @@
 mod compact;
 mod derivative;
 mod field;
+pub(crate) mod interval;
 pub(crate) mod leading;
 pub(crate) mod normal;
 mod print;

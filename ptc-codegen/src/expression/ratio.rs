@@ -99,6 +99,11 @@ impl Ratio {
         Self::of(Poly::constant(value))
     }
 
+    /// It, if its numbers are within the bounds.
+    pub(super) fn bounded(self) -> Option<Self> {
+        Some(Self { num: bounded(self.num)?, den: self.den })
+    }
+
     pub(super) fn scaled(&self, by: &BigRational) -> Self {
         Self { num: self.num.scaled(by), den: self.den.clone() }
     }

@@ -22,6 +22,9 @@ pub(crate) enum Sign {
     Positive,
 }
 
+/// Most calls within calls.
+const MAX_DEPTH: usize = 7;
+
 use Sign::{Negative, NotNegative, NotPositive, Positive, Zero};
 
 impl Sign {
@@ -66,16 +69,28 @@ pub(crate) fn positive_parameters(name: &Expression) -> Option<Sign> {
 
 /// The sign of an expression; none where it is not found.
 pub(crate) fn sign(expression: &Expression, names: Names<'_>) -> Option<Sign> {
-    let mut field = Field::default();
-    let terms = field.terms(expression)?;
-    let apart = terms.iter().try_fold(Zero, |sum, term| sum.plus(of_ratio(&field, term, names)?));
-    apart.or_else(|| of_ratio(&field, &Field::combined(&terms)?, names))
+    of(expression, Context { names, depth: MAX_DEPTH })
 }
 
-fn of_ratio(field: &Field, ratio: &Ratio, names: Names<'_>) -> Option<Sign> {
-    let mut sign = of_poly(field, &ratio.num, names)?;
+/// The signs of names, and how many calls within calls are looked into.
+#[derive(Clone, Copy)]
+struct Context<'a> {
+    names: Names<'a>,
+    depth: usize,
+}
+
+fn of(expression: &Expression, known: Context<'_>) -> Option<Sign> {
+    let known = Context { depth: known.depth.checked_sub(1)?, ..known };
+    let mut field = Field::default();
+    let terms = field.terms(expression)?;
+    let apart = terms.iter().try_fold(Zero, |sum, term| sum.plus(of_ratio(&field, term, known)?));
+    apart.or_else(|| of_ratio(&field, &Field::combined(&terms)?, known))
+}
+
+fn of_ratio(field: &Field, ratio: &Ratio, known: Context<'_>) -> Option<Sign> {
+    let mut sign = of_poly(field, &ratio.num, known)?;
     for (factor, count) in &ratio.den {
-        match of_poly(field, factor, names)? {
+        match of_poly(field, factor, known)? {
             Positive => {}
             Negative if count % 2 == 0 => {}
             Negative => sign = sign.neg(),
@@ -85,10 +100,10 @@ fn of_ratio(field: &Field, ratio: &Ratio, names: Names<'_>) -> Option<Sign> {
     Some(sign)
 }
 
-fn of_poly(field: &Field, poly: &Poly, names: Names<'_>) -> Option<Sign> {
+fn of_poly(field: &Field, poly: &Poly, known: Context<'_>) -> Option<Sign> {
     let term = |m: &Monomial, negative: bool| {
         let product = m.factors().iter().try_fold(Positive, |product, (symbol, exponent)| {
-            let mut sign = of_kernel(field, *symbol, names);
+            let mut sign = of_kernel(field, *symbol, known);
             if exponent % 2 == 0 {
                 sign = match sign {
                     Some(Positive | Negative) => Some(Positive),
@@ -108,15 +123,18 @@ fn of_poly(field: &Field, poly: &Poly, names: Names<'_>) -> Option<Sign> {
         Some(if negative { product.neg() } else { product })
     };
     let direct = poly.terms().try_fold(Zero, |sum, (m, c)| sum.plus(term(m, c.is_negative())?));
-    direct.or_else(|| above_one(field, poly, names))
+    direct.or_else(|| {
+        let known = Context { depth: known.depth.checked_sub(2)?, ..known };
+        above_one(field, poly, known)
+    })
 }
 
 /// With e^u for u >= 0 written as 1 + h, h >= 0: a polynomial whose terms then have one sign.
-fn above_one(field: &Field, poly: &Poly, names: Names<'_>) -> Option<Sign> {
+fn above_one(field: &Field, poly: &Poly, known: Context<'_>) -> Option<Sign> {
     let symbols = poly.symbols();
     let grows = |symbol: &&Symbol| match field.kernel(**symbol) {
         Some(Kernel::Exp(unit)) => {
-            matches!(of_ratio(field, unit, names), Some(Positive | NotNegative | Zero))
+            matches!(of_ratio(field, unit, known), Some(Positive | NotNegative | Zero))
         }
         _ => false,
     };
@@ -133,18 +151,18 @@ fn above_one(field: &Field, poly: &Poly, names: Names<'_>) -> Option<Sign> {
     let by_power = in_h.collect(*growing);
     let mut total = Zero;
     for (power, coefficient) in by_power {
-        let own = of_poly(field, &coefficient, names)?;
+        let own = of_poly(field, &coefficient, known)?;
         total = total.plus(if power == 0 { own } else { own.times(NotNegative) })?;
     }
     Some(total)
 }
 
-fn of_kernel(field: &Field, symbol: Symbol, names: Names<'_>) -> Option<Sign> {
+fn of_kernel(field: &Field, symbol: Symbol, known: Context<'_>) -> Option<Sign> {
     match field.kernel(symbol)? {
         Kernel::Atom(Expression::Pi) | Kernel::Exp(_) => Some(Positive),
-        Kernel::Atom(Expression::Call(function, a)) => of_call(*function, a, names),
-        Kernel::Atom(atom) => names(atom),
-        Kernel::Root(base, index) => match of_ratio(field, base, names)? {
+        Kernel::Atom(Expression::Call(function, a)) => of_call(*function, a, known),
+        Kernel::Atom(atom) => of_atom(atom, known),
+        Kernel::Root(base, index) => match of_ratio(field, base, known)? {
             Positive => Some(Positive),
             Zero | NotNegative if index.number().is_some() => Some(NotNegative),
             sign if *index == Expression::integer(1) => Some(sign),
@@ -153,20 +171,45 @@ fn of_kernel(field: &Field, symbol: Symbol, names: Names<'_>) -> Option<Sign> {
     }
 }
 
-fn of_call(function: Function, a: &Expression, names: Names<'_>) -> Option<Sign> {
+fn of_atom(atom: &Expression, known: Context<'_>) -> Option<Sign> {
+    let (Expression::Min(a, b) | Expression::Max(a, b)) = atom else { return (known.names)(atom) };
+    let greater = match of(&(**a).clone().sub((**b).clone()), known) {
+        Some(Positive | NotNegative | Zero) => true,
+        Some(_) => false,
+        None => {
+            let both = [of(a, known)?, of(b, known)?];
+            return (both[0] == both[1]).then_some(both[0]);
+        }
+    };
+    of(if greater == matches!(atom, Expression::Max(..)) { a } else { b }, known)
+}
+
+fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sign> {
     match function {
         Function::Exp | Function::Cosh => Some(Positive),
-        Function::Abs => match sign(a, names) {
+        Function::Abs => match of(a, known) {
             Some(Positive | Negative) => Some(Positive),
             _ => Some(NotNegative),
         },
-        Function::Ln => sign(&a.clone().sub(Expression::Number(integer(1))), names),
+        Function::Ln => of(&a.clone().sub(Expression::Number(integer(1))), known),
         Function::Sign
         | Function::Sqrt
         | Function::Sinh
         | Function::Tanh
         | Function::Atan
-        | Function::Atanh => sign(a, names),
-        Function::Sin | Function::Cos | Function::Tan => None,
+        | Function::Atanh => of(a, known),
+        // Between -pi/2 and pi/2, or for the sine between 0 and pi.
+        Function::Sin | Function::Cos | Function::Tan => {
+            let below = |part: i64| {
+                let bound = Expression::Pi.div(Expression::integer(part));
+                of(&bound.clone().sub(a.clone()), known) == Some(Positive)
+                    && of(&bound.add(a.clone()), known) == Some(Positive)
+            };
+            match function {
+                Function::Cos => below(2).then_some(Positive),
+                Function::Sin => below(1).then(|| of(a, known))?,
+                _ => below(2).then(|| of(a, known))?,
+            }
+        }
     }
 }

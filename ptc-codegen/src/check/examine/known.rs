@@ -74,8 +74,7 @@ pub(super) fn lacking(spec: &Spec) -> Option<String> {
         return Some("a linear law".to_owned());
     }
     let needed = |p: &Parameter| {
-        !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax)
-            && !is_known(spec, *p)
+        !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax) && !is_known(spec, *p)
     };
     let of_gain = spec.input_gain.as_ref().map(Expression::parameters).unwrap_or_default();
     let open = spec.parameters().into_iter().filter(|p| !of_gain.contains(p)).find(needed)?;

@@ -52,7 +52,7 @@ impl Report {
                 outcome.name,
                 self.spec.key_of(outcome.name),
                 None,
-                format!("{}: {}", outcome.name, outcome.summary),
+                outcome.summary.clone(),
                 format!("{fix}`allow` = {} lets it pass", outcome.name),
             );
         }

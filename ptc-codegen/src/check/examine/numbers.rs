@@ -31,8 +31,7 @@ impl<'a> Numbers<'a> {
         // The guard is what is sought: nothing is held here.
         linear.fixed.remove(&Parameter::Eps);
         let observer = Spec { feedback: Feedback::Extern, ..linear.clone() };
-        let program =
-            |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        let program = |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
         let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(f64::NAN);
         Self { spec, tau, linear: program(&linear), observer: program(&observer) }
     }

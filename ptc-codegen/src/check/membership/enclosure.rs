@@ -1,0 +1,91 @@
+//! Enclosures of an expression over intervals of what stands in it, with a bound on the work.
+
+use std::collections::BTreeMap;
+
+use astro_float_num::Consts;
+
+use crate::expression::interval::Interval;
+use crate::expression::{Expression, Function};
+
+/// Most operations on intervals for one mapping: well below a second.
+const MAX_OPERATIONS: usize = 60_000;
+
+/// Evaluates expressions, until the work is used up.
+pub(super) struct Evaluator {
+    cache: Option<Consts>,
+    left: usize,
+}
+
+/// A value, and whether something in it has none for all of the arguments.
+pub(super) struct Value {
+    pub(super) interval: Interval,
+    pub(super) is_undefined: bool,
+}
+
+/// The intervals of names.
+pub(super) type Names = BTreeMap<Expression, Interval>;
+
+impl Evaluator {
+    pub(super) fn new() -> Self {
+        Self { cache: Consts::new().ok(), left: MAX_OPERATIONS }
+    }
+
+    /// Whether no work is left.
+    pub(super) fn is_spent(&self) -> bool {
+        self.left == 0 || self.cache.is_none()
+    }
+
+    /// The values of an expression; none for an unknown name or where the work is used up.
+    pub(super) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
+        let mut is_undefined = false;
+        let interval = self.enclose(expression, names, &mut is_undefined)?;
+        Some(Value { interval, is_undefined })
+    }
+
+    fn enclose(&mut self, e: &Expression, names: &Names, off: &mut bool) -> Option<Interval> {
+        use Expression as E;
+        self.left = self.left.checked_sub(1)?;
+        let zero = || Interval::integer(0);
+        Some(match e {
+            E::Number(number) => Interval::exact(number),
+            E::Pi => Interval::pi(self.cache.as_mut()?),
+            E::Parameter(_) | E::Variable(_) => names.get(e)?.clone(),
+            E::Neg(a) => self.enclose(a, names, off)?.neg(),
+            E::Add(a, b) => self.enclose(a, names, off)?.plus(&self.enclose(b, names, off)?),
+            E::Sub(a, b) => self.enclose(a, names, off)?.plus(&self.enclose(b, names, off)?.neg()),
+            E::Mul(a, b) => self.enclose(a, names, off)?.times(&self.enclose(b, names, off)?),
+            E::Div(a, b) => self.enclose(a, names, off)?.over(&self.enclose(b, names, off)?),
+            E::Min(a, b) => self.enclose(a, names, off)?.least(&self.enclose(b, names, off)?),
+            E::Max(a, b) => self.enclose(a, names, off)?.most(&self.enclose(b, names, off)?),
+            E::Power(a, b) => {
+                let base = self.enclose(a, names, off)?;
+                if let Some(k) = b.small_integer() {
+                    return Some(base.whole_power(k));
+                }
+                let exponent = self.enclose(b, names, off)?;
+                *off |= base.is_negative();
+                if base.is_not_negative() {
+                    base.power(&exponent, self.cache.as_mut()?)
+                } else {
+                    Interval::whole()
+                }
+            }
+            E::Call(function, a) => {
+                let inner = self.enclose(a, names, off)?;
+                let one = Interval::integer(1);
+                *off |= match function {
+                    Function::Ln | Function::Sqrt => inner.is_negative(),
+                    Function::Atanh => {
+                        one.plus(&inner).is_negative() || one.plus(&inner.neg()).is_negative()
+                    }
+                    _ => false,
+                };
+                if *function == Function::Ln && !inner.is_not_negative() && !inner.is_negative() {
+                    // Only its positive part has logarithms.
+                    return Some(inner.most(&zero()).call(*function, self.cache.as_mut()?));
+                }
+                inner.call(*function, self.cache.as_mut()?)
+            }
+        })
+    }
+}

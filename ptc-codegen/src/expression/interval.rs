@@ -1,0 +1,447 @@
+//! Intervals that certainly hold the values of an expression.
+//!
+//! Sums, products and quotients are rounded outwards by the library of long floats. Its functions
+//! are taken to twice the precision and widened by far more than their error: its directed
+//! rounding of a function does not end where the exact result is representable.
+
+use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode};
+use num_traits::{Signed, ToPrimitive};
+
+use super::Function;
+use crate::algebra::{BigInt, BigRational};
+
+const BITS: usize = 64;
+const LONG: usize = 128;
+const DOWN: RoundingMode = RoundingMode::Down;
+const UP: RoundingMode = RoundingMode::Up;
+/// Ends beyond 2^MAX_EXPONENT count as infinite, so that no function meets a number whose
+/// reduction would take as many digits.
+const MAX_EXPONENT: i32 = 4096;
+
+/// The numbers from `low` to `high`, either of which may be infinite.
+#[derive(Clone, Debug)]
+pub(crate) struct Interval {
+    low: BigFloat,
+    high: BigFloat,
+}
+
+fn small(value: i64) -> BigFloat {
+    BigFloat::from_i64(value, BITS)
+}
+
+fn below(a: &BigFloat, b: &BigFloat) -> bool {
+    a.cmp(b).is_some_and(|order| order < 0)
+}
+
+/// 2^exponent.
+fn two_to(exponent: i32) -> BigFloat {
+    let mut result = small(1);
+    result.set_exponent(exponent + 1);
+    result
+}
+
+impl Interval {
+    /// An interval with these ends; the whole line where one of them is no number.
+    fn new(low: BigFloat, high: BigFloat) -> Self {
+        if low.is_nan() || high.is_nan() {
+            return Self::whole();
+        }
+        let huge = |x: &BigFloat| x.exponent().is_some_and(|e| e > MAX_EXPONENT);
+        let tiny = |x: &BigFloat| x.exponent().is_some_and(|e| e < -MAX_EXPONENT) && !x.is_zero();
+        let low = match &low {
+            x if huge(x) && x.is_positive() => two_to(MAX_EXPONENT - 1),
+            x if huge(x) => INF_NEG,
+            x if tiny(x) && x.is_positive() => small(0),
+            x if tiny(x) => two_to(-MAX_EXPONENT).neg(),
+            _ => low,
+        };
+        let high = match &high {
+            x if huge(x) && x.is_negative() => two_to(MAX_EXPONENT - 1).neg(),
+            x if huge(x) => INF_POS,
+            x if tiny(x) && x.is_negative() => small(0),
+            x if tiny(x) => two_to(-MAX_EXPONENT),
+            _ => high,
+        };
+        Self { low, high }
+    }
+
+    /// Every number.
+    pub(crate) fn whole() -> Self {
+        Self { low: INF_NEG, high: INF_POS }
+    }
+
+    /// One integer.
+    pub(crate) fn integer(value: i64) -> Self {
+        Self { low: small(value), high: small(value) }
+    }
+
+    /// From an exact number to another one, `None` for no bound.
+    pub(crate) fn between(low: &BigRational, high: Option<&BigRational>) -> Self {
+        let high = high.map_or(INF_POS, |high| Self::exact(high).high);
+        Self::new(Self::exact(low).low, high)
+    }
+
+    /// An exact number.
+    pub(crate) fn exact(value: &BigRational) -> Self {
+        Self::of_integer(value.numer()).over(&Self::of_integer(value.denom()))
+    }
+
+    fn of_integer(value: &BigInt) -> Self {
+        if let Some(value) = value.to_i64().filter(|v| v.unsigned_abs() < 1 << 62) {
+            return Self::integer(value);
+        }
+        // The leading 60 bits, and one more unit of the last of them.
+        let cut = value.magnitude().bits().saturating_sub(60);
+        let Ok(shift) = i32::try_from(cut) else { return Self::whole() };
+        let head = (value.magnitude() >> cut).to_i64().unwrap_or(i64::MAX);
+        let lift = |head: i64| {
+            let mut x = small(head);
+            if let Some(exponent) = x.exponent() {
+                x.set_exponent(exponent.saturating_add(shift));
+            }
+            x
+        };
+        let size = Self::new(lift(head), lift(head + 1));
+        if value.is_negative() { size.neg() } else { size }
+    }
+
+    /// The circle constant.
+    pub(crate) fn pi(cache: &mut Consts) -> Self {
+        Self::around(cache.pi(LONG, RoundingMode::None))
+    }
+
+    /// What a function of the library gave, with a margin that its error cannot reach.
+    fn around(value: BigFloat) -> Self {
+        if value.is_inf() || value.is_zero() {
+            return Self::new(value.clone(), value);
+        }
+        let margin = value.abs().mul(&two_to(-60), BITS, UP);
+        let (low, high) = (value.sub(&margin, BITS, DOWN), value.add(&margin, BITS, UP));
+        Self::new(low, high)
+    }
+
+    /// Whether all of it is > 0.
+    pub(crate) fn is_positive(&self) -> bool {
+        below(&small(0), &self.low)
+    }
+
+    /// Whether all of it is < 0.
+    pub(crate) fn is_negative(&self) -> bool {
+        below(&self.high, &small(0))
+    }
+
+    /// Whether all of it is >= 0.
+    pub(crate) fn is_not_negative(&self) -> bool {
+        !below(&self.low, &small(0))
+    }
+
+    /// Whether 0 is in it.
+    pub(crate) fn has_zero(&self) -> bool {
+        !self.is_positive() && !self.is_negative()
+    }
+
+    /// Whether every number of `self` is in `other`, with room on both sides.
+    pub(crate) fn is_inside(&self, other: &Self) -> bool {
+        below(&other.low, &self.low) && below(&self.high, &other.high)
+    }
+
+    /// The least interval that holds both.
+    fn hull(&self, other: &Self) -> Self {
+        Self::new(self.low.min(&other.low), self.high.max(&other.high))
+    }
+
+    /// -a.
+    pub(crate) fn neg(&self) -> Self {
+        Self { low: self.high.neg(), high: self.low.neg() }
+    }
+
+    /// a + b.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self::new(self.low.add(&other.low, BITS, DOWN), self.high.add(&other.high, BITS, UP))
+    }
+
+    /// a * b; 0 times an infinite end is 0, as the end itself is not in the interval.
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let product = |a: &BigFloat, b: &BigFloat, mode| {
+            if a.is_zero() || b.is_zero() { small(0) } else { a.mul(b, BITS, mode) }
+        };
+        let ends = [
+            (&self.low, &other.low),
+            (&self.low, &other.high),
+            (&self.high, &other.low),
+            (&self.high, &other.high),
+        ];
+        let lows = ends.map(|(a, b)| product(a, b, DOWN));
+        let highs = ends.map(|(a, b)| product(a, b, UP));
+        let low = lows.iter().fold(INF_POS, |least, x| least.min(x));
+        let high = highs.iter().fold(INF_NEG, |most, x| most.max(x));
+        Self::new(low, high)
+    }
+
+    /// a / b, the whole line where 0 is inside b.
+    pub(crate) fn over(&self, other: &Self) -> Self {
+        self.times(&other.reciprocal())
+    }
+
+    fn reciprocal(&self) -> Self {
+        let (zero, one) = (small(0), small(1));
+        let inverse =
+            |x: &BigFloat, mode| if x.is_inf() { small(0) } else { one.div(x, BITS, mode) };
+        if below(&zero, &self.low) || below(&self.high, &zero) {
+            return Self::new(inverse(&self.high, DOWN), inverse(&self.low, UP));
+        }
+        match (self.low.is_zero(), self.high.is_zero()) {
+            (true, false) => Self::new(inverse(&self.high, DOWN), INF_POS),
+            (false, true) => Self::new(INF_NEG, inverse(&self.low, UP)),
+            _ => Self::whole(),
+        }
+    }
+
+    /// The smaller one.
+    pub(crate) fn least(&self, other: &Self) -> Self {
+        Self::new(self.low.min(&other.low), self.high.min(&other.high))
+    }
+
+    /// The greater one.
+    pub(crate) fn most(&self, other: &Self) -> Self {
+        Self::new(self.low.max(&other.low), self.high.max(&other.high))
+    }
+
+    fn size(&self) -> Self {
+        match () {
+            () if self.is_not_negative() => self.clone(),
+            () if self.is_negative() => self.neg(),
+            () => Self::new(small(0), self.low.abs().max(&self.high.abs())),
+        }
+    }
+
+    /// Whole power.
+    pub(crate) fn whole_power(&self, k: i32) -> Self {
+        let base = if k % 2 == 0 { self.size() } else { self.clone() };
+        let (count, mut square) = (k.unsigned_abs(), base);
+        let mut result = Self::integer(1);
+        for bit in 0..u32::BITS - count.leading_zeros() {
+            if count >> bit & 1 == 1 {
+                result = result.times(&square);
+            }
+            square = square.times(&square);
+        }
+        if k < 0 { result.reciprocal() } else { result }
+    }
+
+    /// A function that grows, from its values at the ends.
+    fn growing(&self, at: &mut dyn FnMut(&BigFloat) -> Self) -> Self {
+        at(&self.low).hull(&at(&self.high))
+    }
+
+    /// The part of it from `low` to `high`; none where there is no such part.
+    fn within(&self, low: &BigFloat, high: &BigFloat) -> Option<Self> {
+        if below(&self.high, low) || below(high, &self.low) {
+            return None;
+        }
+        Some(Self { low: self.low.max(low), high: self.high.min(high) })
+    }
+
+    fn exp(&self, cache: &mut Consts) -> Self {
+        self.growing(&mut |x| match () {
+            () if below(x, &small(-2500)) => Self::new(small(0), two_to(-3500)),
+            () if below(&small(2500), x) => Self::new(two_to(3500), INF_POS),
+            () => Self::around(x.exp(LONG, RoundingMode::None, cache)),
+        })
+    }
+
+    fn ln(&self, cache: &mut Consts) -> Self {
+        let Some(there) = self.within(&small(0), &INF_POS) else { return Self::whole() };
+        there.growing(&mut |x| match () {
+            () if x.is_zero() => Self::new(INF_NEG, INF_NEG),
+            () if x.is_inf() => Self::new(INF_POS, INF_POS),
+            () => Self::around(x.ln(LONG, RoundingMode::None, cache)),
+        })
+    }
+
+    /// a^b for positive a.
+    pub(crate) fn power(&self, exponent: &Self, cache: &mut Consts) -> Self {
+        exponent.times(&self.ln(cache)).exp(cache)
+    }
+
+    /// The cosine, from its values at the ends and at the multiples of pi between them.
+    fn cos(&self, cache: &mut Consts) -> Self {
+        let all = Self::new(small(-1), small(1));
+        if !self.is_inside(&Self::new(small(-1 << 30), small(1 << 30))) {
+            return all;
+        }
+        let turns = self.over(&Self::pi(cache));
+        let (first, last) = (turns.low.floor(), turns.high.floor());
+        let mut value = self.growing(&mut |x| {
+            let value = Self::around(x.cos(LONG, RoundingMode::None, cache));
+            let room = Self::new(two_to(-60).neg(), two_to(-60));
+            value.plus(&room)
+        });
+        let between = last.sub(&first, BITS, UP);
+        if below(&small(1), &between) {
+            return all;
+        }
+        if !between.is_zero() {
+            // One multiple of pi lies inside: the extreme is 1 if it is an even one.
+            let half = last.div(&small(2), BITS, DOWN);
+            let even = half.floor().cmp(&half) == Some(0);
+            value = value.hull(&Self::integer(if even { 1 } else { -1 }));
+        }
+        value.within(&small(-1), &small(1)).unwrap_or(all)
+    }
+
+    fn sin(&self, cache: &mut Consts) -> Self {
+        let quarter = Self::pi(cache).over(&Self::integer(2));
+        let shifted = self.plus(&quarter.neg()).cos(cache);
+        // Near 0 the shift loses digits that |sin x| <= |x| keeps.
+        let bound = self.size().high;
+        if !below(&bound, &small(1)) {
+            return shifted;
+        }
+        self.growing(&mut |x| match () {
+            () if x.is_zero() => Self::integer(0),
+            () => Self::around(x.sin(LONG, RoundingMode::None, cache)),
+        })
+    }
+
+    /// A function of one number. What is outside its domain gives no value.
+    pub(crate) fn call(&self, function: Function, cache: &mut Consts) -> Self {
+        let one = Self::integer(1);
+        match function {
+            Function::Abs => self.size(),
+            Function::Sign => {
+                let end = |x: &BigFloat| match () {
+                    () if x.is_zero() => small(0),
+                    () if x.is_positive() => small(1),
+                    () => small(-1),
+                };
+                Self::new(end(&self.low), end(&self.high))
+            }
+            Function::Sqrt => {
+                let Some(there) = self.within(&small(0), &INF_POS) else { return Self::whole() };
+                there.growing(&mut |x| match () {
+                    () if x.is_zero() || x.is_inf() => Self { low: x.clone(), high: x.clone() },
+                    () => Self::around(x.sqrt(LONG, RoundingMode::None)),
+                })
+            }
+            Function::Exp => self.exp(cache),
+            Function::Ln => self.ln(cache),
+            Function::Sin => self.sin(cache),
+            Function::Cos => self.cos(cache),
+            Function::Tan => self.sin(cache).over(&self.cos(cache)),
+            Function::Atan => self.growing(&mut |x| match () {
+                () if x.is_zero() => Self::integer(0),
+                () if x.is_inf() => {
+                    let quarter = Self::pi(cache).over(&Self::integer(2));
+                    if x.is_positive() { quarter } else { quarter.neg() }
+                }
+                () => Self::around(x.atan(LONG, RoundingMode::None, cache)),
+            }),
+            Function::Sinh => {
+                let grown = |x: Self, cache: &mut Consts| {
+                    let e = x.exp(cache);
+                    e.plus(&e.reciprocal().neg()).over(&Self::integer(2))
+                };
+                self.growing(&mut |x| grown(Self { low: x.clone(), high: x.clone() }, cache))
+            }
+            Function::Cosh => {
+                let size = self.size();
+                size.growing(&mut |x| {
+                    let e = Self { low: x.clone(), high: x.clone() }.exp(cache);
+                    e.plus(&e.reciprocal()).over(&Self::integer(2)).most(&one)
+                })
+            }
+            Function::Tanh => {
+                // 1 - 2/(1 + e^(2 x)) grows with x, and so its ends are those of e^(2 x).
+                let e = self.times(&Self::integer(2)).exp(cache);
+                one.plus(&Self::integer(2).over(&one.plus(&e)).neg())
+            }
+            Function::Atanh => {
+                let Some(x) = self.within(&small(-1), &small(1)) else { return Self::whole() };
+                x.growing(&mut |x| {
+                    let x = Self { low: x.clone(), high: x.clone() };
+                    let (over, under) = (one.plus(&x), one.plus(&x.neg()));
+                    let (over, under) = (over.ln(cache), under.ln(cache));
+                    over.plus(&under.neg()).over(&Self::integer(2))
+                })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::integer;
+    use crate::expression::{Expression, testing};
+
+    fn number(value: f64) -> BigRational {
+        BigRational::from_float(value).expect("a finite number")
+    }
+
+    fn holds(interval: &Interval, value: f64) -> bool {
+        let slack = 1e-14 * value.abs() + 1e-300;
+        let value = Interval::between(&number(value - slack), Some(&number(value + slack)));
+        !interval.plus(&value.neg()).is_positive() && !interval.plus(&value.neg()).is_negative()
+    }
+
+    #[test]
+    fn every_function_is_enclosed_closely() {
+        let mut cache = Consts::new().expect("constants");
+        for (name, function) in Function::ALL {
+            for at in [-700.5, -3.0, -1.0, -0.4, 0.0, 1e-9, 0.5, 1.0, 1.5, 2.0, 40.0, 1e5] {
+                let call = Expression::call(function, Expression::Number(number(at)));
+                let value = testing::evaluate(&call, 0.0);
+                let got = Interval::exact(&number(at)).call(function, &mut cache);
+                if value.is_finite() {
+                    assert!(holds(&got, value), "{name}({at}) = {value} in {got:?}");
+                    let close = Interval::between(
+                        &number(value - 1e-12 * (1.0 + value.abs())),
+                        Some(&number(value + 1e-12 * (1.0 + value.abs()))),
+                    );
+                    assert!(got.is_inside(&close), "{name}({at}) = {value} in {got:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn wide_arguments_are_enclosed() {
+        let mut cache = Consts::new().expect("constants");
+        for (name, function) in Function::ALL {
+            for (low, width) in [(-4.0, 9.0), (0.1, 0.7), (-0.9, 1.8), (3.0, 0.5), (1.0, 700.0)] {
+                let wide = Interval::between(&number(low), Some(&number(low + width)));
+                let got = wide.call(function, &mut cache);
+                for step in 0..=40 {
+                    let at = number(low + width * f64::from(step) / 40.0);
+                    let value = testing::evaluate(
+                        &Expression::Call(function, Box::new(Expression::Number(at))),
+                        0.0,
+                    );
+                    assert!(!value.is_finite() || holds(&got, value), "{name} from {low}: {value}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ends_may_be_infinite_and_huge() {
+        let mut cache = Consts::new().expect("constants");
+        let unbounded = Interval::between(&integer(5), None);
+        assert!(unbounded.neg().call(Function::Exp, &mut cache).is_not_negative());
+        assert!(unbounded.call(Function::Exp, &mut cache).is_positive());
+        for (_, function) in Function::ALL {
+            for x in [Interval::whole(), unbounded.clone(), unbounded.neg()] {
+                let once = x.call(function, &mut cache);
+                let _ = once.call(Function::Exp, &mut cache).call(function, &mut cache);
+            }
+        }
+        let huge = Interval::exact(&num_traits::pow(integer(10), 3000));
+        assert!(huge.is_positive() && huge.over(&huge).is_not_negative());
+        assert!(Interval::exact(&num_traits::pow(integer(10), 300).recip()).is_positive());
+        let third = Interval::exact(&(integer(1) / integer(3)));
+        assert!(third.times(&Interval::integer(3)).plus(&Interval::integer(-1)).has_zero());
+        assert!(unbounded.power(&third, &mut cache).is_positive());
+        assert!(Interval::integer(-2).whole_power(-3).is_negative());
+    }
+}
