@@ -50,7 +50,13 @@ fn specs(family: Family) -> Vec<Spec> {
         specs.extend([1, 2, 3, 5, 8].map(of_order));
         specs.extend([Guard::Result, Guard::None].map(|guard| Spec { guard, ..of_order(3) }));
         let mu = format!("{}(a=0.7)", family.name());
-        let fixed = spec(&[("n", "4"), ("mu", &mu), ("gains", "24,-50.1,35,10"), ("tau", "1.7")]);
+        let fixed = spec(&[
+            ("n", "4"),
+            ("mu", &mu),
+            ("gains", "24,-50.1,35,10"),
+            ("tau", "1.7"),
+            ("allow", "growth"),
+        ]);
         specs.push(Spec { precision, ..fixed });
     }
     specs

@@ -30,7 +30,7 @@ fn controllers() -> Vec<Spec> {
             ("n", "3"),
             ("mu", "exp(a=1)"),
             ("name", "ptc_exp3_fixed"),
-            ("gains", "24,26,9"),
+            ("gains", "120,74,15"),
             ("tau", "2"),
             ("t0", "0"),
             ("eps", "1e-3"),

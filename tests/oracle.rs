@@ -186,6 +186,8 @@ fn fixed(mut spec: Spec, vector: &Vector) -> Spec {
     use ptc_codegen::spec::Parameter::{Eps, StartTime, UMax};
 
     let values = vector.values(eps(spec.precision));
+    // The gains of the data are random.
+    spec.promises.allow = vec!["growth".to_owned()];
     for parameter in spec.parameters() {
         if !matches!(parameter, StartTime | Eps | UMax) {
             let value = values.get(parameter);

@@ -73,13 +73,3 @@ pub fn read(
     }
     reader.finish()
 }
-
-/// The table of a design that a key of the library's table goes to, empty for the top, and its name
-/// there.
-fn section(key: &'static str) -> (&'static str, &'static str) {
-    match key.split_once('.') {
-        _ if COMMON.contains(&key) => ("params", key),
-        Some((table, name)) => (table, name),
-        None => ("", key),
-    }
-}

@@ -1,6 +1,6 @@
 //! A design file to begin with, made of the table of keys so that it tells them all.
 
-use super::{TABLES, section};
+use super::TABLES;
 use crate::spec::{KEYS, KeyInfo, number};
 
 /// Keys without which there is no controller: their examples are no comments.
@@ -15,7 +15,7 @@ const HEAD: &str = "\
 pub fn template(name: Option<&str>) -> String {
     let mut text = HEAD.to_owned();
     for table in std::iter::once("").chain(TABLES) {
-        let keys: Vec<_> = KEYS.iter().filter(|info| section(info.key).0 == table).collect();
+        let keys: Vec<_> = KEYS.iter().filter(|info| info.table().unwrap_or("") == table).collect();
         if !table.is_empty() && !keys.is_empty() {
             text.push_str(&format!("\n[{table}]\n"));
         }
@@ -27,7 +27,7 @@ pub fn template(name: Option<&str>) -> String {
 }
 
 fn entry(info: &KeyInfo, name: Option<&str>) -> String {
-    let (key, meaning, legal) = (section(info.key).1, info.meaning, info.legal);
+    let (key, meaning, legal) = (info.key, info.meaning, info.legal);
     let given = name.filter(|_| key == "name");
     let comment = if given.is_some() || NEEDED.contains(&key) { "" } else { "# " };
     let value = value(given.unwrap_or(info.example));
