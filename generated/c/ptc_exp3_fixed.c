@@ -65,7 +65,7 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
-            const double v1 = ((((-24.0) * x1 * inv_T) + ((-18.0) * x2)) * inv_T) + ((-6.0) * x3);
+            const double v1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
             double v = v1 * inv_T;
 
             if (v > 50.0) {
@@ -100,9 +100,9 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
         const double late = (past < -0.001) ? past : -0.001;
         const double inv_T = (-1.0) / late;
         status = (late < -0.001) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = (-24.0) * (inv_T * inv_T) * inv_T;
-        gains->gain[1] = (-18.0) * inv_T * inv_T;
-        gains->gain[2] = (-6.0) * inv_T;
+        gains->gain[0] = (-120.0) * (inv_T * inv_T) * inv_T;
+        gains->gain[1] = (-60.0) * inv_T * inv_T;
+        gains->gain[2] = (-12.0) * inv_T;
         gains->status = status;
     }
     return status;

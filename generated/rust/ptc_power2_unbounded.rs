@@ -47,6 +47,13 @@
 //! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
 //!       (-ffp-contract=off).
 //!
+//! Checks of the design (ptc-codegen check tells more):
+//!   membership: sound: power is of class M for all its parameters.
+//!   growth: sound: x and u go to 0 at the deadline.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!
 //! Operations of one step: 5 + - or comparison, 8 *, 1 /, 0 sqrt, 0 calls.
 //! Latencies added up: x86-64 about 66 cycles, Cortex-M4F about 27 cycles.
 #![forbid(unsafe_code)]

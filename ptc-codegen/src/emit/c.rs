@@ -100,7 +100,10 @@ impl Syntax for C<'_> {
     }
 
     fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
-        format!("(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : NAN")
+        format!(
+            "(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : ({})NAN",
+            self.real
+        )
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {

@@ -3,7 +3,7 @@
 use super::Controller;
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
-use crate::program::{Op, Value, number};
+use crate::program::{Input, Op, Value, number};
 use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec};
 
 /// A name and the expression that gives it its value.
@@ -45,6 +45,8 @@ pub(super) struct Frame {
     pub(super) latches: bool,
     /// Conditions on the latched state, and what `arm` derives from it, which must be finite.
     pub(super) latched: Vec<String>,
+    /// The indices of the states that it reads.
+    pub(super) latched_states: Vec<usize>,
     pub(super) latched_fields: Vec<String>,
     /// Bound of |u| in `step` and in `axis`; none for infinity.
     pub(super) limit: Option<String>,
@@ -105,6 +107,9 @@ impl Frame {
             .filter(|(field, _)| derived_at_start(field))
             .map(|(_, text)| text.clone())
             .collect();
+        let latched_states = (1..=spec.n)
+            .filter(|j| program.values.iter().any(|v| v.op == Op::Input(Input::StateAtStart(*j))))
+            .collect();
         let zero = syntax.literal("0.0");
         let past = limits.past.and_then(|_| step.roots.last().cloned());
         let next = match spec.after {
@@ -140,6 +145,7 @@ impl Frame {
             latched: (1..=if latches { spec.n } else { 0 })
                 .map(|j| syntax.finite(&format!("x0[{}]", j - 1)))
                 .collect(),
+            latched_states,
             latched_fields,
             limit: limits.u_max.map(|value| field(value, |syntax, name| syntax.field(name))),
             axis_limit: limits

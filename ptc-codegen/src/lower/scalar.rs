@@ -6,6 +6,7 @@ use super::builder::Builder;
 use super::coefficient::pi_power;
 use crate::expression::{Expression, Function, Variable};
 use crate::program::{Input, Op, Value};
+use crate::spec::Parameter;
 
 impl Builder<'_> {
     /// The value of an expression.
@@ -13,6 +14,8 @@ impl Builder<'_> {
         match expression {
             Expression::Number(number) => self.number(number.clone()),
             Expression::Pi => self.number(pi_power(1)),
+            // The start is armed anew, whatever the parameter was.
+            Expression::Parameter(Parameter::StartTime) => self.push(Op::Input(Input::StartTime)),
             Expression::Parameter(parameter) => self.parameter(*parameter),
             Expression::Variable(variable) => self.variable(*variable),
             Expression::Neg(a) => {

@@ -98,8 +98,15 @@ impl Builder<'_> {
                 let a = self.series(a, point);
                 self.function(*function, a)
             }
-            // A mapping has no kinks: the reader of the spec has refused them.
-            Expression::Min(a, _) | Expression::Max(a, _) => self.series(a, point),
+            // Away from kinks, where alone a mapping has a series.
+            Expression::Min(a, b) | Expression::Max(a, b) => {
+                let (sum, gap) =
+                    ((**a).clone().add((**b).clone()), (**a).clone().sub((**b).clone()));
+                let gap = Expression::call(Function::Abs, gap);
+                let least = matches!(expression, Expression::Min(..));
+                let twice = if least { sum.sub(gap) } else { sum.add(gap) };
+                self.series(&twice.div(Expression::integer(2)), point)
+            }
         }
     }
 
@@ -277,6 +284,15 @@ impl Builder<'_> {
         }
         let inner = self.plain(&a);
         let at = self.coefficient(&inner[0]);
+        if let Function::Abs | Function::Sign = function {
+            let sign = Some(self.push(Op::Call(Function::Sign, at)));
+            if function == Function::Abs {
+                return Series::new(sign, inner);
+            }
+            let mut one = vec![Coefficient::integer(0); inner.len()];
+            one[0] = Coefficient::integer(1);
+            return Series::new(sign, one);
+        }
         let value = self.push(Op::Call(function, at));
         match function {
             Function::Exp => {

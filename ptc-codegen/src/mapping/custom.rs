@@ -73,25 +73,9 @@ impl Custom {
             Subject::Mu => (Variable::SinceStart, "t"),
             _ => (Variable::Elapsed, "dt"),
         };
-        let key = subject.key();
         if !given.contains(variable) {
-            let message = format!("{key} does not depend on `{name}`");
+            let message = format!("{} does not depend on `{name}`", subject.key());
             return Err((message, format!("give an expression in {name}, tau and parameters")));
-        }
-        let kinked = |e: &Expression| {
-            let kink = matches!(
-                e,
-                Expression::Min(..)
-                    | Expression::Max(..)
-                    | Expression::Call(Function::Abs | Function::Sign, _)
-            );
-            kink && e.contains(variable)
-        };
-        if given.any(&kinked) {
-            let message = format!("{key} has a kink: abs, sign, min or max of `{name}`");
-            let help =
-                "a mapping is as often differentiable as the order of the plant: leave them out";
-            return Err((message, help.to_owned()));
         }
         let form = match subject {
             Subject::Mu => Form::of_mu(&given),
