@@ -122,7 +122,7 @@ impl Frame {
             real,
             zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
-            domain: domain(spec, syntax),
+            domain: domain(controller, syntax),
             init: init.lines,
             init_fields: assign(init.roots, false),
             finite: finite.map(|f| syntax.finite(&syntax.built(&f.name))).collect(),
@@ -174,7 +174,8 @@ fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> Str
 }
 
 /// The conditions of the run-time parameters' domains.
-fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
+fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<String> {
+    let spec = controller.spec();
     let zero = syntax.literal("0.0");
     let mut tests = Vec::new();
     for parameter in spec.run_time_parameters() {
@@ -186,6 +187,12 @@ fn domain(spec: &Spec, syntax: &dyn Syntax) -> Vec<String> {
             Domain::Within => tests.extend(within(spec, parameter, syntax)),
             Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive),
         }
+    }
+    if let Some((parameter, greatest)) = &controller.report.greatest
+        && let Some(number) = greatest.number()
+    {
+        let bound = literal(number::round(number, spec.precision), spec.precision, syntax);
+        tests.push(format!("({} <= {bound})", parameter_name(*parameter)));
     }
     // eps below tau: both may be fixed, and then the spec has been checked.
     let both_fixed = [Parameter::Eps, Parameter::Tau].iter().all(|p| spec.fixed.contains_key(p));

@@ -15,6 +15,7 @@ use crate::check::deadline::{ClosedLoop, deadline};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::lower::lower;
+use crate::mapping::Family;
 use crate::program::{Input, number, passes};
 use crate::spec::{Feedback, Fixed, Parameter, Spec};
 
@@ -28,6 +29,8 @@ pub struct Report {
     pub spec: Spec,
     /// One outcome for each check.
     pub outcomes: Vec<Outcome>,
+    /// The greatest value of a run-time parameter with which the checks hold: `init` refuses more.
+    pub greatest: Option<(Parameter, Fixed)>,
 }
 
 impl Report {
@@ -64,10 +67,12 @@ impl Report {
 pub fn examine(spec: &Spec) -> Report {
     let mut spec = spec.clone();
     let membership = membership(&spec);
-    let growth = check_growth(&spec);
+    let (growth, greatest) = check_growth(&spec);
     let (sampling, deadline) = guard(&mut spec);
     let envelope = envelope(&spec);
-    Report { spec, outcomes: vec![membership, growth, sampling, deadline, envelope] }
+    let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
+    let greatest = greatest.filter(|_| !allowed);
+    Report { spec, outcomes: vec![membership, growth, sampling, deadline, envelope], greatest }
 }
 
 fn membership(spec: &Spec) -> Outcome {
@@ -91,8 +96,10 @@ fn membership(spec: &Spec) -> Outcome {
     Outcome::from(&prove(custom, spec.n, &ranges))
 }
 
-fn check_growth(spec: &Spec) -> Outcome {
-    let lacks = |reason: &str| Outcome::not_checked("growth", reason);
+/// What the gains do at the deadline; where the rate is left to run time, the greatest with which
+/// they do it.
+fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
+    let lacks = |reason: &str| (Outcome::not_checked("growth", reason), None);
     if spec.feedback != Feedback::Linear {
         return lacks("the law is no sum of gains, so its poles are not known");
     }
@@ -102,17 +109,28 @@ fn check_growth(spec: &Spec) -> Outcome {
     let (rate, modes) = decay_rate(spec);
     let zero = crate::algebra::integer(0);
     match rate {
-        Some(rate) => Outcome::from(&growth(&gains, &rate, modes)),
+        Some(rate) => (Outcome::from(&growth(&gains, &rate, modes)), None),
         None => {
             // A pole that fails for the slowest mapping fails for every one.
             let at_rest = growth(&gains, &zero, modes);
             if !at_rest.x_to_zero {
-                return Outcome::from(&at_rest);
+                return (Outcome::from(&at_rest), None);
             }
-            let limit = at_rest.largest_rho.map_or("no rate".to_owned(), super::digits);
-            lacks(&format!(
-                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {limit}"
-            ))
+            let Some(limit) = at_rest.largest_rho else {
+                return lacks("the rate is left to run time, and none is slow enough");
+            };
+            let text = super::digits(limit);
+            let share = match spec.family() {
+                Some(Family::Exp) => Some(1.0),
+                Some(Family::Tanh) => Some(0.5),
+                _ => None,
+            };
+            let greatest = share.and_then(|share| known::rounded_down(share * limit));
+            let by = if greatest.is_some() { "; init refuses more" } else { "" };
+            let (outcome, _) = lacks(&format!(
+                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
+            ));
+            (outcome, greatest.map(|greatest| (Parameter::A, greatest)))
         }
     }
 }
