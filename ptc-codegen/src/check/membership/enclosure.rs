@@ -7,8 +7,10 @@ use astro_float_num::Consts;
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Function};
 
-/// Most operations on intervals for one mapping: well below a second.
+/// Most work for one mapping, in operations on intervals: well below a second.
 const MAX_OPERATIONS: usize = 60_000;
+/// What a function or a power costs, in such operations.
+const COST_OF_CALL: usize = 32;
 
 /// Evaluates expressions, until the work is used up.
 pub(super) struct Evaluator {
@@ -44,7 +46,10 @@ impl Evaluator {
 
     fn enclose(&mut self, e: &Expression, names: &Names, off: &mut bool) -> Option<Interval> {
         use Expression as E;
-        self.left = self.left.checked_sub(1)?;
+        let cost = if matches!(e, E::Call(..) | E::Power(..)) { COST_OF_CALL } else { 1 };
+        let left = self.left.checked_sub(cost);
+        self.left = left.unwrap_or(0);
+        left?;
         let zero = || Interval::integer(0);
         Some(match e {
             E::Number(number) => Interval::exact(number),
