@@ -327,12 +327,10 @@ impl Interval {
         match function {
             Function::Abs => self.size(),
             Function::Sign => {
-                let end = |x: &BigFloat| match () {
-                    () if x.is_zero() => small(0),
-                    () if x.is_positive() => small(1),
-                    () => small(-1),
-                };
-                Self::new(end(&self.low), end(&self.high))
+                // At 0 both sides count, as a slope has both there.
+                let low = if self.is_positive() { 1 } else { -1 };
+                let high = if self.is_negative() { -1 } else { 1 };
+                Self::new(small(low), small(high))
             }
             Function::Sqrt => {
                 let Some(there) = self.within(&small(0), &INF_POS) else { return Self::whole() };
@@ -413,7 +411,8 @@ mod tests {
                 let call = Expression::call(function, Expression::Number(number(at)));
                 let value = testing::evaluate(&call, 0.0);
                 let got = Interval::exact(&number(at)).call(function, &mut cache);
-                if value.is_finite() {
+                let jumps = function == Function::Sign && at == 0.0;
+                if value.is_finite() && !jumps {
                     assert!(holds(&got, value), "{name}({at}) = {value} in {got:?}");
                     let close = Interval::between(
                         &number(value - 1e-12 * (1.0 + value.abs())),

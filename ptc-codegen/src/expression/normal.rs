@@ -59,10 +59,18 @@ fn from_the_start(name: &Expression) -> Option<Sign> {
 /// Functions that tend to a constant as t grows: that constant, less what vanishes.
 fn at_limit(expression: &Expression) -> Expression {
     let t = Variable::SinceStart;
+    let has_cosh = expression.any(&|e| matches!(e, Expression::Call(Function::Cosh, _)));
     expression.substitute(&|e| {
-        let Expression::Call(function @ (Function::Tanh | Function::Atan), u) = e else {
-            return None;
-        };
+        let Expression::Call(function, u) = e else { return None };
+        match function {
+            Function::Tanh | Function::Atan => {}
+            // sinh(u) = cosh(u) tanh(u): their quotient then has its limit.
+            Function::Sinh if has_cosh => {
+                let tanh = at_limit(&Expression::call(Function::Tanh, (**u).clone()));
+                return Some(Expression::call(Function::Cosh, (**u).clone()).mul(tanh));
+            }
+            _ => return None,
+        }
         let (falls, u) = match limit(u, t)? {
             Limit::Infinite => (false, at_limit(u)),
             Limit::MinusInfinite => (true, at_limit(u).neg()),
@@ -215,6 +223,9 @@ mod tests {
             ("mean(rational(a=1), tanh(a=2))", "tau/(2*(1 + t)) + tau/(1 + exp(4*t))"),
             ("tau*(1 - 1.5*exp(-t) + 0.5*exp(-2*t))", "tau*(3 - exp(-t))*exp(-t)/2"),
             ("tau*(1 - 1/cosh(t))", "tau/cosh(t)"),
+            ("tau*sinh(a*t)/cosh(a*t)", "2*tau/(1 + exp(2*a*t))"),
+            ("tau*(1 - 2^(-t/a))", "tau*2^(-t/a)"),
+            ("tau*(1 - 2^(0/a))", "tau"),
             ("tau*(t + min(t, 1))", "tau*(1 - t - min(t, 1))"),
         ] {
             let got = complement(&mu(text)).to_string();

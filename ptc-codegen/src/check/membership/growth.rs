@@ -18,7 +18,8 @@ impl Problem<'_> {
         let start = if self.is_mu { integer(0) } else { integer(1) };
         let there = Expression::Number(start.clone());
         let first = self.slope.substitute(&|e| (*e == self.v.into()).then(|| there.clone()));
-        if normal(&first) == Expression::integer(0) {
+        let kinks = |e: &Expression| matches!(e, Expression::Call(Function::Sign, _));
+        if normal(&first) == Expression::integer(0) && !self.slope.any(&kinks) {
             return Verdict::Refuted { at: self.at(&start), why: format!("{name}' is 0") };
         }
         match self.sign(&self.slope) {
@@ -115,7 +116,7 @@ impl Problem<'_> {
             if slope.is_undefined {
                 return Some(Verdict::Refuted { at, why: format!("{name} has no value") });
             }
-            if slope.interval.is_not_negative() {
+            if slope.interval.is_not_negative() && !slope.may_divide_by_zero {
                 return Some(Verdict::Refuted { at, why: format!("{name}' is not positive") });
             }
             let value = self.evaluator.value(&self.falling.clone(), &names)?.interval;

@@ -49,6 +49,9 @@ fn what_is_made_of_families_is_a_member() {
         "tau*(1 - 1.5*exp(-t) + 0.5*exp(-2*t))",
         "tau*(1 - exp(-a*t - t^2))",
         "exp(a=1)/2 + power(a=b, m=3)/2",
+        "tau*sinh(a*t)/cosh(a*t)",
+        "tau*(1 - 2^(-t/a))",
+        "tau*ln(1 + t)/(1 + ln(1 + t))",
     ] {
         proved(Subject::Mu, text, &[]);
     }
@@ -116,6 +119,14 @@ fn what_is_no_member_is_refuted() {
         ("dt/(2*tau - dt)", "refuted at dt = tau: kappa tends to 1 in place of infinity"),
     ] {
         assert_eq!(worst(Subject::Kappa, text, &[]), verdict, "{text}");
+    }
+}
+
+#[test]
+fn what_has_its_value_by_continuity_only_is_not_refuted() {
+    for text in ["tau*(1 - exp(-abs(t)))", "sqrt(tau^2*t^2/(1 + t^2))"] {
+        let found = worst(Subject::Mu, text, &[]);
+        assert!(found.starts_with("undecided"), "{text}: {found}");
     }
 }
 
