@@ -49,9 +49,10 @@ impl Field {
         }
         let (number, mut common) = content(&ratio.num);
         // Of exponentials the slowest one is taken out, so that the others are 1 or less; of roots
-        // likewise, so that none is computed twice.
+        // and calls likewise, so that none is computed twice.
         for (symbol, _) in common.clone().factors() {
-            if matches!(self.kernel(*symbol), Some(Kernel::Exp(_) | Kernel::Root(..))) {
+            if !matches!(self.kernel(*symbol), Some(Kernel::Atom(atom)) if atom.operands().is_empty())
+            {
                 let greatest = ratio.num.terms().map(|(m, _)| m.exponent(*symbol)).max();
                 let slowest = greatest.filter(|e| *e <= 0).unwrap_or(common.exponent(*symbol));
                 common = common.without(*symbol).times(&Monomial::power(*symbol, slowest));
@@ -145,7 +146,7 @@ impl Field {
         let under = product.under.into_iter().fold(first, Expression::mul);
         if under.number().is_some() {
             return match over {
-                Expression::Number(_) => Expression::Number(number.clone()),
+                Expression::Number(over) => Expression::Number(over / number.denom()),
                 over => over.div(whole(number.denom())),
             };
         }

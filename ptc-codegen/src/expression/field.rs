@@ -94,7 +94,7 @@ impl Field {
                 let under = self.fraction(b)?.pow(-1)?;
                 product(&self.terms(a)?, &vec![under])?
             }
-            E::Power(a, b) => vec![self.to_the_power(a, b)?],
+            E::Power(a, b) => vec![self.raised(a, b)?],
             E::Min(a, b) => {
                 let operands = (Box::new(self.normal(a)?), Box::new(self.normal(b)?));
                 vec![self.atom(E::Min(operands.0, operands.1))?]
@@ -143,7 +143,7 @@ impl Field {
         Some(result)
     }
 
-    fn to_the_power(&mut self, base: &Expression, exponent: &Expression) -> Option<Ratio> {
+    fn raised(&mut self, base: &Expression, exponent: &Expression) -> Option<Ratio> {
         if let Expression::Call(Function::Exp, a) = base {
             return self.exponential(&(**a).clone().mul(exponent.clone()));
         }

@@ -79,7 +79,7 @@ impl Leading {
         })
     }
 
-    fn to_the(self, exponent: &Expression) -> Option<Self> {
+    fn raised(self, exponent: &Expression) -> Option<Self> {
         let whole = exponent.small_integer();
         let positive = ordering(&self.coefficient) == Some(Ordering::Greater);
         let known = self.exact || whole.is_some_and(|k| k > 0);
@@ -298,8 +298,8 @@ fn term(expression: &Expression, walk: Walk<'_>) -> Option<Leading> {
         E::Add(a, b) => term(a, walk)?.plus(term(b, walk)?),
         E::Sub(a, b) => term(a, walk)?.plus(term(&(**b).clone().neg(), walk)?),
         E::Mul(a, b) => term(a, walk)?.times(term(b, walk)?),
-        E::Div(a, b) => term(a, walk)?.times(term(b, walk)?.to_the(&Expression::integer(-1))?),
-        E::Power(a, b) if !b.contains(v) => term(a, walk)?.to_the(b),
+        E::Div(a, b) => term(a, walk)?.times(term(b, walk)?.raised(&Expression::integer(-1))?),
+        E::Power(a, b) if !b.contains(v) => term(a, walk)?.raised(b),
         E::Power(a, b) => {
             exponential((**b).clone().mul(E::call(Function::Ln, (**a).clone())), walk)
         }
@@ -312,7 +312,7 @@ fn term(expression: &Expression, walk: Walk<'_>) -> Option<Leading> {
         E::Call(Function::Exp, a) => exponential((**a).clone(), walk),
         E::Call(Function::Ln, a) => logarithm(a, walk),
         E::Call(Function::Sqrt, a) => {
-            term(a, walk)?.to_the(&Expression::integer(1).div(Expression::integer(2)))
+            term(a, walk)?.raised(&Expression::integer(1).div(Expression::integer(2)))
         }
         E::Call(function, a) => call(*function, a, walk),
     }

@@ -114,6 +114,9 @@ impl Ratio {
 
     /// The exact number, where it is one.
     pub(super) fn as_number(&self) -> Option<BigRational> {
+        if self.num.is_zero() {
+            return Some(integer(0));
+        }
         let (m, c) = self.num.single_term()?;
         (self.den.is_empty() && m.factors().is_empty()).then(|| c.clone())
     }

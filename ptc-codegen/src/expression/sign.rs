@@ -191,13 +191,12 @@ fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sig
             Some(Positive | Negative) => Some(Positive),
             _ => Some(NotNegative),
         },
+        Function::Ln if of(a, known) != Some(Positive) => None,
         Function::Ln => of(&a.clone().sub(Expression::Number(integer(1))), known),
-        Function::Sign
-        | Function::Sqrt
-        | Function::Sinh
-        | Function::Tanh
-        | Function::Atan
-        | Function::Atanh => of(a, known),
+        Function::Sqrt => of(a, known).filter(|sign| !matches!(sign, Negative | NotPositive)),
+        Function::Sign | Function::Sinh | Function::Tanh | Function::Atan | Function::Atanh => {
+            of(a, known)
+        }
         // Between -pi/2 and pi/2, or for the sine between 0 and pi.
         Function::Sin | Function::Cos | Function::Tan => {
             let below = |part: i64| {
@@ -209,6 +208,49 @@ fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sig
                 Function::Cos => below(2).then_some(Positive),
                 Function::Sin => below(1).then(|| of(a, known))?,
                 _ => below(2).then(|| of(a, known))?,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::testing::{evaluate, mu, random};
+
+    fn all_positive(name: &Expression) -> Option<Sign> {
+        matches!(name, Expression::Parameter(_) | Expression::Variable(_)).then_some(Positive)
+    }
+
+    #[test]
+    fn signs() {
+        for (text, expected) in [
+            ("a/(1 + t) + exp(-t)", Some(Positive)),
+            ("1.5*exp(t) - 1", Some(Positive)),
+            ("a - t", None),
+            ("-t^2 - ln(1 + t)", Some(Negative)),
+            ("tan(pi*t/(2*(t + a))) + min(t, 2*t)", Some(Positive)),
+            ("t - (t + a) + a", Some(Zero)),
+        ] {
+            assert_eq!(sign(&mu(text), &all_positive), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_sign_is_that_of_every_value() {
+        let mut seed = 3;
+        for _ in 0..5000 {
+            let e = random(&mut seed, 4);
+            let Some(found) = sign(&e, &all_positive) else { continue };
+            for value in [0.37, 1.9].map(|t| evaluate(&e, t)).into_iter().filter(|v| v.is_finite())
+            {
+                let slack = 1e-9;
+                let fits = match found {
+                    Positive | NotNegative => value > -slack,
+                    Negative | NotPositive => value < slack,
+                    Zero => value.abs() < slack,
+                };
+                assert!(fits, "{e}: {value}, {found:?}");
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Expression, Function, Scope, Subject, resolve};
+use super::{Expression, Function, Scope, Subject, Variable, resolve};
 use crate::diagnostic::{Diagnostics, Place};
 use crate::spec::{Parameter, parse};
 
@@ -60,5 +60,32 @@ pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
                 Function::Atanh => a.atanh(),
             }
         }
+    }
+}
+
+/// A random expression in t, tau and a, from a linear congruential generator.
+pub(crate) fn random(seed: &mut u64, height: u32) -> Expression {
+    let mut next = |below: i64| {
+        *seed =
+            seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        i64::try_from(*seed >> 33).expect("31 bits") % below
+    };
+    let kind = next(if height == 0 { 5 } else { 14 });
+    let choice = next(13);
+    let mut inner = || random(seed, height.saturating_sub(1));
+    match kind {
+        0 => Expression::integer(choice - 4),
+        1 => Parameter::Tau.into(),
+        2 => mu("a"),
+        3 | 4 => Variable::SinceStart.into(),
+        5 | 6 => inner().add(inner()),
+        7 => inner().sub(inner()),
+        8 | 9 => inner().mul(inner()),
+        10 => inner().div(inner()),
+        11 if choice % 3 == 0 => {
+            inner().power(Expression::integer(choice - 6).div(Expression::integer(2)))
+        }
+        11 => inner().power(Expression::integer(choice - 6)),
+        _ => Expression::call(Function::ALL[usize::try_from(choice).expect("an index")].1, inner()),
     }
 }

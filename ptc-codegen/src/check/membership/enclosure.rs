@@ -7,19 +7,25 @@ use astro_float_num::Consts;
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Function};
 
-/// Most operations on intervals for one mapping: well below a second.
+/// Most work for one mapping, in operations on intervals: well below a second.
 const MAX_OPERATIONS: usize = 60_000;
+/// What a function or a power costs, in such operations.
+const COST_OF_CALL: usize = 32;
 
 /// Evaluates expressions, until the work is used up.
 pub(super) struct Evaluator {
     cache: Option<Consts>,
     left: usize,
+    divided_by_zero: bool,
 }
 
-/// A value, and whether something in it has none for all of the arguments.
+/// What is known of the values of an expression.
 pub(super) struct Value {
     pub(super) interval: Interval,
+    /// Whether something in it has no value for any of the arguments.
     pub(super) is_undefined: bool,
+    /// Whether a divisor in it may be 0: there it may have no value, or one by continuity only.
+    pub(super) may_divide_by_zero: bool,
 }
 
 /// The intervals of names.
@@ -27,7 +33,7 @@ pub(super) type Names = BTreeMap<Expression, Interval>;
 
 impl Evaluator {
     pub(super) fn new() -> Self {
-        Self { cache: Consts::new().ok(), left: MAX_OPERATIONS }
+        Self { cache: Consts::new().ok(), left: MAX_OPERATIONS, divided_by_zero: false }
     }
 
     /// Whether no work is left.
@@ -38,13 +44,17 @@ impl Evaluator {
     /// The values of an expression; none for an unknown name or where the work is used up.
     pub(super) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
         let mut is_undefined = false;
+        self.divided_by_zero = false;
         let interval = self.enclose(expression, names, &mut is_undefined)?;
-        Some(Value { interval, is_undefined })
+        Some(Value { interval, is_undefined, may_divide_by_zero: self.divided_by_zero })
     }
 
     fn enclose(&mut self, e: &Expression, names: &Names, off: &mut bool) -> Option<Interval> {
         use Expression as E;
-        self.left = self.left.checked_sub(1)?;
+        let cost = if matches!(e, E::Call(..) | E::Power(..)) { COST_OF_CALL } else { 1 };
+        let left = self.left.checked_sub(cost);
+        self.left = left.unwrap_or(0);
+        left?;
         let zero = || Interval::integer(0);
         Some(match e {
             E::Number(number) => Interval::exact(number),
@@ -54,11 +64,16 @@ impl Evaluator {
             E::Add(a, b) => self.enclose(a, names, off)?.plus(&self.enclose(b, names, off)?),
             E::Sub(a, b) => self.enclose(a, names, off)?.plus(&self.enclose(b, names, off)?.neg()),
             E::Mul(a, b) => self.enclose(a, names, off)?.times(&self.enclose(b, names, off)?),
-            E::Div(a, b) => self.enclose(a, names, off)?.over(&self.enclose(b, names, off)?),
+            E::Div(a, b) => {
+                let under = self.enclose(b, names, off)?;
+                self.divided_by_zero |= under.has_zero();
+                self.enclose(a, names, off)?.over(&under)
+            }
             E::Min(a, b) => self.enclose(a, names, off)?.least(&self.enclose(b, names, off)?),
             E::Max(a, b) => self.enclose(a, names, off)?.most(&self.enclose(b, names, off)?),
             E::Power(a, b) => {
                 let base = self.enclose(a, names, off)?;
+                self.divided_by_zero |= base.has_zero();
                 if let Some(k) = b.small_integer() {
                     return Some(base.whole_power(k));
                 }

@@ -5,7 +5,8 @@ use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable};
 
-/// Most pieces of one proof, and the least width of one, 2^-depth of the whole.
+/// Most pieces of one proof, and the how often one is halved. What is left
+/// open then is narrow.
 const MAX_PIECES: usize = 2000;
 const MAX_DEPTH: usize = 40;
 
@@ -18,22 +19,31 @@ pub(super) enum Wanted {
     NotZero,
 }
 
-/// Whether `expression` is as wanted for all of `v` in [0, 1]; else the piece on which it is not
-/// known.
-pub(super) fn on_unit_interval(
+/// A name and the numbers that it may be.
+pub(super) type Range = (Expression, BigRational, BigRational);
+
+/// The first piece of [0, 1] on which `expression` is not known to be as wanted, for `v` in it and
+/// all values of the `parameters`; none where it is as wanted on all of [0, 1].
+pub(super) fn left_open(
     expression: &Expression,
     v: Variable,
-    names: &Names,
+    parameters: &[Range],
     wanted: Wanted,
     evaluator: &mut Evaluator,
-) -> Result<(), (BigRational, BigRational)> {
-    let mut names = names.clone();
-    let mut open = vec![(integer(0), integer(1), 0)];
+) -> Option<(BigRational, BigRational)> {
+    let whole: Vec<Range> = std::iter::once((v.into(), integer(0), integer(1)))
+        .chain(parameters.iter().cloned())
+        .collect();
+    let mut open = vec![(whole, 0)];
     let mut pieces = 0;
-    while let Some((from, to, depth)) = open.pop() {
+    while let Some((ranges, depth)) = open.pop() {
         pieces += 1;
-        names.insert(v.into(), Interval::between(&from, Some(&to)));
-        let Some(value) = evaluator.value(expression, &names) else { return Err((from, to)) };
+        let unknown = || Some((ranges[0].1.clone(), ranges[0].2.clone()));
+        let names: Names = ranges
+            .iter()
+            .map(|(name, low, high)| (name.clone(), Interval::between(low, Some(high))))
+            .collect();
+        let Some(value) = evaluator.value(expression, &names) else { return unknown() };
         let known = match wanted {
             Wanted::Negative => value.interval.is_negative(),
             Wanted::Positive => value.interval.is_positive(),
@@ -43,11 +53,16 @@ pub(super) fn on_unit_interval(
             continue;
         }
         if depth >= MAX_DEPTH || pieces >= MAX_PIECES {
-            return Err((from, to));
+            return unknown();
         }
-        let middle = (&from + &to) / integer(2);
-        open.push((middle.clone(), to, depth + 1));
-        open.push((from, middle, depth + 1));
+        let wide: Vec<_> = (0..ranges.len()).filter(|i| ranges[*i].1 < ranges[*i].2).collect();
+        let (mut lower, mut upper) = (ranges.clone(), ranges.clone());
+        let split = wide[depth % wide.len()];
+        let middle = (&ranges[split].1 + &ranges[split].2) / integer(2);
+        lower[split].2 = middle.clone();
+        upper[split].1 = middle;
+        open.push((upper, depth + 1));
+        open.push((lower, depth + 1));
     }
-    Ok(())
+    None
 }
