@@ -78,6 +78,7 @@ pub use error::Error;
 /// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
+/// | `what` | what is generated | `controller`, or `associated`: the infinite-time system on which pi0 is designed | `controller` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
 /// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]` | run time |

@@ -174,7 +174,7 @@ pub struct PtcExp3TrustingGains {
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
 impl PtcExp3Trusting {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
@@ -252,7 +252,7 @@ impl PtcExp3Trusting {
         Ok(())
     }
 
-    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+/// u at time `t`, in s, and state `x` = (x1, x1', ...).
     ///
     /// # Errors
     /// `Range`: u is not finite.

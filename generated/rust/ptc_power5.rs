@@ -242,7 +242,7 @@ pub struct PtcPower5Gains {
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
 impl PtcPower5 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
@@ -376,7 +376,7 @@ impl PtcPower5 {
         Ok(())
     }
 
-    /// u at time `t`, in s, and state `x` = (x1, x1', ...).
+/// u at time `t`, in s, and state `x` = (x1, x1', ...).
     ///
     /// # Errors
     /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.

@@ -4,7 +4,7 @@ use super::Controller;
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use crate::program::{Input, Op, Value, number};
-use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec};
+use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
 
 /// A name and the expression that gives it its value.
 pub(super) struct Assignment {
@@ -43,6 +43,8 @@ pub(super) struct Frame {
     pub(super) extern_law: bool,
     /// Whether the state at the start is latched.
     pub(super) latches: bool,
+    /// Whether it is the associated system, in place of the controller.
+    pub(super) associated: bool,
     /// Conditions on the latched state, and what `arm` derives from it, which must be finite.
     pub(super) latched: Vec<String>,
     /// The indices of the states that it reads.
@@ -142,6 +144,7 @@ impl Frame {
             after: spec.after,
             extern_law: spec.feedback == Feedback::Extern,
             latches,
+            associated: spec.what == What::Associated,
             latched: (1..=if latches { spec.n } else { 0 })
                 .map(|j| syntax.finite(&format!("x0[{}]", j - 1)))
                 .collect(),
@@ -195,6 +198,9 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<String> {
         tests.push(format!("({} <= {bound})", parameter_name(*parameter)));
     }
     // eps below tau: both may be fixed, and then the spec has been checked.
+    if spec.what == What::Associated {
+        return tests;
+    }
     let both_fixed = [Parameter::Eps, Parameter::Tau].iter().all(|p| spec.fixed.contains_key(p));
     if !both_fixed {
         let text = |parameter| parameter_text(spec, parameter, syntax);

@@ -9,7 +9,7 @@ use crate::expression::Subject;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
 use crate::program::{Stage, cost};
-use crate::spec::{Feedback, Guard, Precision, Spec, TimeMapping};
+use crate::spec::{Feedback, Guard, Precision, Spec, TimeMapping, What};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;
@@ -21,21 +21,32 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
         Language::C => "c",
         Language::Rust => "rust",
     };
+    let associated = spec.what == What::Associated;
+    let kind = if associated { "Infinite-time system of" } else { "Prescribed-time controller" };
+    let (name, n, mapping_name) = (spec.name(), spec.n, spec.mapping_name());
     let mut lines = vec![
-        format!(
-            "Prescribed-time controller {}: order n = {}, mapping {}.",
-            spec.name(),
-            spec.n,
-            spec.mapping_name()
-        ),
+        format!("{kind} {name}: order n = {n}, mapping {mapping_name}."),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
         format!("  ptc-codegen emit --lang {lang} {}", spec.command()),
         format!("Version {}.", env!("CARGO_PKG_VERSION")),
         String::new(),
+    ];
+    if associated {
+        lines.push("xi_i' = xi_(i+1), xi_n' = mu'(t)^n f + pi0(xi, t), in stretched time t; the plant's state is".to_owned());
+        lines.push(
+            "x = BB_n[mu] xi, and f its own f(x, u, t). On it pi0 is designed and simulated."
+                .to_owned(),
+        );
+        lines.push(format!("  pi0 = {}", pi0(spec)));
+        lines.extend(parameters(controller));
+        lines.extend(mapping(controller));
+        return lines.into_iter().flat_map(|line| wrap(&line)).collect();
+    }
+    lines.push(
         "It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...)."
             .to_owned(),
-    ];
+    );
     lines.extend(parameters(controller));
     lines.extend(mapping(controller));
     lines.extend(law(controller));
@@ -140,13 +151,18 @@ fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
     lines
 }
 
-fn law(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec();
-    let pi0 = match &spec.feedback {
+/// The law pi0 in words.
+fn pi0(spec: &Spec) -> String {
+    match &spec.feedback {
         Feedback::Linear => "-(k_1 xi_1 + ... + k_n xi_n)".to_owned(),
         Feedback::Expression(law) => law.to_string(),
         Feedback::Extern => "a function of yours, called with xi and t_kappa".to_owned(),
-    };
+    }
+}
+
+fn law(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec();
+    let pi0 = pi0(spec);
     let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
     let mut lines = vec![
         String::new(),

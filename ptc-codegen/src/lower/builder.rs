@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::algebra::{BigRational, Symbol, integer};
+use crate::expression::Expression;
 use crate::program::passes::append;
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Parameter, Spec};
@@ -19,6 +20,8 @@ pub(super) struct Builder<'a> {
     pub(super) taylors: [Option<Taylor>; 2],
     pub(super) states: [Vec<Value>; 2],
     at_start: bool,
+    /// tau - mu(t), where time is the stretched one and the time-to-go follows from it.
+    complement: Option<Expression>,
 }
 
 impl<'a> Builder<'a> {
@@ -47,6 +50,7 @@ impl<'a> Builder<'a> {
             taylors: [None, None],
             states: [Vec::new(), Vec::new()],
             at_start: false,
+            complement: None,
         }
     }
 
@@ -80,6 +84,16 @@ impl<'a> Builder<'a> {
         let result = compute(self);
         self.at_start = before;
         result
+    }
+
+    /// From here on time is stretched time, and time-to-go is `complement` of it.
+    pub(super) fn follow(&mut self, complement: Expression) {
+        self.complement = Some(complement);
+    }
+
+    /// tau - mu(t), where time is stretched time.
+    pub(super) fn followed(&self) -> Option<&Expression> {
+        self.complement.as_ref().filter(|_| !self.at_start)
     }
 
     /// Whether values at the start are being computed.

@@ -6,7 +6,8 @@ use super::exp_sum;
 use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::bell::factorials;
-use crate::expression::{Expression, Function, Subject, Variable};
+use crate::expression::normal::complement;
+use crate::expression::{Expression, Function, Subject, Variable, solve};
 use crate::mapping::{Family, Form, Kappa};
 use crate::program::{Op, Root, Value};
 use crate::spec::{Parameter, Precision, TimeMapping};
@@ -77,10 +78,10 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
 
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
-fn of_complement(b: &mut Builder<'_>, complement: &Expression) -> Taylor {
-    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, complement)) };
+fn of_complement(b: &mut Builder<'_>, form: &Expression) -> Taylor {
+    let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, form)) };
     let point = around(b.spec.n, stretched);
-    let mut series = b.series(complement, &point);
+    let mut series = b.series(form, &point);
     if let (None, Coefficient::Exact(first)) = (series.offset, &series.terms[0])
         && *first != integer(0)
     {
@@ -126,7 +127,7 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
 }
 
 /// Stretched time: the root y of ln(c(y)/T), which decreases, by Newton's method within a bracket.
-fn stretched_time(b: &mut Builder<'_>, complement: &Expression) -> Value {
+fn stretched_time(b: &mut Builder<'_>, form: &Expression) -> Value {
     let target = b.time_to_go();
     let (low, start) = (b.integer(0), b.integer(0));
     let (far, small) = match b.spec.precision {
@@ -137,7 +138,7 @@ fn stretched_time(b: &mut Builder<'_>, complement: &Expression) -> Value {
     let (high, tolerance) = (b.number(ten(far)), b.number(ten(small).recip()));
     let unknown = b.push(Op::Unknown);
     let unknown = b.name(unknown, "y", "stretched time since t0");
-    let series = b.series(complement, &around(1, Some(unknown)));
+    let series = b.series(form, &around(1, Some(unknown)));
     let value = b.value_at(&series);
     let value = b.coefficient(&value);
     let slope = b.scaled(series.scale, &series.terms[1]);
@@ -156,7 +157,12 @@ impl Family {
     /// kappa in the time-to-go, on the family's own parameters; tau - T for `exp_sum`, which has
     /// none.
     fn kappa(self) -> Kappa {
-        let form = self.info().form(Subject::Family);
+        let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
+        Kappa::new(&self.form(Subject::Family).unwrap_or(elapsed))
+    }
+
+    /// A form of the family on its own parameters.
+    fn form(self, subject: Subject) -> Option<Expression> {
         let own = |e: &Expression| match e {
             Expression::Parameter(Parameter::Named(name)) => match name.text() {
                 "a" => Some(Parameter::A.into()),
@@ -165,7 +171,35 @@ impl Family {
             },
             _ => None,
         };
-        let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
-        Kappa::new(&form.map_or(elapsed, |form| form.substitute(&own)))
+        self.info().form(subject).map(|form| form.substitute(&own))
+    }
+}
+
+impl TimeMapping {
+    /// tau - mu(t), t the stretched time since the start; none where only kappa is known in closed
+    /// form.
+    pub(super) fn complement(&self) -> Option<Expression> {
+        match self {
+            Self::Family { family: Family::ExpSum, rates } => {
+                let decay = |i| {
+                    let phase =
+                        Expression::from(Parameter::Rate(i)).mul(Variable::SinceStart.into());
+                    Expression::call(Function::Exp, phase.neg())
+                };
+                let sum = (1..=*rates).map(decay).reduce(Expression::add)?;
+                let share = Expression::Number(BigRational::new(1.into(), (*rates).into()));
+                Some(Expression::from(Parameter::Tau).mul(share).mul(sum))
+            }
+            Self::Family { family, .. } => family.form(Subject::Mu).map(|mu| complement(&mu)),
+            Self::Custom(custom) if custom.subject == Subject::Mu => {
+                Some(complement(&custom.given))
+            }
+            Self::Custom(custom) => match &custom.form {
+                Form::Kappa(kappa) => {
+                    solve(&kappa.form, Variable::TimeToGo, Variable::SinceStart.into())
+                }
+                Form::Complement(form) => Some(form.clone()),
+            },
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! time in `tick` (`quantity`), and the state enters last. Everything that may change rounding
 //! happens here or earlier; the passes after it keep every bit.
 
+mod associated;
 mod builder;
 mod coefficient;
 mod coefficients;
@@ -26,10 +27,24 @@ use rows::{Factor, Rows, factor};
 use crate::algebra::Poly;
 use crate::law::{Form, Law};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{After, Fixed, Guard, Parameter, Spec};
+use crate::spec::{After, Fixed, Guard, Parameter, Spec, What};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {
+    if spec.what == What::Associated
+        && let Some(program) = associated::lower(spec)
+    {
+        return program;
+    }
+    controller(spec, law)
+}
+
+/// Whether the associated system can be lowered: mu must be found in closed form.
+pub fn has_associated(spec: &Spec) -> bool {
+    spec.time_mapping.complement().is_some()
+}
+
+fn controller(spec: &Spec, law: &Law) -> Program {
     let mut b = Builder::new(spec);
     let rows = rows(&mut b, law);
     let step = match &rows {

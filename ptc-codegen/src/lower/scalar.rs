@@ -73,14 +73,29 @@ impl Builder<'_> {
         self.push(Op::Pow(base, exponent))
     }
 
+    /// t - t0.
+    fn since_start(&mut self) -> Value {
+        let (time, start) = (Op::Input(Input::Time), Op::Input(Input::StartTime));
+        let (time, start) = (self.push(time), self.push(start));
+        self.sub(time, start)
+    }
+
     fn variable(&mut self, variable: Variable) -> Value {
+        if self.followed().is_some() {
+            match variable {
+                Variable::StretchedTime => return self.push(Op::Input(Input::Time)),
+                Variable::SinceStart => return self.since_start(),
+                Variable::Elapsed => {
+                    let (tau, time_to_go) = (self.parameter(Parameter::Tau), self.time_to_go());
+                    return self.sub(tau, time_to_go);
+                }
+                Variable::Xi(j) => return self.push(Op::Input(Input::State(j))),
+                _ => {}
+            }
+        }
         match variable {
             Variable::Time => self.push(Op::Input(Input::Time)),
-            Variable::Elapsed => {
-                let (time, start) = (Op::Input(Input::Time), Op::Input(Input::StartTime));
-                let (time, start) = (self.push(time), self.push(start));
-                self.sub(time, start)
-            }
+            Variable::Elapsed => self.since_start(),
             Variable::TimeToGo => self.time_to_go(),
             Variable::SinceStart => self.stretched(),
             Variable::StretchedTime => {

@@ -47,6 +47,9 @@ impl Builder<'_> {
         if self.is_at_start() {
             return self.parameter(Parameter::Tau);
         }
+        if let Some(complement) = self.followed().cloned() {
+            return self.scalar(&complement);
+        }
         let late = self.late();
         let time_to_go = self.push(Op::Neg(late));
         self.name(time_to_go, "T", "time-to-go, held at eps")

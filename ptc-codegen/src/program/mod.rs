@@ -55,6 +55,8 @@ pub enum Input {
     StateAtStart(usize),
     /// Feedback gain of x_j, from 1, as `tick` left it.
     Gain(usize),
+    /// The plant's own f, where the associated system is computed.
+    Drift,
 }
 
 impl Input {
@@ -64,7 +66,7 @@ impl Input {
             Self::Parameter(_) => Stage::Init,
             Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
-            Self::State(_) | Self::Gain(_) => Stage::Step,
+            Self::State(_) | Self::Gain(_) | Self::Drift => Stage::Step,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The command line that gives a spec.
 
-use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping};
+use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping, What};
 use crate::algebra::BigRational;
 use crate::expression::Subject;
 use crate::mapping::Family;
@@ -11,6 +11,9 @@ impl Spec {
         let mut words = vec![format!("--n {}", self.n), self.mapping_words()];
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
+        }
+        if self.what == What::Associated {
+            words.push("--what associated".to_owned());
         }
         if self.precision == Precision::F32 {
             words.push("--precision f32".to_owned());

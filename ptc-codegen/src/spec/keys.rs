@@ -14,7 +14,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order in which they are told.
-pub static KEYS: [KeyInfo; 20] = [
+pub static KEYS: [KeyInfo; 21] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -38,6 +38,12 @@ pub static KEYS: [KeyInfo; 20] = [
         meaning: "name of the controller: prefix of every emitted symbol, stem of the files",
         legal: "an identifier of at most 48 letters, digits and _, no word of C or Rust",
         example: "roll",
+    },
+    KeyInfo {
+        key: "what",
+        meaning: "what is generated: the controller, or the infinite-time system on which pi0 is designed",
+        legal: "controller or associated",
+        example: "associated",
     },
     KeyInfo {
         key: "precision",

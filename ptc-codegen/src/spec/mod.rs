@@ -87,6 +87,15 @@ pub enum After {
     Extern,
 }
 
+/// What is generated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum What {
+    /// The controller.
+    Controller,
+    /// The right-hand side of the associated infinite-time system, on which pi0 is designed.
+    Associated,
+}
+
 /// What the design promises beyond the code, for the checks at generation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Promises {
@@ -111,6 +120,8 @@ pub struct Spec {
     pub time_mapping: TimeMapping,
     /// Name of the controller: prefix of every emitted symbol, stem of the files.
     pub name: Option<String>,
+    /// What is generated.
+    pub what: What,
     /// Floating-point type.
     pub precision: Precision,
     /// Run-time checks.
@@ -144,6 +155,7 @@ impl Spec {
             n,
             time_mapping,
             name: None,
+            what: What::Controller,
             precision: Precision::F64,
             guard: Guard::Full,
             feedback: Feedback::Linear,
@@ -228,9 +240,14 @@ impl Spec {
         }
     }
 
-    /// Name of the controller: the given one, else `ptc_<family><n>`.
+    /// Name of what is generated: for a controller the given one, else `ptc_<family><n>`.
     pub fn name(&self) -> String {
-        self.name.clone().unwrap_or_else(|| format!("ptc_{}{}", self.mapping_name(), self.n))
+        let own = format!("ptc_{}{}", self.mapping_name(), self.n);
+        let name = self.name.clone().unwrap_or(own);
+        match self.what {
+            What::Controller => name,
+            What::Associated => format!("{name}_associated"),
+        }
     }
 
     /// Name of the controller's type in Rust: `ptc_exp3` -> `PtcExp3`.
@@ -240,7 +257,10 @@ impl Spec {
 
     /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
     pub fn parameters(&self) -> Vec<Parameter> {
-        let mut all = vec![Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
+        let mut all = vec![Parameter::Tau, Parameter::StartTime];
+        if self.what == What::Controller {
+            all.extend([Parameter::Eps, Parameter::UMax]);
+        }
         all.extend(self.time_mapping.parameters());
         if self.feedback == Feedback::Linear {
             all.extend((1..=self.n).map(Parameter::Gain));

@@ -17,7 +17,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::Family;
 use crate::program::{Input, number, passes};
-use crate::spec::{Feedback, Fixed, Parameter, Spec};
+use crate::spec::{Feedback, Fixed, Parameter, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -188,6 +188,9 @@ fn envelope(spec: &Spec) -> Outcome {
     if spec.promises.x_max.is_empty() {
         return lacks("`x_max` is not given".to_owned());
     }
+    if spec.what == What::Associated {
+        return lacks("the infinite-time system has no deadline".to_owned());
+    }
     if spec.feedback == Feedback::Extern {
         return lacks("the law is a function of yours, whose range is not known".to_owned());
     }
@@ -220,7 +223,7 @@ fn envelope(spec: &Spec) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time | Input::Gain(_) => Interval::ANY,
+        Input::Time | Input::Gain(_) | Input::Drift => Interval::ANY,
     };
     let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);

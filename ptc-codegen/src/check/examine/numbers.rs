@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Program, passes};
-use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec};
+use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
 
 /// A linear design with all its numbers.
 pub(super) struct Numbers<'a> {
@@ -24,6 +24,7 @@ impl<'a> Numbers<'a> {
         let mut linear = Spec {
             precision: Precision::F64,
             guard: Guard::None,
+            what: What::Controller,
             input_gain: None,
             after: After::Hold,
             ..spec.clone()
@@ -44,7 +45,7 @@ impl<'a> Numbers<'a> {
             Input::StartTime => -self.tau,
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
-            Input::Gain(_) => f64::NAN,
+            Input::Gain(_) | Input::Drift => f64::NAN,
         }
     }
 

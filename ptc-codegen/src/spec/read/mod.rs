@@ -11,9 +11,10 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{
     After, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises, Spec,
-    TimeMapping, Value, reserved::is_reserved, shorten,
+    TimeMapping, Value, What, reserved::is_reserved, shorten,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
+use crate::lower::has_associated;
 
 /// Largest decimal exponent of a number.
 pub(crate) const MAX_EXPONENT: i32 = 400;
@@ -115,6 +116,8 @@ impl<'a> Reader<'a> {
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();
+        let what = self
+            .choice("what", &[("controller", What::Controller), ("associated", What::Associated)]);
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let guard = self.choice(
@@ -133,6 +136,7 @@ impl<'a> Reader<'a> {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
             name,
+            what: what.unwrap_or(What::Controller),
             precision,
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
@@ -143,11 +147,25 @@ impl<'a> Reader<'a> {
             poles: law.poles,
             promises,
         };
+        if spec.what == What::Associated {
+            self.associated(&mut spec);
+        }
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
         self.representable(&spec.fixed, precision);
         (n.is_some() && mapping.is_some()).then_some(spec)
+    }
+
+    /// The infinite-time system needs mu, and checks every input.
+    fn associated(&mut self, spec: &mut Spec) {
+        spec.guard = Guard::Full;
+        if !has_associated(spec) {
+            let place = self.keys.get("what").map(|node| node.place);
+            let message = "no closed form of mu is found from this kappa".to_owned();
+            let help = "the infinite-time system holds mu'(t): give the mapping as mu";
+            self.wrong("what", place, message, help.to_owned());
+        }
     }
 
     /// Bounds and periods that checks hold the design to.
