@@ -27,10 +27,10 @@ const FUNCTIONS: &str = "
 /// What the emitted functions call their parameters and values; a number may follow each, as in
 /// `x1` or `c2_1`.
 const LOCALS: &str = "
-    a b built c correction cot_rate cot_rate_squared deadline eps f gain gains half_tau hold_from
-    inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau inv_w minus_tau angle_rate k K late m margin mean_period none
-    one_plus_E one_plus_y2 p params past q rate rates row round sec self slope slowest status t t0
-    target target_rate tau th_cot_th tolerance two_tau u u_max v w x y y_high y_low y_next y_size
+    a after b built c context correction cot_rate cot_rate_squared deadline eps f gain gains half_tau hold_from
+    input_gain inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau inv_w minus_tau angle_rate k K late law m margin mean_period none
+    one_plus_E one_plus_y2 p params past pi0 q r rate rates row round sec self slope slowest status t t0
+    target target_rate tau th_cot_th tolerance t_kappa two_tau u u_max unit v w x xi xi_dot y y_high y_low y_next y_size
     y_squared E T
 ";
 

@@ -22,18 +22,25 @@ pub(super) fn fixed_gains(spec: &Spec) -> Option<Vec<BigRational>> {
     (1..=spec.n).map(|i| exact(spec, Parameter::Gain(i))).collect()
 }
 
-/// The decay rate of mu', where it is known, and what a pole at a multiple of it does.
+/// The greatest value of a parameter: the fixed one, or the greater bound. What a pole has to pass
+/// grows with the rate, so the greatest decides.
+fn greatest(spec: &Spec, parameter: Parameter) -> Option<BigRational> {
+    let bound = spec.bounds.get(&parameter).and_then(|(_, greatest)| greatest.number().cloned());
+    exact(spec, parameter).or(bound)
+}
+
+/// The greatest decay rate of mu', where it is known, and what a pole at a multiple of it does.
 pub(super) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::Exp, .. } => {
-            (exact(spec, Parameter::A), Modes::Polynomial)
+            (greatest(spec, Parameter::A), Modes::Polynomial)
         }
         TimeMapping::Family { family: Family::Tanh, .. } => {
-            (exact(spec, Parameter::A).map(|a| a * integer(2)), Modes::Analytic)
+            (greatest(spec, Parameter::A).map(|a| a * integer(2)), Modes::Analytic)
         }
         TimeMapping::Family { family: Family::ExpSum, rates } => {
             let rates: Option<Vec<_>> =
-                (1..=*rates).map(|i| exact(spec, Parameter::Rate(i))).collect();
+                (1..=*rates).map(|i| greatest(spec, Parameter::Rate(i))).collect();
             (rates.and_then(|rates| rates.into_iter().min()), Modes::Other)
         }
         TimeMapping::Family { .. } => (Some(integer(0)), Modes::Other),
@@ -47,12 +54,20 @@ pub(super) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
     }
 }
 
-/// The exact value of an expression in fixed parameters.
+/// The greatest value of an expression in positive parameters that are fixed or bounded; none
+/// where it falls with a bounded one.
 fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
+    let falls = matches!(
+        expression,
+        Expression::Neg(_) | Expression::Sub(..) | Expression::Div(..) | Expression::Power(..)
+    );
+    if falls && expression.parameters().iter().any(|p| spec.bounds.contains_key(p)) {
+        return None;
+    }
     let of = |e: &Expression| evaluate(spec, e);
     match expression {
         Expression::Number(number) => Some(number.clone()),
-        Expression::Parameter(parameter) => exact(spec, *parameter),
+        Expression::Parameter(parameter) => greatest(spec, *parameter),
         Expression::Neg(a) => of(a).map(|a| -a),
         Expression::Add(a, b) => Some(of(a)? + of(b)?),
         Expression::Sub(a, b) => Some(of(a)? - of(b)?),

@@ -59,8 +59,15 @@ impl Reader<'_> {
             };
             self.own_value(spec, name, *parameter, node);
         }
-        let infinite = spec.feedback != Feedback::Linear && spec.promises.error.is_some();
-        if infinite {
+        if let Some(name) = &spec.name
+            && legal.iter().any(|(own, _)| name.strip_prefix("p_") == Some(own))
+        {
+            let place = self.keys.get("name").map(|node| node.place);
+            let message = format!("`{name}` is what the code calls a parameter of the design");
+            self.wrong("name", place, message, "choose another name".to_owned());
+        }
+        let nonlinear = spec.feedback != Feedback::Linear && spec.promises.error.is_some();
+        if nonlinear {
             let place = self.keys.get("error").map(|node| node.place);
             let message = "`error` needs a linear law".to_owned();
             let help = "eps is computed from the gains: give gains or poles, or eps itself";
