@@ -157,6 +157,34 @@ impl Syntax for Rust<'_> {
         name.to_owned()
     }
 
+    fn rows_function(&self, weights: usize) -> Vec<String> {
+        let (real, tail) = (real(self.spec), weights - 1);
+        let lines = [
+            &format!(
+                "fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {weights}] {{"
+            ),
+            "    let mut round: &mut [_] = &mut rows;",
+            "    while !round.is_empty() {",
+            "        let mut part = &mut *round;",
+            "        while let Some((first, later)) = part.split_first_mut() {",
+            "            for (coefficient, row) in tail.iter().zip(later.iter()) {",
+            "                *first += *coefficient * *row;",
+            "            }",
+            "            part = later;",
+            "        }",
+            "        round = round.split_first_mut().map_or(&mut [], |(_, later)| later);",
+            "    }",
+            "    rows",
+            "}",
+        ];
+        lines.map(str::to_owned).to_vec()
+    }
+
+    fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {
+        let (tail, weights) = (tail.join(", "), weights.join(", "));
+        vec![format!("let {name} = Self::rows([{weights}], &[{tail}]);")]
+    }
+
     fn root(&self, root: &RootText<'_>) -> Vec<String> {
         let y = root.unknown;
         let mut lines = vec![

@@ -71,7 +71,12 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
             Op::Div(..) | Op::Quotient(..) => cost.div += 1,
             Op::Call(Function::Sqrt, _) => cost.sqrt += 1,
             Op::Call(..) | Op::Law(_) | Op::Pow(..) => cost.calls += 1,
-            Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) => {}
+            Op::Rows { tail, .. } => {
+                let n = tail.len() + 1;
+                cost.add += (n + 1) * n * (n - 1) / 6;
+                cost.mul += (n + 1) * n * (n - 1) / 6;
+            }
+            Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Element(..) => {}
         }
     }
     cost
