@@ -194,11 +194,21 @@ ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0)
 /* Loops over the powers of the Taylor series of mu, for the gains of all states at once. */
 static void ptc_exp_sum9_in_loops_rows(double rows[9], const double tail[8])
 {
-    for (uint32_t first = 0U; first < 8U; first++) {
+    double square[7];
+
+    for (uint32_t d = 0U; d < 7U; d++) {
+        double sum = tail[d] + tail[d];
+        for (uint32_t e = 0U; e < d; e++) {
+            sum += tail[e] * tail[d - e - 1U];
+        }
+        square[d] = sum;
+    }
+    for (uint32_t first = 0U; first < 8U; first += 2U) {
         for (uint32_t at = first; at < 8U; at++) {
+            const double *const power = (at == first) ? tail : square;
             double sum = rows[at];
             for (uint32_t later = at + 1U; later < 9U; later++) {
-                sum += tail[later - at - 1U] * rows[later];
+                sum += power[later - at - 1U] * rows[later];
             }
             rows[at] = sum;
         }

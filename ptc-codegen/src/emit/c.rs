@@ -140,17 +140,25 @@ impl Syntax for C<'_> {
     }
 
     fn rows_function(&self, weights: usize) -> Vec<String> {
-        let (name, real, rounds) = (self.name, self.real, weights - 1);
+        let (name, real, tail) = (self.name, self.real, weights - 1);
         let lines = [
-            &format!(
-                "static void {name}_rows({real} rows[{weights}], const {real} tail[{rounds}])"
-            ),
+            &format!("static void {name}_rows({real} rows[{weights}], const {real} tail[{tail}])"),
             "{",
-            &format!("    for (uint32_t first = 0U; first < {rounds}U; first++) {{"),
-            &format!("        for (uint32_t at = first; at < {rounds}U; at++) {{"),
+            &format!("    {real} square[{}];", tail - 1),
+            "",
+            &format!("    for (uint32_t d = 0U; d < {}U; d++) {{", tail - 1),
+            &format!("        {real} sum = tail[d] + tail[d];"),
+            "        for (uint32_t e = 0U; e < d; e++) {",
+            "            sum += tail[e] * tail[d - e - 1U];",
+            "        }",
+            "        square[d] = sum;",
+            "    }",
+            &format!("    for (uint32_t first = 0U; first < {tail}U; first += 2U) {{"),
+            &format!("        for (uint32_t at = first; at < {tail}U; at++) {{"),
+            &format!("            const {real} *const power = (at == first) ? tail : square;"),
             &format!("            {real} sum = rows[at];"),
             &format!("            for (uint32_t later = at + 1U; later < {weights}U; later++) {{"),
-            "                sum += tail[later - at - 1U] * rows[later];",
+            "                sum += power[later - at - 1U] * rows[later];",
             "            }",
             "            rows[at] = sum;",
             "        }",

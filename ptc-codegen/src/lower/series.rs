@@ -11,8 +11,8 @@ use crate::spec::Parameter;
 
 /// The order from which rows are computed by loops where the series is known no sooner than time.
 /// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions a step against
-/// 1458), but their code grows with n^3: from here on it takes more than the 4 KiB that a step of any
-/// family may take (three rates, full guard: 4366 bytes against 2562).
+/// 1378), but their code grows with n^3: from here on it takes more than the 4 KiB that a step of any
+/// family may take (three rates, full guard: 4366 bytes against 2683).
 const LOOPS: usize = 9;
 
 /// `powers[j - 1][d - 1]` = \[z^(j+d)\] p^j for d = 1..n-j.

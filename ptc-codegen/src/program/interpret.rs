@@ -60,8 +60,9 @@ impl<'a> Interpreter<'a> {
                 let [tail, weights] =
                     [tail, weights].map(|v| v.iter().map(|v| self.at(*v)).collect::<Vec<_>>());
                 let precision = self.program.precision;
-                let sum = |a, b, c| number::settle(a + settle_mul(b, c, precision), precision);
-                self.arrays.insert(value, rows::rows(&tail, &weights, sum));
+                let add = |a, b| number::settle(a + b, precision);
+                let mul = |a, b| settle_mul(a, b, precision);
+                self.arrays.insert(value, rows::rows(&tail, &weights, add, mul));
                 // An array is no number.
                 f64::NAN
             }

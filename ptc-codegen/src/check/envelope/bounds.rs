@@ -114,8 +114,8 @@ impl<'a> Bounds<'a> {
             [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
         let (mul, add) = (Op::Mul(Value(0), Value(1)), Op::Add(Value(0), Value(1)));
         let precision = self.program.precision;
-        let sum = |a, b, c| apply(&add, &[a, apply(&mul, &[b, c], precision)], precision);
-        rows::rows(&tail, &weights, sum)
+        let on = |op| move |a, b| apply(op, &[a, b], precision);
+        rows::rows(&tail, &weights, on(&add), on(&mul))
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
