@@ -26,6 +26,7 @@ fn controllers() -> Vec<Spec> {
         spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_result"), ("guard", "result")]),
         spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_trusting"), ("guard", "none")]),
         spec(&[("n", "2"), ("mu", "exp_sum(3)"), ("name", "ptc_exp_sum2_of_three")]),
+        spec(&[("n", "9"), ("mu", "exp_sum"), ("name", "ptc_exp_sum9_in_loops")]),
         spec(&[
             ("n", "3"),
             ("mu", "exp(a=1)"),

@@ -17,7 +17,7 @@ pub(crate) const FLAGS: [&str; 2] = ["-std=c99", "-O2"];
 /// Size of a compiled controller.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Size {
-    /// Code of `step`, in bytes.
+    /// Code of `step` and of the loops that it calls, in bytes.
     pub(crate) text: u64,
     /// Stack of `step` without its callees, in bytes.
     pub(crate) stack: u64,
@@ -42,7 +42,7 @@ pub(crate) fn compile(cases: &[Case], folder: &Path) -> Result<Vec<Size>> {
             (function == step).then_some(bytes)
         });
         let sizes = symbol_sizes(&folder.join(format!("{name}.o")))?;
-        Ok(Size { text: size_of(&sizes, &step), stack: stack.max().unwrap_or(0) })
+        Ok(Size { text: size_of_step(&sizes, &name), stack: stack.max().unwrap_or(0) })
     })
 }
 
@@ -58,10 +58,13 @@ pub(crate) fn symbol_sizes(file: &Path) -> Result<BTreeMap<String, u64>> {
     Ok(listing.lines().filter_map(entry).collect())
 }
 
-/// The size of `function` with the parts that the compiler split off, such as `function.cold`.
-pub(crate) fn size_of(sizes: &BTreeMap<String, u64>, function: &str) -> u64 {
+/// The size of the `step` of `controller` with the parts that the compiler split off, such as
+/// `step.cold`, and with the loops `rows` that it calls, whose name Rust mangles.
+pub(crate) fn size_of_step(sizes: &BTreeMap<String, u64>, controller: &str) -> u64 {
+    let step = format!("{controller}_step");
     let part = |name: &str| {
-        name.strip_prefix(function).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        name.strip_prefix(&step).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            || name.split_once(controller).is_some_and(|(_, rest)| rest.contains("rows"))
     };
     sizes.iter().filter(|(name, _)| part(name)).map(|(_, size)| size).sum()
 }

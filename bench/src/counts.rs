@@ -89,7 +89,7 @@ fn in_rust(name: &str, orders: &[usize], guards: &[Guard]) -> Result<Vec<Count>>
         let profile = callgrind::profile(&program, &[], &program.with_extension("callgrind"))?;
         let sizes = c::symbol_sizes(&program)?;
         let count = |case: &Case| {
-            let text = c::size_of(&sizes, &format!("{}_step", case.name()));
+            let text = c::size_of_step(&sizes, &case.name());
             count(case.key("rust"), case, &profile, text, None)
         };
         cases.iter().map(count).collect::<Result<Vec<_>>>()

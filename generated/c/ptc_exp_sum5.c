@@ -225,8 +225,8 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             const double v30 = v27 + p2;
             const double v31 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4) + ((-120.0) * p5);
             const double v32 = self->w3 + (self->w4 * v27) + (self->w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-            const double row3 = v32 * 0.5;
             const double v33 = self->w4 + (self->w5 * v30) + ((-120.0) * (v28 + p3 + (v27 * p2)));
+            const double row3 = v32 * 0.5;
             const double row4 = v33 * 0.16666666666666666;
             const double row5 = (self->w5 + ((-120.0) * (v30 + p2))) * 0.041666666666666664;
             const double v34 = ((((self->w1 * x1 * inv_r1) + (v31 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
@@ -321,8 +321,8 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
         const double v30 = v27 + p2;
         const double v31 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4) + ((-120.0) * p5);
         const double v32 = self->w3 + (self->w4 * v27) + (self->w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-        const double row3 = v32 * 0.5;
         const double v33 = self->w4 + (self->w5 * v30) + ((-120.0) * (v28 + p3 + (v27 * p2)));
+        const double row3 = v32 * 0.5;
         const double row4 = v33 * 0.16666666666666666;
         const double row5 = (self->w5 + ((-120.0) * (v30 + p2))) * 0.041666666666666664;
         const double v34 = inv_r1 * inv_r1;

@@ -16,7 +16,7 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         Precision::F32 => "float",
         Precision::F64 => "double",
     };
-    let frame = Frame::new(controller, real, &C { spec, real });
+    let frame = Frame::new(controller, real, &C { spec, name: &name, real });
     let head = header::lines(controller, Language::C);
     let externs = externs(spec, &name);
     let hold = match spec.after {
@@ -31,7 +31,8 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         externs: &externs,
         frame: &frame,
     };
-    let loops = frame.step.iter().any(|line| line.contains("uint32_t"));
+    let mut lines = frame.step.iter().chain(&frame.functions);
+    let loops = lines.any(|line| line.contains("uint32_t"));
     let pad = if spec.guard == Guard::Full { "        " } else { "    " };
     let source = Source { name: &name, loops, pad, hold, externs: &externs, frame: &frame };
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
@@ -58,6 +59,7 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
 
 struct C<'a> {
     spec: &'a Spec,
+    name: &'a str,
     real: &'static str,
 }
 
@@ -138,6 +140,46 @@ impl Syntax for C<'_> {
             Input::Gain(j) => format!("gains->gain[{}]", j - 1),
             _ => name.to_owned(),
         }
+    }
+
+    fn rows_function(&self, weights: usize) -> Vec<String> {
+        let (name, real, tail) = (self.name, self.real, weights - 1);
+        let lines = [
+            &format!("static void {name}_rows({real} rows[{weights}], const {real} tail[{tail}])"),
+            "{",
+            &format!("    {real} square[{}];", tail - 1),
+            "",
+            &format!("    for (uint32_t d = 0U; d < {}U; d++) {{", tail - 1),
+            &format!("        {real} sum = tail[d] + tail[d];"),
+            "        for (uint32_t e = 0U; e < d; e++) {",
+            "            sum += tail[e] * tail[d - e - 1U];",
+            "        }",
+            "        square[d] = sum;",
+            "    }",
+            &format!("    for (uint32_t first = 0U; first < {tail}U; first += 2U) {{"),
+            &format!("        for (uint32_t at = first; at < {tail}U; at++) {{"),
+            &format!("            const {real} *const power = (at == first) ? tail : square;"),
+            &format!("            {real} sum = rows[at];"),
+            &format!("            for (uint32_t later = at + 1U; later < {weights}U; later++) {{"),
+            "                sum += power[later - at - 1U] * rows[later];",
+            "            }",
+            "            rows[at] = sum;",
+            "        }",
+            "    }",
+            "}",
+        ];
+        lines.map(str::to_owned).to_vec()
+    }
+
+    fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {
+        let array = |name: &str, values: &[String]| {
+            format!("{} {name}[{}] = {{{}}};", self.real, values.len(), values.join(", "))
+        };
+        vec![
+            array(name, weights),
+            format!("const {}", array(&format!("{name}_tail"), tail)),
+            format!("{}_rows({name}, {name}_tail);", self.name),
+        ]
     }
 
     fn root(&self, root: &RootText<'_>) -> Vec<String> {

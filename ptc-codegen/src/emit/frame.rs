@@ -22,6 +22,8 @@ pub(super) struct Frame {
     pub(super) locals: Vec<Assignment>,
     /// Conditions that the run-time parameters must meet.
     pub(super) domain: Vec<String>,
+    /// Lines of the function of [`Op::Rows`], where there is one.
+    pub(super) functions: Vec<String>,
     pub(super) init: Vec<String>,
     pub(super) init_fields: Vec<Assignment>,
     /// Conditions that the fields derived by `init` must meet.
@@ -112,6 +114,10 @@ impl Frame {
         let latched_states = (1..=spec.n)
             .filter(|j| program.values.iter().any(|v| v.op == Op::Input(Input::StateAtStart(*j))))
             .collect();
+        let functions = program.values.iter().find_map(|definition| match &definition.op {
+            Op::Rows { weights, .. } => Some(syntax.rows_function(weights.len())),
+            _ => None,
+        });
         let zero = syntax.literal("0.0");
         let past = limits.past.and_then(|_| step.roots.last().cloned());
         let next = match spec.after {
@@ -125,6 +131,7 @@ impl Frame {
             zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
             domain: domain(controller, syntax),
+            functions: functions.unwrap_or_default(),
             init: init.lines,
             init_fields: assign(init.roots, false),
             finite: finite.map(|f| syntax.finite(&syntax.built(&f.name))).collect(),

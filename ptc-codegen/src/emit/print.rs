@@ -41,6 +41,10 @@ pub(super) trait Syntax {
     fn min(&self, a: &str, b: &str) -> String;
     /// An input, by its name.
     fn input(&self, input: Input, name: &str) -> String;
+    /// The function of the loops of [`Op::Rows`], for so many weights.
+    fn rows_function(&self, weights: usize) -> Vec<String>;
+    /// Its call: statements that leave the array in `name`.
+    fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String>;
     /// The loop that finds a root; `body` computes one round.
     fn root(&self, root: &RootText<'_>) -> Vec<String>;
 }
@@ -188,6 +192,17 @@ impl Printer<'_> {
                 self.lines.push(self.syntax.define(&name, &call));
                 self.known.insert(value, Expression::atom(name));
             }
+            Op::Rows { tail, weights } => {
+                let [tail, weights] =
+                    [tail, weights].map(|v| v.iter().map(|v| self.text(*v)).collect::<Vec<_>>());
+                let name = self.fresh(value);
+                self.lines.extend(self.syntax.rows(&name, &tail, &weights));
+                self.known.insert(value, Expression::atom(name));
+            }
+            Op::Element(array, index) => {
+                let element = format!("{}[{index}]", self.text(*array));
+                self.known.insert(value, Expression::atom(element));
+            }
             op => {
                 let expression = self.operation(op);
                 let shared = self.uses.get(&value).is_some_and(|uses| *uses > 1);
@@ -252,9 +267,13 @@ impl Printer<'_> {
             Op::Call(function, a) => call(function.name(), &[*a]),
             Op::Pow(a, b) => call("pow", &[*a, *b]),
             // The pass `chains` has written powers out, and the caller handles the rest.
-            Op::Power(..) | Op::Input(_) | Op::Law(_) | Op::Unknown | Op::Root(_) => {
-                Expression::atom(String::new())
-            }
+            Op::Power(..)
+            | Op::Input(_)
+            | Op::Law(_)
+            | Op::Rows { .. }
+            | Op::Element(..)
+            | Op::Unknown
+            | Op::Root(_) => Expression::atom(String::new()),
         }
     }
 

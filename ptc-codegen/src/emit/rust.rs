@@ -157,6 +157,43 @@ impl Syntax for Rust<'_> {
         name.to_owned()
     }
 
+    fn rows_function(&self, weights: usize) -> Vec<String> {
+        let (real, tail) = (real(self.spec), weights - 1);
+        let lines = [
+            &format!(
+                "fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {weights}] {{"
+            ),
+            &format!("    let mut square = [0.0; {}];", tail - 1),
+            "    for (d, (sum, own)) in square.iter_mut().zip(tail).enumerate() {",
+            "        *sum = *own + *own;",
+            "        for (a, b) in tail.iter().take(d).zip(tail.iter().take(d).rev()) {",
+            "            *sum += *a * *b;",
+            "        }",
+            "    }",
+            "    let mut round: &mut [_] = &mut rows;",
+            "    while !round.is_empty() {",
+            "        let mut power: &[_] = tail;",
+            "        let mut part = &mut *round;",
+            "        while let Some((sum, later)) = part.split_first_mut() {",
+            "            for (coefficient, row) in power.iter().zip(later.iter()) {",
+            "                *sum += *coefficient * *row;",
+            "            }",
+            "            power = &square;",
+            "            part = later;",
+            "        }",
+            "        round = round.get_mut(2..).unwrap_or_default();",
+            "    }",
+            "    rows",
+            "}",
+        ];
+        lines.map(str::to_owned).to_vec()
+    }
+
+    fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {
+        let (tail, weights) = (tail.join(", "), weights.join(", "));
+        vec![format!("let {name} = Self::rows([{weights}], &[{tail}]);")]
+    }
+
     fn root(&self, root: &RootText<'_>) -> Vec<String> {
         let y = root.unknown;
         let mut lines = vec![

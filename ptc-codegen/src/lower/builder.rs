@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use crate::algebra::{BigRational, Symbol, integer};
 use crate::expression::Expression;
 use crate::program::passes::append;
-use crate::program::{Input, Limits, Op, Program, Value};
+use crate::program::{Input, Limits, Op, Program, Stage, Value};
 use crate::spec::{Fixed, Parameter, Spec};
 
 use super::mapping::Taylor;
@@ -99,6 +99,11 @@ impl<'a> Builder<'a> {
     /// Whether values at the start are being computed.
     pub(super) fn is_at_start(&self) -> bool {
         self.at_start
+    }
+
+    /// Whether a value is known no sooner than time.
+    pub(super) fn is_of_tick(&self, value: Value) -> bool {
+        self.program.get(value).stage >= Stage::Tick
     }
 
     /// Names a value, with its meaning for the reader of the emitted code. An input has a name of

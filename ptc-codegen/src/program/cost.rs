@@ -2,7 +2,7 @@
 
 use crate::expression::Function;
 
-use super::{Op, Program, Stage, Value};
+use super::{Op, Program, Stage, Value, rows};
 
 /// Number of operations by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,7 +71,11 @@ pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
             Op::Div(..) | Op::Quotient(..) => cost.div += 1,
             Op::Call(Function::Sqrt, _) => cost.sqrt += 1,
             Op::Call(..) | Op::Law(_) | Op::Pow(..) => cost.calls += 1,
-            Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) => {}
+            Op::Rows { tail, weights } => {
+                let (tail, weights) = (vec![(); tail.len()], vec![(); weights.len()]);
+                rows::rows(&tail, &weights, |(), ()| cost.add += 1, |(), ()| cost.mul += 1);
+            }
+            Op::Number(_) | Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Element(..) => {}
         }
     }
     cost

@@ -43,6 +43,7 @@ fn operation(program: &Program, op: &Op) -> String {
         }
         Op::Input(input) => return input_text(*input),
         Op::Power(base, exponent) => return format!("power {} {exponent}", show(*base)),
+        Op::Element(array, index) => return format!("element {} {index}", show(*array)),
         Op::Neg(_) => "neg",
         Op::Add(..) => "add",
         Op::Sub(..) => "sub",
@@ -54,6 +55,7 @@ fn operation(program: &Program, op: &Op) -> String {
         Op::Call(function, _) => function.name(),
         Op::Law(_) => "law",
         Op::Pow(..) => "pow",
+        Op::Rows { .. } => "rows",
         Op::Unknown => "unknown",
         Op::Root(_) => "root",
     };

@@ -1,6 +1,8 @@
 //! The interpreter: the same operations in the same order and precision as the emitted code.
 
-use super::{Input, Op, Program, Root, Value, number};
+use std::collections::BTreeMap;
+
+use super::{Input, Op, Program, Root, Value, number, rows};
 use crate::expression::Function;
 use crate::spec::Precision;
 
@@ -10,12 +12,19 @@ pub struct Interpreter<'a> {
     input: &'a dyn Fn(Input) -> f64,
     law: Option<&'a dyn Fn(&[f64]) -> f64>,
     known: Vec<Option<f64>>,
+    arrays: BTreeMap<Value, Vec<f64>>,
 }
 
 impl<'a> Interpreter<'a> {
     /// An interpreter for `program`; `input` gives each input, already in the program's precision.
     pub fn new(program: &'a Program, input: &'a dyn Fn(Input) -> f64) -> Self {
-        Self { program, input, law: None, known: vec![None; program.values.len()] }
+        Self {
+            program,
+            input,
+            law: None,
+            known: vec![None; program.values.len()],
+            arrays: BTreeMap::new(),
+        }
     }
 
     /// The same with the user's own law, of xi_1..xi_n and stretched time; without one it is NaN.
@@ -47,6 +56,17 @@ impl<'a> Interpreter<'a> {
                 let arguments: Vec<_> = arguments.iter().map(|v| self.at(*v)).collect();
                 self.law.map_or(f64::NAN, |law| law(&arguments))
             }
+            Op::Rows { tail, weights } => {
+                let [tail, weights] =
+                    [tail, weights].map(|v| v.iter().map(|v| self.at(*v)).collect::<Vec<_>>());
+                let precision = self.program.precision;
+                let add = |a, b| number::settle(a + b, precision);
+                let mul = |a, b| settle_mul(a, b, precision);
+                self.arrays.insert(value, rows::rows(&tail, &weights, add, mul));
+                // An array is no number.
+                f64::NAN
+            }
+            Op::Element(array, index) => self.arrays[array][*index],
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.at(*v)).collect();
                 apply(op, &operands, self.program.precision).unwrap_or(f64::NAN)

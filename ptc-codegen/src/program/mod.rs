@@ -5,6 +5,7 @@
 //! - a value's stage is the latest of its operands' stages, and never earlier;
 //! - a value that depends on an [`Op::Unknown`] is used only by such values and by the
 //!   [`Op::Root`] that solves for it;
+//! - an [`Op::Rows`] is an array: it is used only by its [`Op::Element`]s;
 //! - names are unique.
 //!
 //! Passes keep every bit: the interpreter gives the same results before and after each of them.
@@ -14,6 +15,7 @@ pub mod dump;
 pub mod interpret;
 pub mod number;
 pub mod passes;
+pub mod rows;
 
 use std::hash::{Hash, Hasher};
 
@@ -135,6 +137,16 @@ pub enum Op {
     Pow(Value, Value),
     /// The user's own law pi0: its arguments are xi_1..xi_n and stretched time.
     Law(Vec<Value>),
+    /// An array by loops: with p(z) = z + sum_d tail_d z^(d+2) and one weight more than the tail has
+    /// coefficients, element j is sum_i weights_i \[z^(i+1)\] p^(j+1), as [`rows`](rows::rows) gives it.
+    Rows {
+        /// Coefficients of z^2, z^3, ...
+        tail: Vec<Value>,
+        /// Weights of z, z^2, ...
+        weights: Vec<Value>,
+    },
+    /// An element of an array, from 0.
+    Element(Value, usize),
     /// The unknown of a [`Root`].
     Unknown,
     /// The root.
@@ -150,6 +162,7 @@ impl Hash for Op {
             Self::Input(input) => input.hash(state),
             Self::Power(base, exponent) => (base, exponent).hash(state),
             Self::Call(function, operand) => (function, operand).hash(state),
+            Self::Element(array, index) => (array, index).hash(state),
             op => op.operands().hash(state),
         }
     }
@@ -160,8 +173,9 @@ impl Op {
     pub fn operands(&self) -> Vec<Value> {
         match self {
             Self::Number(_) | Self::Input(_) | Self::Unknown => Vec::new(),
-            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) => vec![*a],
+            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => vec![*a],
             Self::Law(arguments) => arguments.clone(),
+            Self::Rows { tail, weights } => [tail.as_slice(), weights].concat(),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -181,7 +195,12 @@ impl Op {
             Self::Neg(a) => Self::Neg(to(*a)),
             Self::Power(a, k) => Self::Power(to(*a), *k),
             Self::Call(function, a) => Self::Call(*function, to(*a)),
+            Self::Element(array, index) => Self::Element(to(*array), *index),
             Self::Law(arguments) => Self::Law(arguments.iter().map(|a| to(*a)).collect()),
+            Self::Rows { tail, weights } => Self::Rows {
+                tail: tail.iter().map(|v| to(*v)).collect(),
+                weights: weights.iter().map(|v| to(*v)).collect(),
+            },
             Self::Add(a, b) => Self::Add(to(*a), to(*b)),
             Self::Sub(a, b) => Self::Sub(to(*a), to(*b)),
             Self::Mul(a, b) => Self::Mul(to(*a), to(*b)),
@@ -323,6 +342,11 @@ impl Program {
             }
             if definition.looped != self.looped(&definition.op) {
                 return Err(format!("value {index} is on the wrong side of its loop"));
+            }
+            let array = |v: &Value| matches!(self.get(*v).op, Op::Rows { .. });
+            let of_array = matches!(definition.op, Op::Element(..));
+            if operands.iter().any(|v| array(v) != of_array) {
+                return Err(format!("value {index} takes an array for a number, or the reverse"));
             }
             if let Some((name, _)) = &definition.name
                 && !names.insert(name)

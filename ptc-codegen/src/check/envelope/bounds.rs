@@ -1,13 +1,17 @@
 //! Bounds of every value of a program for inputs from intervals and a stretch of time-to-go.
 
+use std::collections::BTreeMap;
+
 use super::interval::{Interval, apply, outward};
-use crate::program::{Input, Op, Program, Root, Stage, Value};
+use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 
 /// A program's values as intervals.
+#[derive(Clone)]
 pub(super) struct Bounds<'a> {
     program: &'a Program,
     input: &'a dyn Fn(Input) -> Interval,
     known: Vec<Option<Interval>>,
+    arrays: BTreeMap<Value, Vec<Interval>>,
     /// What stands for a stretch of time-to-go: `late`, and the time past the deadline in it.
     held: Vec<Value>,
 }
@@ -20,10 +24,11 @@ impl<'a> Bounds<'a> {
         if let Op::Min(a, b) = program.get(late).op {
             held.extend([a, b].into_iter().filter(|v| program.get(*v).stage == Stage::Tick));
         }
-        let mut bounds = Self { program, input, known: vec![None; program.values.len()], held };
+        let known = vec![None; program.values.len()];
+        let mut bounds = Self { program, input, known, arrays: BTreeMap::new(), held };
         for (index, definition) in program.values.iter().enumerate() {
             if definition.stage < Stage::Tick {
-                bounds.known[index] = Some(bounds.compute(Value(index)));
+                bounds.settle(Value(index));
             }
         }
         bounds
@@ -32,11 +37,11 @@ impl<'a> Bounds<'a> {
     /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
     /// the digits it has left near the deadline would be lost in an interval of t - deadline.
     pub(super) fn at(&self, low: f64, high: f64) -> Self {
-        let mut known = self.known.clone();
+        let mut bounds = self.clone();
         for held in &self.held {
-            known[held.0] = Some(outward(-high, -low, self.program.precision));
+            bounds.known[held.0] = Some(outward(-high, -low, self.program.precision));
         }
-        Self { program: self.program, input: self.input, known, held: self.held.clone() }
+        bounds
     }
 
     /// The bound of a value that has been computed.
@@ -49,7 +54,7 @@ impl<'a> Bounds<'a> {
         let needed = self.needed(roots);
         for value in &needed {
             if self.known[value.0].is_none() && !self.program.get(*value).looped {
-                self.known[value.0] = Some(self.compute(*value));
+                self.settle(*value);
             }
         }
         let computed = needed.into_iter().filter(|value| !self.program.get(*value).looped);
@@ -81,15 +86,36 @@ impl<'a> Bounds<'a> {
         (0..wanted.len()).filter(|index| wanted[*index]).map(Value).collect()
     }
 
-    fn compute(&self, value: Value) -> Interval {
-        match &self.program.get(value).op {
+    fn settle(&mut self, value: Value) {
+        let op = &self.program.get(value).op;
+        if let Op::Rows { tail, weights } = op {
+            self.arrays.insert(value, self.rows(tail, weights));
+        }
+        self.known[value.0] = Some(self.compute(op));
+    }
+
+    fn compute(&self, op: &Op) -> Interval {
+        match op {
             Op::Input(input) => (self.input)(*input),
             Op::Root(root) => self.root(root),
+            // The array as a whole; an excess within reaches one of its elements.
+            Op::Rows { .. } => Interval::point(0.0),
+            Op::Element(array, index) => self.arrays[array][*index],
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.get(*v)).collect();
                 apply(op, &operands, self.program.precision)
             }
         }
+    }
+
+    /// The loops of an array, operation by operation.
+    fn rows(&self, tail: &[Value], weights: &[Value]) -> Vec<Interval> {
+        let [tail, weights] =
+            [tail, weights].map(|values| values.iter().map(|v| self.get(*v)).collect::<Vec<_>>());
+        let (mul, add) = (Op::Mul(Value(0), Value(1)), Op::Add(Value(0), Value(1)));
+        let precision = self.program.precision;
+        let on = |op| move |a, b| apply(op, &[a, b], precision);
+        rows::rows(&tail, &weights, on(&add), on(&mul))
     }
 
     /// Where the iteration may end: its bracket, cut to where the residual, which decreases, is not
@@ -104,11 +130,11 @@ impl<'a> Bounds<'a> {
         let (least, most) = (low.low.min(start.low), high.high.max(start.high));
         let body: Vec<_> = self.needed(&[root.residual]);
         let body: Vec<_> = body.into_iter().filter(|v| self.program.get(*v).looped).collect();
-        let mut scratch = Self { known: self.known.clone(), held: self.held.clone(), ..*self };
+        let mut scratch = self.clone();
         let mut residual = |y: f64| {
             scratch.known[root.unknown.0] = Some(Interval::point(y));
             for value in body.iter().filter(|value| **value != root.unknown) {
-                scratch.known[value.0] = Some(scratch.compute(*value));
+                scratch.settle(*value);
             }
             scratch.get(root.residual)
         };

@@ -257,11 +257,12 @@ mod tests {
         #[test]
         fn bounds_hold_what_is_computed(
             family in prop::sample::select(&FAMILIES),
+            n in prop::sample::select(&[3, 9]),
             single in prop::bool::ANY,
             (t, gain, state) in (0.0..0.9999f32, 1.0..20.0f32, -10.0..10.0f32),
         ) {
             let precision = if single { Precision::F32 } else { Precision::F64 };
-            let program = program(3, family, precision);
+            let program = program(n, family, precision);
             let eps = f64::from(1e-4f32);
             let input = inputs(eps, 10.0, Interval::new(1.0, 20.0));
             let time_to_go = 1.0 - f64::from(t);
@@ -277,7 +278,9 @@ mod tests {
             let mut interpreter = Interpreter::new(&program, &at);
             let outputs: Vec<_> = program.gains.iter().chain([&program.step]).copied().collect();
             for value in program.needed(&outputs) {
-                if program.get(value).looped || program.get(value).op == Op::Input(Input::Time) {
+                let definition = program.get(value);
+                let no_number = matches!(definition.op, Op::Input(Input::Time) | Op::Rows { .. });
+                if definition.looped || no_number {
                     continue;
                 }
                 let (bound, number) = (bounds.get(value), interpreter.value(value));

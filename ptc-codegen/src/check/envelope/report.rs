@@ -38,6 +38,8 @@ fn expression(program: &Program, value: Value, depth: u32) -> String {
         Op::Pow(a, b) => call_two("pow", a, b),
         Op::Call(function, a) => call(function.name(), a),
         Op::Law(_) => "pi0".to_owned(),
+        Op::Rows { .. } => "rows".to_owned(),
+        Op::Element(array, index) => format!("{}[{index}]", part(array)),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::algebra::integer;
 use crate::expression::Function;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::mapping::FAMILIES;
+use crate::mapping::{FAMILIES, Family};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Stage, Value, cost};
 use crate::spec::{Parameter, Precision, Spec, number};
@@ -63,6 +63,7 @@ fn specs() -> Vec<Spec> {
             }
         }
     }
+    specs.push(Spec::new(12, Family::ExpSum));
     specs
 }
 

@@ -1,0 +1,182 @@
+/*
+ * Prescribed-time controller ptc_exp_sum9_in_loops: order n = 9, mapping exp_sum.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 9 --mu "exp_sum(2)" --name ptc_exp_sum9_in_loops
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   rates: rates a_i of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*mean_i(1 - exp(-a_i*t))
+ *   kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
+ *   atoms: e_i = exp(-a_i*t)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
+ *   r_1 = 1/2*tau*a1*e1 + 1/2*tau*a2*e2
+ *   r_2 = -1/2*tau*a1^2*e1 - 1/2*tau*a2^2*e2
+ *   r_3 = 1/2*tau*a1^3*e1 + 1/2*tau*a2^3*e2
+ *   r_4 = -1/2*tau*a1^4*e1 - 1/2*tau*a2^4*e2
+ *   r_5 = 1/2*tau*a1^5*e1 + 1/2*tau*a2^5*e2
+ *   r_6 = -1/2*tau*a1^6*e1 - 1/2*tau*a2^6*e2
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = r1
+ *   B_{2,1} = r2
+ *   B_{2,2} = r1^2
+ *   B_{3,1} = r3
+ *   B_{3,2} = 3*r1*r2
+ *   B_{3,3} = r1^3
+ *   B_{4,1} = r4
+ *   B_{4,2} = 4*r1*r3 + 3*r2^2
+ *   B_{4,3} = 6*r1^2*r2
+ *   B_{4,4} = r1^4
+ *   B_{5,1} = r5
+ *   B_{5,2} = 5*r1*r4 + 10*r2*r3
+ *   B_{5,3} = 15*r1*r2^2 + 10*r1^2*r3
+ *   B_{5,4} = 10*r1^3*r2
+ *   B_{5,5} = r1^5
+ *   B_{6,1} = r6
+ *   B_{6,2} = 6*r1*r5 + 15*r2*r4 + 10*r3^2
+ *   B_{6,3} = 60*r1*r2*r3 + 15*r1^2*r4 + 15*r2^3
+ *   B_{6,4} = 45*r1^2*r2^2 + 20*r1^3*r3
+ *   B_{6,5} = 15*r1^4*r2
+ *   (to order 6; all of them: ptc-codegen show matrix --n 9 --mu exp_sum)
+ *
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+ *   g   = 1
+ *   u = (sum_j gain_j x_j)/g
+ *   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
+ *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Checks of the design (ptc-codegen check tells more):
+ *   membership: sound: exp_sum is of class M for all its parameters.
+ *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step: 145 + - or comparison, 182 *, 5 /, 0 sqrt, 5 calls, one round of
+ *       the iteration.
+ * Latencies added up: x86-64 about 1678 cycles, Cortex-M4F about 1147 cycles.
+ */
+#ifndef PTC_EXP_SUM9_IN_LOOPS_H
+#define PTC_EXP_SUM9_IN_LOOPS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0,        /* tracking */
+    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3,     /* the deadline is over, and what was chosen for then gives u */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3   /* u not finite */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct ptc_exp_sum9_in_loops_params {
+    double tau; /* prescribed settling time [s], finite, > 0 */
+    double t0; /* start time [s], finite */
+    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
+    double rates[2]; /* rates a_i of stretched time [1/s], finite, > 0 */
+    double k[9]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+} ptc_exp_sum9_in_loops_params;
+
+/* Controller: set by init and arm, read by step and tick. */
+typedef struct ptc_exp_sum9_in_loops {
+    double a1; /* rates a_i of stretched time */
+    double a2; /* rates a_i of stretched time */
+    double t0; /* start time */
+    double tau; /* prescribed settling time */
+    double deadline; /* t0 + tau, rounded */
+    double correction; /* what the rounding of t0 + tau left out */
+    double eps; /* time-to-go at which the gains are held */
+    double hold_from; /* -eps: later than this the gains are held */
+    double target_rate; /* N/tau, N the number of rates */
+    double slowest; /* 1/min a_i */
+    double mean_period; /* 1/mean a_i */
+    double tolerance; /* size of the last step of the iteration */
+    double b1_1; /* weight of exp(-a1*y) in r1/1! */
+    double b1_2; /* weight of exp(-a2*y) in r1/1! */
+    double b2_1; /* weight of exp(-a1*y) in r2/2! */
+    double b2_2; /* weight of exp(-a2*y) in r2/2! */
+    double b3_1; /* weight of exp(-a1*y) in r3/3! */
+    double b3_2; /* weight of exp(-a2*y) in r3/3! */
+    double b4_1; /* weight of exp(-a1*y) in r4/4! */
+    double b4_2; /* weight of exp(-a2*y) in r4/4! */
+    double b5_1; /* weight of exp(-a1*y) in r5/5! */
+    double b5_2; /* weight of exp(-a2*y) in r5/5! */
+    double b6_1; /* weight of exp(-a1*y) in r6/6! */
+    double b6_2; /* weight of exp(-a2*y) in r6/6! */
+    double b7_1; /* weight of exp(-a1*y) in r7/7! */
+    double b7_2; /* weight of exp(-a2*y) in r7/7! */
+    double b8_1; /* weight of exp(-a1*y) in r8/8! */
+    double b8_2; /* weight of exp(-a2*y) in r8/8! */
+    double b9_1; /* weight of exp(-a1*y) in r9/9! */
+    double b9_2; /* weight of exp(-a2*y) in r9/9! */
+    double w1; /* weighted gain -0!*k1 */
+    double w2; /* weighted gain -1!*k2 */
+    double w3; /* weighted gain -2!*k3 */
+    double w4; /* weighted gain -3!*k4 */
+    double w5; /* weighted gain -4!*k5 */
+    double w6; /* weighted gain -5!*k6 */
+    double w7; /* weighted gain -6!*k7 */
+    double w8; /* weighted gain -7!*k8 */
+    double w9; /* weighted gain -8!*k9 */
+    double u_max; /* bound of |u| */
+} ptc_exp_sum9_in_loops;
+
+/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[8]*x[8]. */
+typedef struct ptc_exp_sum9_in_loops_gains {
+    double gain[9];
+    double u_max; /* bound of |u| */
+    ptc_status status; /* PTC_OK or PTC_HOLD */
+} ptc_exp_sum9_in_loops_gains;
+
+/* Takes the parameters and arms at params->t0 (or the fixed t0).
+ * PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp_sum9_in_loops_params *params);
+
+/* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0);
+
+/* u at time t [s] and state x = (x1, x1', ...). */
+ptc_status ptc_exp_sum9_in_loops_step(const ptc_exp_sum9_in_loops *self, double t, const double x[9], double *u);
+
+/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+ * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ptc_status ptc_exp_sum9_in_loops_tick(const ptc_exp_sum9_in_loops *self, double t, ptc_exp_sum9_in_loops_gains *gains);
+
+/* u of one axis from the gains that tick left. */
+ptc_status ptc_exp_sum9_in_loops_axis(const ptc_exp_sum9_in_loops_gains *gains, const double x[9], double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

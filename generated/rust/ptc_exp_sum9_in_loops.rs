@@ -1,0 +1,750 @@
+//! Prescribed-time controller ptc_exp_sum9_in_loops: order n = 9, mapping exp_sum.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 9 --mu "exp_sum(2)" --name ptc_exp_sum9_in_loops
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   rates: rates a_i of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = tau*mean_i(1 - exp(-a_i*t))
+//!   kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
+//!   atoms: e_i = exp(-a_i*t)
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
+//!   r_1 = 1/2*tau*a1*e1 + 1/2*tau*a2*e2
+//!   r_2 = -1/2*tau*a1^2*e1 - 1/2*tau*a2^2*e2
+//!   r_3 = 1/2*tau*a1^3*e1 + 1/2*tau*a2^3*e2
+//!   r_4 = -1/2*tau*a1^4*e1 - 1/2*tau*a2^4*e2
+//!   r_5 = 1/2*tau*a1^5*e1 + 1/2*tau*a2^5*e2
+//!   r_6 = -1/2*tau*a1^6*e1 - 1/2*tau*a2^6*e2
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!   B_{1,1} = r1
+//!   B_{2,1} = r2
+//!   B_{2,2} = r1^2
+//!   B_{3,1} = r3
+//!   B_{3,2} = 3*r1*r2
+//!   B_{3,3} = r1^3
+//!   B_{4,1} = r4
+//!   B_{4,2} = 4*r1*r3 + 3*r2^2
+//!   B_{4,3} = 6*r1^2*r2
+//!   B_{4,4} = r1^4
+//!   B_{5,1} = r5
+//!   B_{5,2} = 5*r1*r4 + 10*r2*r3
+//!   B_{5,3} = 15*r1*r2^2 + 10*r1^2*r3
+//!   B_{5,4} = 10*r1^3*r2
+//!   B_{5,5} = r1^5
+//!   B_{6,1} = r6
+//!   B_{6,2} = 6*r1*r5 + 15*r2*r4 + 10*r3^2
+//!   B_{6,3} = 60*r1*r2*r3 + 15*r1^2*r4 + 15*r2^3
+//!   B_{6,4} = 45*r1^2*r2^2 + 20*r1^3*r3
+//!   B_{6,5} = 15*r1^4*r2
+//!   (to order 6; all of them: ptc-codegen show matrix --n 9 --mu exp_sum)
+//!
+//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+//!   g   = 1
+//!   u = (sum_j gain_j x_j)/g
+//!   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
+//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
+//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Checks of the design (ptc-codegen check tells more):
+//!   membership: sound: exp_sum is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step: 145 + - or comparison, 182 *, 5 /, 0 sqrt, 5 calls, one round of
+//!       the iteration.
+//! Latencies added up: x86-64 about 1678 cycles, Cortex-M4F about 1147 cycles.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over, and what was chosen for then gives u.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn exp(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::exp(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.exp()
+        }
+    }
+
+    #[inline]
+    pub fn ln(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::log(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.ln()
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcExpSum9InLoops`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcExpSum9InLoopsParams {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rates a_i of stretched time, unit 1/s, finite, > 0.
+    pub rates: [f64; 2],
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 9],
+}
+
+/// Prescribed-time controller of order 9.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcExpSum9InLoops {
+    /// rates a_i of stretched time
+    a1: f64,
+    /// rates a_i of stretched time
+    a2: f64,
+    /// start time
+    t0: f64,
+    /// prescribed settling time
+    tau: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// N/tau, N the number of rates
+    target_rate: f64,
+    /// 1/min a_i
+    slowest: f64,
+    /// 1/mean a_i
+    mean_period: f64,
+    /// size of the last step of the iteration
+    tolerance: f64,
+    /// weight of exp(-a1*y) in r1/1!
+    b1_1: f64,
+    /// weight of exp(-a2*y) in r1/1!
+    b1_2: f64,
+    /// weight of exp(-a1*y) in r2/2!
+    b2_1: f64,
+    /// weight of exp(-a2*y) in r2/2!
+    b2_2: f64,
+    /// weight of exp(-a1*y) in r3/3!
+    b3_1: f64,
+    /// weight of exp(-a2*y) in r3/3!
+    b3_2: f64,
+    /// weight of exp(-a1*y) in r4/4!
+    b4_1: f64,
+    /// weight of exp(-a2*y) in r4/4!
+    b4_2: f64,
+    /// weight of exp(-a1*y) in r5/5!
+    b5_1: f64,
+    /// weight of exp(-a2*y) in r5/5!
+    b5_2: f64,
+    /// weight of exp(-a1*y) in r6/6!
+    b6_1: f64,
+    /// weight of exp(-a2*y) in r6/6!
+    b6_2: f64,
+    /// weight of exp(-a1*y) in r7/7!
+    b7_1: f64,
+    /// weight of exp(-a2*y) in r7/7!
+    b7_2: f64,
+    /// weight of exp(-a1*y) in r8/8!
+    b8_1: f64,
+    /// weight of exp(-a2*y) in r8/8!
+    b8_2: f64,
+    /// weight of exp(-a1*y) in r9/9!
+    b9_1: f64,
+    /// weight of exp(-a2*y) in r9/9!
+    b9_2: f64,
+    /// weighted gain -0!*k1
+    w1: f64,
+    /// weighted gain -1!*k2
+    w2: f64,
+    /// weighted gain -2!*k3
+    w3: f64,
+    /// weighted gain -3!*k4
+    w4: f64,
+    /// weighted gain -4!*k5
+    w5: f64,
+    /// weighted gain -5!*k6
+    w6: f64,
+    /// weighted gain -6!*k7
+    w7: f64,
+    /// weighted gain -7!*k8
+    w8: f64,
+    /// weighted gain -8!*k9
+    w9: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcExpSum9InLoops`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcExpSum9InLoopsGains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[8\] x\[8\].
+    pub gain: [f64; 9],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcExpSum9InLoops {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcExpSum9InLoopsParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a1 = params.rates[0];
+        let a2 = params.rates[1];
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        let k3 = params.k[2];
+        let k4 = params.k[3];
+        let k5 = params.k[4];
+        let k6 = params.k[5];
+        let k7 = params.k[6];
+        let k8 = params.k[7];
+        let k9 = params.k[8];
+        if !(tau.is_finite()
+            && (tau > 0.0)
+            && t0.is_finite()
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && a1.is_finite()
+            && (a1 > 0.0)
+            && a2.is_finite()
+            && (a2 > 0.0)
+            && k1.is_finite()
+            && k2.is_finite()
+            && k3.is_finite()
+            && k4.is_finite()
+            && k5.is_finite()
+            && k6.is_finite()
+            && k7.is_finite()
+            && k8.is_finite()
+            && k9.is_finite()
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let hold_from = -eps;
+        let target_rate = 2.0 / tau;
+        let v1 = 1.0 / a1;
+        let v2 = 1.0 / a2;
+        let slowest = if v1 < v2 { v2 } else { v1 };
+        let mean_period = 2.0 / (a1 + a2);
+        let tolerance = 0.03 / (if a1 < a2 { a2 } else { a1 });
+        let b1_1 = 0.5 * a1 * tau;
+        let b1_2 = 0.5 * a2 * tau;
+        let v3 = a1 * a1;
+        let b2_1 = (-0.25) * v3 * tau;
+        let v4 = a2 * a2;
+        let b2_2 = (-0.25) * v4 * tau;
+        let v5 = a1 * v3;
+        let b3_1 = 0.08333333333333333 * v5 * tau;
+        let v6 = a2 * v4;
+        let b3_2 = 0.08333333333333333 * v6 * tau;
+        let v7 = v3 * v3;
+        let b4_1 = (-0.020833333333333332) * v7 * tau;
+        let v8 = v4 * v4;
+        let b4_2 = (-0.020833333333333332) * v8 * tau;
+        let b5_1 = 0.004166666666666667 * (a1 * v7) * tau;
+        let b5_2 = 0.004166666666666667 * (a2 * v8) * tau;
+        let b6_1 = (-0.0006944444444444445) * (v3 * v7) * tau;
+        let b6_2 = (-0.0006944444444444445) * (v4 * v8) * tau;
+        let b7_1 = 9.92063492063492e-5 * (v5 * v7) * tau;
+        let b7_2 = 9.92063492063492e-5 * (v6 * v8) * tau;
+        let v9 = v7 * v7;
+        let b8_1 = (-1.240079365079365e-5) * v9 * tau;
+        let v10 = v8 * v8;
+        let b8_2 = (-1.240079365079365e-5) * v10 * tau;
+        let b9_1 = 1.3778659611992946e-6 * (a1 * v9) * tau;
+        let b9_2 = 1.3778659611992946e-6 * (a2 * v10) * tau;
+        let w1 = -k1;
+        let w2 = -k2;
+        let w3 = (-2.0) * k3;
+        let w4 = (-6.0) * k4;
+        let w5 = (-24.0) * k5;
+        let w6 = (-120.0) * k6;
+        let w7 = (-720.0) * k7;
+        let w8 = (-5040.0) * k8;
+        let w9 = (-40320.0) * k9;
+        let mut built = Self {
+            a1,
+            a2,
+            tau,
+            eps,
+            hold_from,
+            target_rate,
+            slowest,
+            mean_period,
+            tolerance,
+            b1_1,
+            b1_2,
+            b2_1,
+            b2_2,
+            b3_1,
+            b3_2,
+            b4_1,
+            b4_2,
+            b5_1,
+            b5_2,
+            b6_1,
+            b6_2,
+            b7_1,
+            b7_2,
+            b8_1,
+            b8_2,
+            b9_1,
+            b9_2,
+            w1,
+            w2,
+            w3,
+            w4,
+            w5,
+            w6,
+            w7,
+            w8,
+            w9,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.hold_from.is_finite()
+            && built.target_rate.is_finite()
+            && built.slowest.is_finite()
+            && built.mean_period.is_finite()
+            && built.tolerance.is_finite()
+            && built.b1_1.is_finite()
+            && built.b1_2.is_finite()
+            && built.b2_1.is_finite()
+            && built.b2_2.is_finite()
+            && built.b3_1.is_finite()
+            && built.b3_2.is_finite()
+            && built.b4_1.is_finite()
+            && built.b4_2.is_finite()
+            && built.b5_1.is_finite()
+            && built.b5_2.is_finite()
+            && built.b6_1.is_finite()
+            && built.b6_2.is_finite()
+            && built.b7_1.is_finite()
+            && built.b7_2.is_finite()
+            && built.b8_1.is_finite()
+            && built.b8_2.is_finite()
+            && built.b9_1.is_finite()
+            && built.b9_2.is_finite()
+            && built.w1.is_finite()
+            && built.w2.is_finite()
+            && built.w3.is_finite()
+            && built.w4.is_finite()
+            && built.w5.is_finite()
+            && built.w6.is_finite()
+            && built.w7.is_finite()
+            && built.w8.is_finite()
+            && built.w9.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !(t0.is_finite()) {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !(deadline.is_finite()) {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// Loops over the powers of the Taylor series of mu, for the gains of all states at once.
+    fn rows(mut rows: [f64; 9], tail: &[f64; 8]) -> [f64; 9] {
+        let mut square = [0.0; 7];
+        for (d, (sum, own)) in square.iter_mut().zip(tail).enumerate() {
+            *sum = *own + *own;
+            for (a, b) in tail.iter().take(d).zip(tail.iter().take(d).rev()) {
+                *sum += *a * *b;
+            }
+        }
+        let mut round: &mut [_] = &mut rows;
+        while !round.is_empty() {
+            let mut power: &[_] = tail;
+            let mut part = &mut *round;
+            while let Some((sum, later)) = part.split_first_mut() {
+                for (coefficient, row) in power.iter().zip(later.iter()) {
+                    *sum += *coefficient * *row;
+                }
+                power = &square;
+                part = later;
+            }
+            round = round.get_mut(2..).unwrap_or_default();
+        }
+        rows
+    }
+
+/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 9]) -> Result<Control<f64>, Error> {
+        let [x1, x2, x3, x4, x5, x6, x7, x8, x9] = *x;
+        if !(t.is_finite()
+            && (t >= self.t0)
+            && x1.is_finite()
+            && x2.is_finite()
+            && x3.is_finite()
+            && x4.is_finite()
+            && x5.is_finite()
+            && x6.is_finite()
+            && x7.is_finite()
+            && x8.is_finite()
+            && x9.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let target = T * self.target_rate;
+        let v1 = -math::ln(target / 2.0);
+        let v2 = v1 * self.mean_period;
+        let v3 = (v1 - 0.6931467056274414) * self.slowest;
+        let mut y = if v2 < v3 { v3 } else { v2 };
+        let mut y_low = v2;
+        let mut y_high = v1 * self.slowest;
+        for _ in 0..12 {
+            let v4 = math::exp(-(self.a1 * y));
+            let v5 = math::exp(-(self.a2 * y));
+            let v6 = self.a1 * v4;
+            let v7 = v4 + v5;
+            let v8 = self.a2 * v5;
+            let v9 = (2.0 * (v7 - target)) / (v7 + target);
+            let v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+            let v11 = 1.0 / (v6 + v8);
+            let v12 = v7 * v11;
+            let v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
+            let v14 = v10 * v12 * (1.0 + v13);
+            let y_next = y + v14;
+            let y_size = v14.abs();
+            if v10 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= self.tolerance {
+                break;
+            }
+        }
+        let v15 = math::exp(-(self.a1 * y));
+        let v16 = math::exp(-(self.a2 * y));
+        let v17 = self.a1 * v15;
+        let v18 = self.a2 * v16;
+        let v19 = 1.0 / (v17 + v18);
+        let v20 = ((v15 + v16) - target) * v19;
+        let v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
+        let v22 = self.a1 * v21;
+        let v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
+        let v24 = self.a2 * v21;
+        let v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
+        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
+        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
+        let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
+        let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
+        let p5 = ((self.b5_1 * v23) + (self.b5_2 * v25)) * inv_r1;
+        let p6 = ((self.b6_1 * v23) + (self.b6_2 * v25)) * inv_r1;
+        let p7 = ((self.b7_1 * v23) + (self.b7_2 * v25)) * inv_r1;
+        let p8 = ((self.b8_1 * v23) + (self.b8_2 * v25)) * inv_r1;
+        let p9 = ((self.b9_1 * v23) + (self.b9_2 * v25)) * inv_r1;
+        let rows = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
+        let row3 = rows[1] * 0.5;
+        let row4 = rows[2] * 0.16666666666666666;
+        let row5 = rows[3] * 0.041666666666666664;
+        let row6 = rows[4] * 0.008333333333333333;
+        let row7 = rows[5] * 0.001388888888888889;
+        let row8 = rows[6] * 0.0001984126984126984;
+        let row9 = rows[7] * 2.48015873015873e-5;
+        let v26 = (((self.w1 * x1 * inv_r1) + (rows[0] * x2)) * inv_r1) + (row3 * x3);
+        let v27 = ((((v26 * inv_r1) + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
+        let v28 = ((((v27 + (row6 * x6)) * inv_r1) + (row7 * x7)) * inv_r1) + (row8 * x8);
+        let u = ((v28 * inv_r1) + (row9 * x9)) * inv_r1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
+        }
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
+        }
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcExpSum9InLoopsGains, Error> {
+        if !(t.is_finite() && (t >= self.t0)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let target = T * self.target_rate;
+        let v1 = -math::ln(target / 2.0);
+        let v2 = v1 * self.mean_period;
+        let v3 = (v1 - 0.6931467056274414) * self.slowest;
+        let mut y = if v2 < v3 { v3 } else { v2 };
+        let mut y_low = v2;
+        let mut y_high = v1 * self.slowest;
+        for _ in 0..12 {
+            let v4 = math::exp(-(self.a1 * y));
+            let v5 = math::exp(-(self.a2 * y));
+            let v6 = self.a1 * v4;
+            let v7 = v4 + v5;
+            let v8 = self.a2 * v5;
+            let v9 = (2.0 * (v7 - target)) / (v7 + target);
+            let v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+            let v11 = 1.0 / (v6 + v8);
+            let v12 = v7 * v11;
+            let v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
+            let v14 = v10 * v12 * (1.0 + v13);
+            let y_next = y + v14;
+            let y_size = v14.abs();
+            if v10 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= self.tolerance {
+                break;
+            }
+        }
+        let v15 = math::exp(-(self.a1 * y));
+        let v16 = math::exp(-(self.a2 * y));
+        let v17 = self.a1 * v15;
+        let v18 = self.a2 * v16;
+        let v19 = 1.0 / (v17 + v18);
+        let v20 = ((v15 + v16) - target) * v19;
+        let v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
+        let v22 = self.a1 * v21;
+        let v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
+        let v24 = self.a2 * v21;
+        let v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
+        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
+        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
+        let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
+        let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
+        let p5 = ((self.b5_1 * v23) + (self.b5_2 * v25)) * inv_r1;
+        let p6 = ((self.b6_1 * v23) + (self.b6_2 * v25)) * inv_r1;
+        let p7 = ((self.b7_1 * v23) + (self.b7_2 * v25)) * inv_r1;
+        let p8 = ((self.b8_1 * v23) + (self.b8_2 * v25)) * inv_r1;
+        let p9 = ((self.b9_1 * v23) + (self.b9_2 * v25)) * inv_r1;
+        let rows = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
+        let row3 = rows[1] * 0.5;
+        let row4 = rows[2] * 0.16666666666666666;
+        let row5 = rows[3] * 0.041666666666666664;
+        let row6 = rows[4] * 0.008333333333333333;
+        let row7 = rows[5] * 0.001388888888888889;
+        let row8 = rows[6] * 0.0001984126984126984;
+        let row9 = rows[7] * 2.48015873015873e-5;
+        let v26 = inv_r1 * inv_r1;
+        let v27 = v26 * inv_r1;
+        let v28 = v27 * inv_r1;
+        let held = late >= self.hold_from;
+        Ok(PtcExpSum9InLoopsGains {
+            gain: [
+                self.w1 * (v28 * inv_r1) * v28,
+                rows[0] * v28 * v28,
+                row3 * v28 * v27,
+                row4 * v27 * v27,
+                row5 * v27 * v26,
+                row6 * v26 * v26,
+                row7 * v26 * inv_r1,
+                row8 * inv_r1 * inv_r1,
+                row9 * inv_r1,
+            ],
+            u_max: self.u_max,
+            status: if held { Status::Hold } else { Status::Ok },
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcExpSum9InLoopsGains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 9]) -> Result<Control<f64>, Error> {
+        let [x1, x2, x3, x4, x5, x6, x7, x8, x9] = *x;
+        let [gain1, gain2, gain3, gain4, gain5, gain6, gain7, gain8, gain9] = self.gain;
+        if !(x1.is_finite()
+            && x2.is_finite()
+            && x3.is_finite()
+            && x4.is_finite()
+            && x5.is_finite()
+            && x6.is_finite()
+            && x7.is_finite()
+            && x8.is_finite()
+            && x9.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
+        let u = v1 + (gain6 * x6) + (gain7 * x7) + (gain8 * x8) + (gain9 * x9);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
+        }
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
+        }
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
+    }
+}
+
+impl Controller<9> for PtcExpSum9InLoops {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 9]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}
