@@ -241,7 +241,10 @@ impl<'a> Problem<'a> {
         if self.is_mu {
             format!("t = {}", shown(v))
         } else {
-            format!("dt = {}*tau", shown(&(integer(1) - v)))
+            match integer(1) - v {
+                start if start.is_zero() => "dt = 0".to_owned(),
+                share => format!("dt = {}*tau", shown(&share)),
+            }
         }
     }
 
@@ -432,8 +435,13 @@ impl<'a> Problem<'a> {
                 return Some(Verdict::Refuted { at, why: format!("{name}' is not positive") });
             }
             let value = self.evaluator.value(&self.falling.clone(), &names)?.interval;
-            if let Some((last, old)) = &before
-                && value.plus(&old.neg()).is_positive()
+            // As time passes tau - mu falls, and kappa rises.
+            let risen = before.as_ref().map(|(_, old)| value.plus(&old.neg()));
+            let wrong = |risen: &Interval| {
+                if self.is_mu { risen.is_positive() } else { risen.is_negative() }
+            };
+            if let Some((last, _)) = &before
+                && risen.as_ref().is_some_and(wrong)
             {
                 let why = format!("{name} is less than at {}", self.at(last));
                 return Some(Verdict::Refuted { at, why });
