@@ -224,6 +224,14 @@ fn each_verdict_on_growth_is_seen() {
     assert!(sound >= 20 && unsound >= 14, "{sound} and {unsound}");
 }
 
+/// A pole on the line is bounded where T falls like e^-t, but not where it falls like e^-t/(1 + t).
+#[test]
+fn what_is_left_open_may_grow() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/designs/table");
+    let spec = spec(&folder.join("growth_log_on_the_line.toml"));
+    assert_eq!(trends(&spec, &|_| 1.0), (Trend::Vanishes, Trend::Grows));
+}
+
 /// A rate that is left to run time is told to be good up to 1.99.
 #[test]
 fn the_largest_rate_is_seen() {

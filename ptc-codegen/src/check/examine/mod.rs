@@ -110,8 +110,10 @@ fn check_growth(spec: &Spec) -> Outcome {
                 return Outcome::from(&at_rest);
             }
             let limit = at_rest.largest_rho.map_or("no rate".to_owned(), super::digits);
+            let found = spec.custom().is_none_or(|custom| custom.decay_rate().is_some());
+            let why = if found { "is left to run time" } else { "of this mapping is not found" };
             lacks(&format!(
-                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {limit}"
+                "the rate {why}: x and u go to 0 where mu' decays at a rate of at most {limit}"
             ))
         }
     }
