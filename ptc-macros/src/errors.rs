@@ -2,9 +2,9 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use ptc_codegen::design::explains_missing;
-use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::mapping::FAMILIES;
-use ptc_codegen::spec::{self, Spec, Value};
+use ptc_codegen::spec::{self, Entry, Spec, Value};
 
 use crate::input::{Input, Spot, example};
 
@@ -18,7 +18,8 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
     found.extend(input.wrong.iter().cloned());
     found.sort_by_key(|wrong| (wrong.place.is_none(), wrong.place));
     let errors = found.iter().flat_map(|wrong| {
-        let spot = wrong.place.and_then(|place| input.places.get(place.0));
+        let place = wrong.place.or_else(|| value_of(input, &wrong.key));
+        let spot = place.and_then(|place| input.places.get(place.0));
         let (spans, message) = match (spot, &input.design) {
             (Some(Spot::File(range)), Some(design)) => {
                 let message = design.told(range.clone(), &wrong.message);
@@ -39,6 +40,12 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
         Some(name) => beside_stub(&name, errors),
         None => errors,
     }
+}
+
+/// Where the value of a key stands, for what is wrong with what follows from it.
+fn value_of(input: &Input, key: &str) -> Option<Place> {
+    let called = |entry: &&Entry| entry.key.rsplit('.').next() == Some(key);
+    input.entries.iter().find(called).map(|entry| entry.value.place)
 }
 
 /// `::core::compile_error! { "message" }`. The compiler marks all from the span of its first token

@@ -11,7 +11,7 @@ use ptc_codegen::spec::{Entry, KeyInfo, parse};
 
 use crate::design::{self, Design};
 
-const VALUES: &str = "a value is a number, a name, a name with arguments such as `power(m = 2)`, or a list in brackets such as `[6, 11, 6]`";
+const VALUES: &str = "a value is a number, a name, a name with arguments such as `power(m = 2)`, a list in brackets such as `[6, 11, 6]`, or an expression such as `-2 * xi1`";
 
 /// What was found between the parentheses of the macro.
 #[derive(Default)]

@@ -4,7 +4,7 @@ ptc::ptc_controller!(
     mu = exp(a = ),
     "tau" = 1,
     eps = 1e-3 u_max = 5,
-    t0 = 1 + 2,
+    t0 = 1 % 2,
     gains = 6, 11,
     u_max,
     ,

@@ -117,7 +117,9 @@ struct Found {
 }
 
 /// The time-to-go, next to the given one, at which `root` is not finite with parameters all at their
-/// lower or all at their upper ends, and states at those ends that give all terms of u one sign.
+/// lower or all at their upper ends. States are at those ends that give all terms of u one sign; a
+/// law or an input gain that is an expression has no such ends, and is tried at those of the
+/// parameters and, as it may divide by a state, in the middle.
 fn overflow(
     program: &Program,
     input: &dyn Fn(Input) -> Interval,
@@ -126,7 +128,8 @@ fn overflow(
     root: Value,
 ) -> Option<f64> {
     let settle = |value| number::settle(value, program.precision);
-    [false, true].into_iter().find_map(|upper| {
+    let corners = [(false, false), (true, false), (false, true)];
+    corners.into_iter().find_map(|(upper, middle)| {
         let end = |bound: Interval, upper| if upper { bound.high } else { bound.low };
         let early = |asked: Input| match asked {
             Input::Time => {
@@ -138,7 +141,10 @@ fn overflow(
         let mut interpreter = Interpreter::new(program, &early);
         let gains: Vec<_> = program.gains.iter().map(|gain| interpreter.value(*gain)).collect();
         let aligned = |asked: Input| match asked {
-            Input::State(j) => end(input(asked), gains[j - 1] >= 0.0),
+            Input::State(_) if middle => settle(f64::midpoint(input(asked).low, input(asked).high)),
+            Input::State(j) => {
+                end(input(asked), gains.get(j - 1).map_or(upper, |gain| *gain >= 0.0))
+            }
             Input::Gain(j) => gains[j - 1],
             other => early(other),
         };

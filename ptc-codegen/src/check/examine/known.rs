@@ -1,10 +1,12 @@
 //! What a spec fixes, as exact numbers and as doubles.
 
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
-use crate::expression::{Expression, Variable};
+use crate::expression::leading::{Limit, limit, limit_at_zero};
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Function, Variable};
 use crate::mapping::{Family, Form};
 use crate::spec::{Feedback, Fixed, Parameter, Spec, TimeMapping, number};
 
@@ -49,7 +51,38 @@ pub(super) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
             // T decays at one rate from the start to the deadline: exp in another spelling.
             let uniform = matches!(&custom.form, Form::Kappa(kappa)
                 if !kappa.rate.contains(Variable::TimeToGo));
-            (rate, if uniform { Modes::Polynomial } else { Modes::Other })
+            let modes = match &rate {
+                _ if uniform => Modes::Polynomial,
+                Some(rate) if rate.is_positive() && !is_exponential(spec, &custom.form, rate) => {
+                    Modes::Open
+                }
+                _ => Modes::Other,
+            };
+            (rate, modes)
+        }
+    }
+}
+
+/// Whether T e^(rate t) is found to tend to a constant other than 0.
+fn is_exponential(spec: &Spec, form: &Form, rate: &BigRational) -> bool {
+    let fixed = |e: &Expression| match e {
+        Expression::Parameter(parameter) => exact(spec, *parameter).map(Expression::Number),
+        _ => None,
+    };
+    let rate = Expression::Number(rate.clone());
+    match form {
+        Form::Complement(falling) => {
+            let t = Variable::SinceStart;
+            let grown = Expression::call(Function::Exp, rate.mul(t.into()));
+            let scaled = normal(&falling.substitute(&fixed).mul(grown));
+            let zero = Expression::integer(0);
+            matches!(limit(&scaled, t), Some(Limit::Finite(value)) if normal(&value) != zero)
+        }
+        // T falls at kappa.rate, whose difference from the rate must vanish like T.
+        Form::Kappa(kappa) => {
+            let to_go = Variable::TimeToGo;
+            let share = kappa.rate.substitute(&fixed).sub(rate).div(to_go.into());
+            matches!(limit_at_zero(&normal(&share), to_go), Some(Limit::Finite(_)))
         }
     }
 }

@@ -127,8 +127,10 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
             };
             let greatest = share.and_then(|share| known::rounded_down(share * limit));
             let by = if greatest.is_some() { "; init refuses more" } else { "" };
+            let found = spec.custom().is_none_or(|custom| custom.decay_rate().is_some());
+            let why = if found { "is left to run time" } else { "of this mapping is not found" };
             let (outcome, _) = lacks(&format!(
-                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
+                "the rate {why}: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
             ));
             (outcome, greatest.map(|greatest| (Parameter::A, greatest)))
         }

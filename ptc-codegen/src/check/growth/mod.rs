@@ -44,6 +44,10 @@ pub enum Modes {
     Analytic,
     /// Anything else, as for `exp_sum`, where rho = min a_i.
     Other,
+    /// Unknown, as T e^(rho t) is not known to tend to a constant other than 0, as it does in all
+    /// families with rho > 0: T = e^(-t)/(1+t) turns a mode at -rho into T ln T. Then what a pole on
+    /// a line does is open.
+    Open,
 }
 
 /// What gains do at the deadline.
@@ -79,7 +83,7 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
 
     let (mut rest, mut excepted) = (p.clone(), Vec::new());
     // For rho = 0 all -m rho are one pole, which counts as m = 0.
-    let candidates = if rho.is_zero() { n.min(1) } else { n };
+    let candidates = if rho.is_zero() || modes == Modes::Open { n.min(1) } else { n };
     for m in 0..candidates {
         let (multiplicity, without) = rest.without(&line(m));
         if multiplicity == 1 {
@@ -88,21 +92,27 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
         }
     }
     let rest_to_zero = hurwitz_left_of(&rest, n);
-    let rest_bounded = rest_to_zero || (rho.is_positive() && is_bounded(&rest.shifted(&line(n))));
+    let bounded = |p: &Polynomial| is_bounded(&p.shifted(&line(n)));
+    let rest_bounded = rest_to_zero || (rho.is_positive() && bounded(&rest));
+    let open = modes == Modes::Open && !rest_to_zero && {
+        let (_, off_the_line) = rest.without(&line(n));
+        hurwitz_left_of(&off_the_line, n) || bounded(&off_the_line)
+    };
     let only_constant = excepted.iter().all(|m| *m == 0);
     let excepted_bounded = (only_constant || modes != Modes::Other).then_some(true);
     let excepted_to_zero = match modes {
         Modes::Polynomial => Some(true),
         Modes::Analytic => Some(only_constant),
-        Modes::Other => only_constant.then_some(true),
+        Modes::Other | Modes::Open => only_constant.then_some(true),
     };
+    let open_or = |decided: Option<bool>| if open { None } else { decided };
     Growth {
         n,
         rho: rho.to_f64().unwrap_or(f64::NAN),
         modes,
         x_to_zero: hurwitz_left_of(&p, n.saturating_sub(1)),
-        u_bounded: if rest_bounded { excepted_bounded } else { Some(false) },
-        u_to_zero: if rest_to_zero { excepted_to_zero } else { Some(false) },
+        u_bounded: open_or(if rest_bounded { excepted_bounded } else { Some(false) }),
+        u_to_zero: open_or(if rest_to_zero { excepted_to_zero } else { Some(false) }),
         excepted,
         poles: poles::numeric(gains),
         largest_rho: largest_rho(gains, &p),
@@ -176,6 +186,16 @@ mod tests {
     }
 
     #[test]
+    fn where_t_is_no_exponential_the_line_is_open() {
+        assert_eq!(verdicts(&[-3, -4], Modes::Open), (true, Some(true), Some(true)));
+        for poles in [[-2, -3], [-2, -2]] {
+            assert_eq!(verdicts(&poles, Modes::Open), (true, None, None));
+        }
+        assert_eq!(verdicts(&[-1, -3], Modes::Open), (false, Some(false), Some(false)));
+        assert_eq!(verdicts(&[0, -3], Modes::Open), (false, Some(true), Some(true)));
+    }
+
+    #[test]
     fn complex_poles_on_the_line_and_between_the_lines() {
         let pole = |re: i64, im: i64| Pole { re: integer(re), im: integer(im) };
         let pair = gains(&[pole(-2, 5), pole(-2, -5)]).expect("conjugate pairs");
@@ -213,7 +233,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(48))]
 
         /// The closed form of the state at T = 1e-12 tau is small where x -> 0 and is not where not:
-        /// with integer poles it falls at least like T.
+        /// with integer poles it falls at least like T (ln T)^3.
         #[test]
         fn the_state_does_what_is_told(
             poles in prop::collection::vec(-7i64..2, 1..5),
@@ -233,7 +253,7 @@ mod tests {
                 r: if decaying { &exp } else { &rational },
                 stretched: if decaying { &|t: f64| -t.ln() } else { &|t: f64| (1.0 - t) / t },
             };
-            let small = deadline(&closed_loop, &vec![1.0; poles.len()], 1e-6).largest_eps.is_some();
+            let small = deadline(&closed_loop, &vec![1.0; poles.len()], 1e-3).largest_eps.is_some();
             prop_assert_eq!(small, found.x_to_zero);
         }
     }

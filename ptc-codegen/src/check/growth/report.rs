@@ -40,12 +40,19 @@ impl Growth {
         misses
     }
 
+    /// What leaves open whether u grows.
+    fn on_the_line(&self) -> Vec<String> {
+        let line = digits(self.line(self.n));
+        let on = self.misses(self.n).1.into_iter();
+        on.map(|pole| format!("the pole {pole} lies on the line Re = {line}")).collect()
+    }
+
     fn fix(&self) -> String {
         let line = digits(self.line(self.n));
         let rate = match self.modes {
             Modes::Polynomial => "a",
             Modes::Analytic => "2 a",
-            Modes::Other => "a least rate",
+            Modes::Other | Modes::Open => "a least rate",
         };
         match self.largest_rho {
             Some(rho) if self.rho > 0.0 => format!(
@@ -59,19 +66,27 @@ impl Growth {
 
 impl From<&Growth> for Outcome {
     fn from(growth: &Growth) -> Self {
-        // Where x -> 0 no pole is excepted, so what u does is decided.
+        // Where x -> 0 no pole is excepted, so that what u does is decided, or open on the line.
         let (found, misses) = match (growth.x_to_zero, growth.u_bounded) {
             (false, Some(false)) => {
                 ("x does not go to 0 and u is unbounded at the deadline", growth.misses_of_x())
             }
             (false, _) => ("x does not go to 0 at the deadline", growth.misses_of_x()),
             (true, Some(false)) => ("u is unbounded at the deadline", growth.misses_of_u()),
+            (true, None) => (
+                "x goes to 0 at the deadline; it is open whether u stays bounded",
+                growth.on_the_line(),
+            ),
             (true, _) if growth.u_to_zero == Some(true) => {
                 ("x and u go to 0 at the deadline", Vec::new())
             }
             (true, _) => ("x goes to 0 and u stays bounded at the deadline", Vec::new()),
         };
-        let sound = growth.x_to_zero && growth.u_bounded != Some(false);
+        let verdict = match (growth.x_to_zero, growth.u_bounded) {
+            (true, Some(true)) => Verdict::Sound,
+            (true, None) => Verdict::Undecided,
+            _ => Verdict::Unsound,
+        };
         let mut misses = misses.into_iter();
         let summary = match misses.next() {
             Some(worst) => format!("{found}: {worst}"),
@@ -90,10 +105,10 @@ impl From<&Growth> for Outcome {
         details.push(format!("poles {}; rho = {}", poles.join(", "), digits(growth.rho)));
         Self {
             name: "growth",
-            verdict: if sound { Verdict::Sound } else { Verdict::Unsound },
+            verdict,
             summary,
             details,
-            fix: (!sound).then(|| growth.fix()),
+            fix: (verdict != Verdict::Sound).then(|| growth.fix()),
         }
     }
 }

@@ -123,7 +123,8 @@ impl Problem<'_> {
             if let Some((last, old)) = &before {
                 // In the order of time, what is left of mu falls and kappa grows.
                 let grown = value.plus(&old.neg());
-                if if self.is_mu { grown.is_positive() } else { grown.is_negative() } {
+                let back = if self.is_mu { grown.is_positive() } else { grown.is_negative() };
+                if back {
                     let why = format!("{name} is less than at {}", self.at(last));
                     return Some(Verdict::Refuted { at, why });
                 }

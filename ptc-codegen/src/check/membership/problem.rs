@@ -105,7 +105,10 @@ impl<'a> Problem<'a> {
         if self.is_mu {
             format!("t = {}", shown(v))
         } else {
-            format!("dt = {}*tau", shown(&(integer(1) - v)))
+            match integer(1) - v {
+                start if start.is_zero() => "dt = 0".to_owned(),
+                share => format!("dt = {}*tau", shown(&share)),
+            }
         }
     }
 

@@ -64,6 +64,7 @@ fn what_is_made_of_families_is_a_member() {
         "(tau/(tau - dt))^2 - 1",
         "exp + rational + tan",
         "dt/tau/sqrt(1 - (dt/tau)^2)",
+        "2*dt/(tau - dt) + sin(2*pi*dt/tau)/7",
         "(tau/(tau - dt))^a + (tau/(tau - dt))^b - 2",
     ] {
         proved(Subject::Kappa, text, &[]);

@@ -29,6 +29,17 @@ pub(super) fn complex(node: &Node) -> Option<Complex> {
     }
 }
 
+/// The real number that `node` stands for: `inf`, a number, or numbers with operators between them.
+pub(super) fn real(node: &Node) -> Option<Fixed> {
+    match &node.value {
+        Value::Number(value) => Some(value.clone()),
+        _ => match complex(node)? {
+            (value, none) if none.is_zero() => Some(Fixed::Number { text: text(&value), value }),
+            _ => None,
+        },
+    }
+}
+
 /// A spelling of an exact number: its decimals where they end soon, else a ratio.
 pub(super) fn text(value: &BigRational) -> String {
     let scaled = value * BigRational::from_integer(1_000_000_000.into());

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{FixedValues, Reader, constant, items, shown};
 use crate::algebra::BigRational;
 use crate::check::poles;
+use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
 use crate::spec::{Feedback, Fixed, Node, Parameter, Value};
 
@@ -41,7 +42,7 @@ impl Reader<'_> {
         let node = self.keys.get("g").copied()?;
         let scope = Scope { subject: Subject::InputGain, n, known };
         let gain = resolve(node, scope, &mut self.found)?;
-        if gain == Expression::integer(0) {
+        if normal(&gain) == Expression::integer(0) {
             let message = "g = 0: the input does not move the plant".to_owned();
             self.wrong("g", Some(node.place), message, "g(x, t) is not 0".to_owned());
         }

@@ -1,6 +1,6 @@
 //! The time mapping: a family with its parameters, or an expression.
 
-use super::{Reader, count, shown, suggestion};
+use super::{Reader, constant, count, shown, suggestion};
 use crate::diagnostic::near_miss;
 use crate::expression::{Function, Scope, Subject, resolve};
 use crate::mapping::{Custom, FAMILIES, Family, FamilyInfo};
@@ -43,7 +43,7 @@ impl Reader<'_> {
             let functions = ["mean", "min", "max"];
             let is_function =
                 Function::ALL.iter().any(|(f, _)| *f == name) || functions.contains(&name);
-            if is_function && !arguments.is_empty() || name == "t" {
+            if is_function && !arguments.is_empty() || ["t", "tau"].contains(&name) {
                 return self.custom(Subject::Mu, n, node);
             }
             let names = FAMILIES.iter().map(|info| info.name);
@@ -60,6 +60,9 @@ impl Reader<'_> {
         };
         if info.family == Family::ExpSum {
             return self.rates(node, arguments);
+        }
+        if computed(info, arguments) {
+            return self.custom(Subject::Mu, n, node);
         }
         let fixed = arguments.iter().filter_map(|a| self.own_parameter(info, a)).collect();
         self.reject_twice(arguments);
@@ -140,4 +143,17 @@ impl Reader<'_> {
         self.wrong("mu", Some(place), message, help);
         None
     }
+}
+
+/// Whether a family's parameters are computed from others, as in `exp(a=2*b)`: an expression then.
+fn computed(info: &FamilyInfo, arguments: &[Argument]) -> bool {
+    let own = |argument: &Argument| {
+        argument.name.as_ref().is_some_and(|(name, _)| info.parameters.contains(&name.as_str()))
+    };
+    let expression = |argument: &Argument| {
+        let value = &argument.value.value;
+        matches!(value, Value::Word(_) | Value::Call(..) | Value::Negative(_) | Value::Binary(..))
+            && constant::real(&argument.value).is_none()
+    };
+    arguments.iter().all(own) && arguments.iter().any(expression)
 }

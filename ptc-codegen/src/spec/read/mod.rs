@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
                     self.twice(&entry.key, entry.place);
                 }
             }
-            (None, _) => self.unknown(entry, name),
+            (None, _) => self.unknown(&entry.key, entry.place, name),
         }
     }
 
@@ -91,7 +91,8 @@ impl<'a> Reader<'a> {
         );
     }
 
-    fn unknown(&mut self, entry: &Entry, name: &str) {
+    /// `name` is what `key` is called in its table.
+    fn unknown(&mut self, key: &str, place: Place, name: &str) {
         let names = KEYS.iter().map(|info| info.key);
         let legal = names.clone().collect::<Vec<_>>().join(", ");
         let help = match KeyInfo::find(name).map(KeyInfo::table) {
@@ -101,9 +102,9 @@ impl<'a> Reader<'a> {
         };
         self.found.push(
             "unknown-key",
-            entry.key.clone(),
-            Some(entry.place),
-            format!("unknown key `{}`", shorten(&entry.key)),
+            key,
+            Some(place),
+            format!("unknown key `{}`", shorten(key)),
             help,
         );
     }
@@ -181,17 +182,13 @@ impl<'a> Reader<'a> {
 
     fn positive(&mut self, key: &'static str) -> Option<Fixed> {
         let node = self.keys.get(key).copied()?;
-        match &node.value {
-            Value::Number(value) if value.number().is_some_and(Signed::is_positive) => {
-                Some(value.clone())
-            }
-            other => {
-                let message = format!("{key} = {} is no finite number > 0", shown(other));
-                let legal = KeyInfo::find(key).map_or("", |info| info.legal);
-                self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
-                None
-            }
+        let value = finite_positive(node);
+        if value.is_none() {
+            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
+            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+            self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
         }
+        value
     }
 
     fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
@@ -206,12 +203,10 @@ impl<'a> Reader<'a> {
         }
         let mut bounds = Vec::with_capacity(items.len());
         for (index, item) in items.iter().enumerate() {
-            match &item.value {
-                Value::Number(value) if value.number().is_some_and(Signed::is_positive) => {
-                    bounds.push(value.clone());
-                }
-                other => {
-                    let message = format!("{key}[{index}] = {} is no bound", shown(other));
+            match finite_positive(item) {
+                Some(value) => bounds.push(value),
+                None => {
+                    let message = format!("{key}[{index}] = {} is no bound", shown(&item.value));
                     let help = "a bound is a finite number > 0".to_owned();
                     self.wrong(key, Some(item.place), message, help);
                 }
@@ -319,6 +314,10 @@ fn items(node: &Node) -> &[Node] {
         Value::List(items) => items,
         _ => std::slice::from_ref(node),
     }
+}
+
+fn finite_positive(node: &Node) -> Option<Fixed> {
+    constant::real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
 }
 
 fn suggestion(meant: Option<&str>, legal: &str) -> String {

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{FixedValues, Reader, shown, suggestion};
+use super::{FixedValues, Reader, constant, shown, suggestion};
 use crate::diagnostic::near_miss;
 use crate::expression::Expression;
-use crate::spec::{Feedback, Fixed, Node, Parameter, Precision, Spec, Value, shorten};
+use crate::spec::{Feedback, Fixed, KeyInfo, Node, Parameter, Precision, Spec, Value, shorten};
 
 /// The parameters that every controller has.
 const COMMON: [Parameter; 4] =
@@ -37,7 +37,16 @@ impl Reader<'_> {
             .collect();
         for (name, (place, node)) in std::mem::take(&mut self.params) {
             let Some((_, parameter)) = legal.iter().find(|(known, _)| known == name) else {
-                if complete {
+                let given = |key: &str| self.keys.contains_key(key);
+                // What no design does without is looked for elsewhere, whatever else is wrong.
+                let sought = match name {
+                    "n" => !given("n"),
+                    "mu" | "kappa" => !given("mu") && !given("kappa"),
+                    _ => complete && KeyInfo::find(name).is_some(),
+                };
+                if sought {
+                    self.unknown(&format!("params.{name}"), place, name);
+                } else if complete {
                     let names = legal.iter().map(|(name, _)| name.as_str());
                     let all = names.clone().collect::<Vec<_>>().join(", ");
                     let all = if all.is_empty() {
@@ -90,10 +99,7 @@ impl Reader<'_> {
             return;
         }
         let domain = spec.domain(parameter);
-        let admitted = |node: &Node| match &node.value {
-            Value::Number(value) if domain.admits(value) => Some(value.clone()),
-            _ => None,
-        };
+        let admitted = |node: &Node| constant::real(node).filter(|value| domain.admits(value));
         match &node.value {
             Value::List(items) => {
                 if let [least, greatest] = items.as_slice()
@@ -130,10 +136,9 @@ impl Reader<'_> {
         parameter: Parameter,
         node: &Node,
     ) -> Option<Fixed> {
-        if let Value::Number(value) = &node.value
-            && parameter.domain().admits(value)
-        {
-            return Some(value.clone());
+        let value = constant::real(node).filter(|value| parameter.domain().admits(value));
+        if value.is_some() {
+            return value;
         }
         let message = format!("{key} = {} is outside its domain", shown(&node.value));
         let help = format!("{key} ({}) is {}", parameter.meaning(), parameter.domain().text());
