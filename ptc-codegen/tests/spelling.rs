@@ -96,6 +96,13 @@ fn gains_of_poles_are_told_to_their_last_digit() {
     assert_eq!(gains, ["24691357802469135/2", "24691357802469137/2"]);
 }
 
+#[test]
+fn a_family_in_an_expression_does_not_divide_by_zero() {
+    let found = mistake("--n 1 --kappa=\"mean(exp(a=b), exp(a=0))\"");
+    assert_eq!(found, "`exp` with a parameter that is 0 divides by zero");
+    assert!(mistake("--n 1 --mu=\"1*power(m=1-1)\"").contains("divides by zero"));
+}
+
 /// Each parameter has a field of its own in the emitted code.
 #[test]
 fn a_name_means_one_thing() {

@@ -23,7 +23,7 @@ fn words(line: &str) -> Vec<String> {
 
 /// The keys of a command line with their values: `--flag value`, `--flag=value` and
 /// `--param NAME=VALUE`.
-pub fn keys(line: &str) -> Vec<(String, String)> {
+pub(crate) fn keys(line: &str) -> Vec<(String, String)> {
     let mut words = words(line).into_iter();
     let mut keys = Vec::new();
     while let Some(word) = words.next() {
@@ -43,7 +43,7 @@ pub fn keys(line: &str) -> Vec<(String, String)> {
 }
 
 /// The spec that a command line asks for.
-pub fn spec_of(line: &str) -> Result<Spec, Vec<Diagnostic>> {
+pub(crate) fn spec_of(line: &str) -> Result<Spec, Vec<Diagnostic>> {
     let mut entries = Vec::new();
     for (key, text) in keys(line) {
         let value = parse(&key, &text, &mut |_| Place(0)).map_err(|wrong| vec![wrong])?;

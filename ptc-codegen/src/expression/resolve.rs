@@ -319,7 +319,14 @@ impl Resolver<'_, '_> {
                 }
             }
         }
-        Some(form.substitute(&|e| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone())))
+        let given = |e: &Expression| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone());
+        let form = form.substitute(&given);
+        let zero = Expression::integer(0);
+        if form.any(&|e| matches!(e, Expression::Div(_, divisor) if **divisor == zero)) {
+            let message = format!("`{name}` with a parameter that is 0 divides by zero");
+            return self.wrong(place, message, "its parameters are > 0");
+        }
+        Some(form)
     }
 }
 

@@ -138,8 +138,11 @@ fn overflow(
         let mut interpreter = Interpreter::new(program, &early);
         let gains: Vec<_> = program.gains.iter().map(|gain| interpreter.value(*gain)).collect();
         let aligned = |asked: Input| match asked {
-            Input::State(j) => end(input(asked), gains[j - 1] >= 0.0),
-            Input::Gain(j) => gains[j - 1],
+            // A law that is no sum of gains has none; its states are at the ends of the parameters.
+            Input::State(j) => {
+                end(input(asked), gains.get(j - 1).map_or(upper, |gain| *gain >= 0.0))
+            }
+            Input::Gain(j) => gains.get(j - 1).copied().unwrap_or(f64::NAN),
             other => early(other),
         };
         let finite = Interpreter::new(program, &aligned).value(root).is_finite();
