@@ -264,6 +264,7 @@ fn the_template_tells_every_key_and_is_a_design() {
     assert!(found.is_empty(), "{found:?}");
     let keys: Vec<_> = entries.iter().map(|entry| entry.key.as_str()).collect();
     for info in &KEYS {
-        assert!(keys.contains(&info.key), "{} is not in {text}", info.key);
+        let told = keys.iter().any(|key| key.rsplit('.').next() == Some(info.key));
+        assert!(told, "{} is not in {text}", info.key);
     }
 }
