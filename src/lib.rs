@@ -10,7 +10,8 @@
 //! u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
 //! s^n + k_n s^(n-1) + ... + k_1 lie left of -n rho, where rho is the decay rate of the mapping
 //! (a for `exp`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
-//! deadline.
+//! deadline. The macro refuses gains that are fixed and do not; `docs/checks` of the repository tells
+//! what else is checked, `docs/expressions.md` how mappings and laws of your own are written.
 //!
 //! ```
 //! use ptc::{Controller, Status};
@@ -54,6 +55,11 @@
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// So is that of the page on expressions.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/expressions.md")]
+struct Expressions;
 
 #[cfg(all(feature = "std", not(feature = "libm")))]
 extern crate std;

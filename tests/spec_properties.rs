@@ -1,5 +1,9 @@
 //! The reader of specs: it takes any text without a panic, and reads back what it tells.
 
+#[path = "support/command.rs"]
+mod command;
+
+use command::{keys, spec_of};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use ptc_codegen::diagnostic::Place;
@@ -24,41 +28,33 @@ fn nearly_legal() -> impl Strategy<Value = String> {
     prop::collection::vec(piece, 0..8).prop_map(|pieces| pieces.concat())
 }
 
+/// An expression in the names of every key, most of which some key refuses.
+fn expression() -> impl Strategy<Value = String> {
+    let leaf = prop_oneof![
+        3 => prop::sample::select(vec![
+            "t", "dt", "tau", "xi1", "x2", "x1_0", "a", "psi", "pi", "1", "2", "(1/2)", "(-1/3)",
+            "exp", "rational(a=2)", "algebraic(a=psi/3)",
+        ]).prop_map(str::to_owned),
+        1 => "[0-9]{1,3}(\\.[0-9]{1,3})?(e-?[0-9]{1,2})?",
+    ];
+    leaf.prop_recursive(5, 24, 3, |inner| {
+        let operator = prop::sample::select(vec!["+", "-", "*", "/", "^", " - -", "*-", "/-", "^-"]);
+        let function = prop::sample::select(vec!["", "-", "exp", "tanh", "sqrt", "ln", "cos", "abs"]);
+        prop_oneof![
+            3 => (inner.clone(), operator.clone(), inner.clone()).prop_map(|(a, o, b)| format!("{a}{o}{b}")),
+            3 => (inner.clone(), operator, inner.clone()).prop_map(|(a, o, b)| format!("({a}){o}({b})")),
+            2 => (function, inner.clone()).prop_map(|(f, a)| format!("{f}({a})")),
+            1 => prop::collection::vec(inner, 2..4).prop_map(|all| format!("max({})", all.join(","))),
+        ]
+    })
+}
+
 fn entries(texts: &[(String, String)]) -> Vec<Entry> {
     let entry = |(key, text): &(String, String)| {
         let value = parse(key, text, &mut |_| Place(0)).ok()?;
         Some(Entry { key: key.clone(), place: Place(0), value })
     };
     texts.iter().filter_map(entry).collect()
-}
-
-/// The words of a command line, as a shell splits it.
-fn words(line: &str) -> Vec<String> {
-    let (mut words, mut quoted) = (vec![String::new()], false);
-    for c in line.chars() {
-        match c {
-            '"' => quoted = !quoted,
-            ' ' if !quoted => words.push(String::new()),
-            c => words.last_mut().expect("a word").push(c),
-        }
-    }
-    assert!(!quoted, "an open quote: {line}");
-    words
-}
-
-/// Flags with their values, `--flag value` or `--flag=value`.
-fn flags(line: &str) -> Vec<(String, String)> {
-    let mut words = words(line).into_iter();
-    let mut flags = Vec::new();
-    while let Some(word) = words.next() {
-        let flag = word.strip_prefix("--").expect("a flag");
-        let (flag, value) = match flag.split_once('=') {
-            Some((flag, value)) => (flag.to_owned(), value.to_owned()),
-            None => (flag.to_owned(), words.next().expect("a value")),
-        };
-        flags.push((flag.replace('-', "_"), value));
-    }
-    flags
 }
 
 /// A number that is legal for any parameter but eps, as it is written.
@@ -161,12 +157,25 @@ proptest! {
 
     #[test]
     fn the_command_gives_the_spec_back(spec in any_spec()) {
-        let flags = flags(&spec.command());
-        for (key, _) in &flags {
-            prop_assert!(KeyInfo::find(key).is_some(), "{key} is no key");
+        let line = spec.command();
+        for (key, _) in keys(&line) {
+            prop_assert!(KeyInfo::find(&key).is_some(), "{key} is no key");
         }
-        let parsed = entries(&flags);
-        prop_assert_eq!(parsed.len(), flags.len());
-        prop_assert_eq!(read(&parsed), Ok(spec));
+        prop_assert_eq!(spec_of(&line), Ok(spec));
+    }
+
+    /// Expressions are spelled so that they read back as the same.
+    #[test]
+    fn the_command_gives_expressions_back(
+        key in prop::sample::select(vec!["mu", "kappa", "pi0", "g"]),
+        text in expression(),
+    ) {
+        let mut texts = vec![("n".to_owned(), "2".to_owned()), (key.to_owned(), text)];
+        if key == "pi0" || key == "g" {
+            texts.push(("mu".to_owned(), "power".to_owned()));
+        }
+        if let Ok(spec) = read(&entries(&texts)) {
+            prop_assert_eq!(spec_of(&spec.command()), Ok(spec));
+        }
     }
 }

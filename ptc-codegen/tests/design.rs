@@ -217,6 +217,14 @@ fn odd_files_are_told_without_a_panic() {
     assert!(read("").0.is_empty() && read("").1.is_empty());
 }
 
+/// The parser tells one mistake where a line has several: what follows may be a value alone.
+#[test]
+fn a_value_may_lack_its_key() {
+    let text = "mu = \"we#\nes=[0.5, 1 2{es=esm[0.5, 1 2].\nes=[0.5, 0 2]ln5\n= [1, 3]\n";
+    let (entries, found, _) = read(text);
+    assert!(entries.is_empty() && found.iter().all(|wrong| wrong.code == design::SYNTAX));
+}
+
 #[test]
 fn a_quote_is_one_line_with_its_numbers() {
     let source = "a = 1\r\nbé = \tx\r\n";

@@ -1,5 +1,5 @@
-//! The README's commands and C, as they stand there: run, compiled, and compared with its output.
-//! Its Rust is a doctest of the crate `ptc`.
+//! The commands and C of the README and of docs/, as they stand there: run, compiled, and compared
+//! with the output that stands beside them. Their Rust is a doctest of the crate `ptc`.
 
 #![cfg(unix)]
 
@@ -9,11 +9,29 @@ use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
 
-/// The blocks of the README in `language`, without the indentation of the list they stand in.
+const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
+
+/// The pages beside the README, by their place in docs/.
+const PAGES: [(&str, &str); 7] = [
+    ("expressions.md", EXPRESSIONS),
+    ("checks/README.md", include_str!("../../docs/checks/README.md")),
+    ("checks/membership.md", include_str!("../../docs/checks/membership.md")),
+    ("checks/growth.md", include_str!("../../docs/checks/growth.md")),
+    ("checks/sampling.md", include_str!("../../docs/checks/sampling.md")),
+    ("checks/deadline.md", include_str!("../../docs/checks/deadline.md")),
+    ("checks/envelope.md", include_str!("../../docs/checks/envelope.md")),
+];
+
+/// The blocks of the README in `language`.
 fn blocks(language: &str) -> Vec<String> {
+    blocks_of(README, language)
+}
+
+/// The blocks of a page in `language`, without the indentation of the list they stand in.
+fn blocks_of(page: &str, language: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut open: Option<(bool, usize, String)> = None;
-    for line in README.lines() {
+    for line in page.lines() {
         let text = line.trim_start();
         match (&mut open, text.strip_prefix("```")) {
             (None, Some(name)) => {
@@ -85,12 +103,61 @@ fn from_plant_to_firmware() {
     assert_eq!(&found, expected);
 }
 
+/// What `line` prints in `folder`; a refused design is no failure.
+fn printed(line: &str, folder: &Path) -> String {
+    let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
+    let command = line.replacen("ptc-codegen", &binary, 1);
+    let output = Command::new("sh").args(["-c", &command]).current_dir(folder).output();
+    let output = output.expect("a shell");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{line}\n{told}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+#[test]
+fn pages_show_what_is_printed() {
+    let folder = folder("pages");
+    for (name, page) in PAGES {
+        for block in blocks_of(page, "console") {
+            let (line, shown) = block.split_once('\n').expect("a command and its output");
+            let line = line.strip_prefix("$ ").expect("a command");
+            assert_eq!(printed(line, &folder), shown, "docs/{name}: {line}");
+        }
+    }
+    for check in ["membership", "growth", "sampling", "deadline", "envelope"] {
+        let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
+        let shown = blocks_of(page.expect("a page").1, "console").concat();
+        assert!(shown.contains(&format!("refused: {check}")), "{check} shows no refusal");
+    }
+}
+
+#[test]
+fn a_law_of_yours_in_c() {
+    let folder = folder("extern");
+    for command in blocks_of(EXPRESSIONS, "sh") {
+        printed(command.trim_end(), &folder);
+    }
+    let [main] = &blocks_of(EXPRESSIONS, "c")[..] else { panic!("one program in C") };
+    fs::write(folder.join("main.c"), main).expect("writable");
+    let strict =
+        "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
+    shell(&format!("{strict} -o demo main.c out/stage.c -lm && ./demo"), &folder);
+}
+
 #[test]
 fn what_is_told_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let links = README.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-    for link in links.filter(|link| !link.starts_with("http")) {
-        assert!(root.join(link).is_file(), "{link} is not there");
+    let pages = PAGES.map(|(name, page)| (root.join("docs").join(name), page));
+    for (path, page) in pages.iter().chain(&[(root.join("README.md"), README)]) {
+        let folder = path.parent().expect("a folder");
+        let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+        for link in links.filter(|link| !link.starts_with("http")) {
+            assert!(folder.join(link).is_file(), "{link} is not there");
+        }
+    }
+    for (name, _) in ptc_codegen::expression::Function::ALL {
+        let row = EXPRESSIONS.lines().find(|line| line.starts_with("| of one number"));
+        assert!(row.is_some_and(|row| row.contains(name)), "{name}");
     }
     for family in &ptc_codegen::mapping::FAMILIES {
         let row = format!("\n| `{}` | ", family.name);

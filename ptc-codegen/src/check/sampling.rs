@@ -141,7 +141,8 @@ impl Sampling {
                     digits(eps),
                     digits(eps / least)
                 ),
-                (eps < MARGIN * least).then(|| self.advice(least)),
+                // A default is rounded to three digits.
+                (eps < 0.99 * MARGIN * least).then(|| self.advice(least)),
             ),
             (Some(least), None) => (
                 Verdict::Sound,

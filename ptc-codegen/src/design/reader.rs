@@ -49,6 +49,17 @@ impl<'a> Reader<'a> {
                 self.table(&statement.words, "[[", "]]");
                 self.section = Section::Unknown;
             }
+            Head::Pair(value) if statement.words.is_empty() => {
+                // Where brackets before it are wrong the parser may let it pass.
+                let help = "a line is `key = value`".to_owned();
+                self.wrong(
+                    SYNTAX,
+                    "",
+                    value.range,
+                    "no TOML: a value without a key".to_owned(),
+                    help,
+                );
+            }
             Head::Pair(value) => {
                 let key_range = range(&statement.words);
                 let Some(key) = self.pair(&statement.words) else { return };

@@ -27,8 +27,8 @@ fn binding(expression: &Expression) -> u8 {
         Expression::Add(..) | Expression::Sub(..) => 1,
         Expression::Mul(..) | Expression::Div(..) => 2,
         Expression::Neg(_) => 3,
-        Expression::Number(number) if number.is_negative() => 3,
         Expression::Number(number) if !number.is_integer() => 2,
+        Expression::Number(number) if number.is_negative() => 3,
         Expression::Power(..) => 4,
         _ => 5,
     }
@@ -40,6 +40,28 @@ struct Operand<'a>(&'a Expression, u8);
 impl fmt::Display for Operand<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if binding(self.0) < self.1 { write!(f, "({})", self.0) } else { write!(f, "{}", self.0) }
+    }
+}
+
+fn list(items: &[&Expression]) -> String {
+    items.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl Expression {
+    /// The arguments of a min of several, which is the min of the first ones and the last.
+    fn least_of(&self) -> Vec<&Self> {
+        let Self::Min(a, b) = self else { return vec![self] };
+        let mut all = a.least_of();
+        all.push(b);
+        all
+    }
+
+    /// The arguments of a max of several.
+    fn greatest_of(&self) -> Vec<&Self> {
+        let Self::Max(a, b) = self else { return vec![self] };
+        let mut all = a.greatest_of();
+        all.push(b);
+        all
     }
 }
 
@@ -56,8 +78,8 @@ impl fmt::Display for Expression {
             Self::Mul(a, b) => write!(f, "{}*{}", Operand(a, 2), Operand(b, 3)),
             Self::Div(a, b) => write!(f, "{}/{}", Operand(a, 2), Operand(b, 3)),
             Self::Power(a, b) => write!(f, "{}^{}", Operand(a, 5), Operand(b, 5)),
-            Self::Min(a, b) => write!(f, "min({a}, {b})"),
-            Self::Max(a, b) => write!(f, "max({a}, {b})"),
+            Self::Min(..) => write!(f, "min({})", list(&self.least_of())),
+            Self::Max(..) => write!(f, "max({})", list(&self.greatest_of())),
             Self::Call(function, a) => write!(f, "{}({a})", function.name()),
         }
     }

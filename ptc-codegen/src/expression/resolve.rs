@@ -72,10 +72,26 @@ pub struct Scope<'a> {
     pub known: &'a [Parameter],
 }
 
+/// Largest size of an expression: families in families multiply it.
+const MAX_SIZE: usize = 10_000;
+
+/// Most bits of a constant over or under its fraction bar: powers of powers multiply them.
+const MAX_BITS: u64 = 4096;
+
+/// Most arguments of a function of several.
+const MAX_ARGUMENTS: usize = 100;
+
 /// The expression that `node` stands for; `None` where something in it is wrong, which `found`
 /// then tells.
 pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option<Expression> {
-    Resolver { scope, found }.node(node)
+    let mut resolver = Resolver { scope, found };
+    let expression = resolver.node(node)?;
+    // With its constants and families written out it still has to be one that can be read: this
+    // bounds its height, and its spelling gives it back.
+    match parse(scope.subject.key(), &expression.to_string(), &mut |_| Place(0)) {
+        Ok(_) => Some(expression),
+        Err(_) => resolver.too_large(node.place),
+    }
 }
 
 struct Resolver<'a, 'b> {
@@ -98,6 +114,24 @@ fn indexed(name: &str) -> Option<(usize, fn(usize) -> Variable)> {
 
 impl Resolver<'_, '_> {
     fn node(&mut self, node: &Node) -> Option<Expression> {
+        let expression = self.operation(node)?;
+        let large = match &expression {
+            Expression::Number(n) => n.numer().bits().max(n.denom().bits()) > MAX_BITS,
+            other => matches!(node.value, Value::Call(..)) && other.size() > MAX_SIZE,
+        };
+        if large { self.too_large(node.place) } else { Some(expression) }
+    }
+
+    fn too_large(&mut self, place: Place) -> Option<Expression> {
+        self.wrong(
+            place,
+            "an expression that is too large once its constants and families are written out"
+                .to_owned(),
+            "write it shorter, or with constants of fewer digits",
+        )
+    }
+
+    fn operation(&mut self, node: &Node) -> Option<Expression> {
         match &node.value {
             Value::Number(Fixed::Number { value, .. }) => Some(Expression::Number(value.clone())),
             Value::Number(Fixed::Infinite) => self.wrong(
@@ -225,6 +259,7 @@ impl Resolver<'_, '_> {
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
         let count = values.len();
         match (name, function, count) {
+            ("min" | "max" | "mean", _, MAX_ARGUMENTS..) => self.too_large(place),
             (_, Some((_, function)), 1) => {
                 Some(Expression::call(*function, values.into_iter().next()?))
             }
@@ -284,7 +319,14 @@ impl Resolver<'_, '_> {
                 }
             }
         }
-        Some(form.substitute(&|e| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone())))
+        let given = |e: &Expression| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone());
+        let form = form.substitute(&given);
+        let zero = Expression::integer(0);
+        if form.any(&|e| matches!(e, Expression::Div(_, divisor) if **divisor == zero)) {
+            let message = format!("`{name}` with a parameter that is 0 divides by zero");
+            return self.wrong(place, message, "its parameters are > 0");
+        }
+        Some(form)
     }
 }
 

@@ -35,15 +35,21 @@ impl Spec {
         }
         words.extend(self.law_words());
         for (parameter, value) in &self.fixed {
-            if let Parameter::Named(name) = parameter {
-                words.push(format!("--param {name}={value}"));
+            let beside_mu = matches!(parameter, Parameter::Rate(_)) && !self.all_rates_are_fixed();
+            if matches!(parameter, Parameter::Named(_)) || beside_mu {
+                words.push(format!("--param {}={value}", parameter.spelling()));
             }
         }
         for (parameter, (least, greatest)) in &self.bounds {
-            words.push(format!("--param {}=[{least},{greatest}]", parameter.spelling()));
+            // Brackets mean something to a shell.
+            words.push(format!("--param \"{}=[{least},{greatest}]\"", parameter.spelling()));
         }
         words.extend(self.promise_words());
         words.join(" ")
+    }
+
+    fn all_rates_are_fixed(&self) -> bool {
+        (1..=self.rates()).all(|i| self.fixed.contains_key(&Parameter::Rate(i)))
     }
 
     fn law_words(&self) -> Vec<String> {
@@ -104,7 +110,8 @@ impl Spec {
             }
         }
         if family == Family::ExpSum {
-            let fixed = list((1..=rates).filter_map(|i| self.fixed.get(&Parameter::Rate(i))));
+            let fixed = list((1..=rates).filter_map(|i| self.fixed.get(&Parameter::Rate(i))))
+                .filter(|_| self.all_rates_are_fixed());
             arguments.push(fixed.map_or(rates.to_string(), |fixed| format!("rates=[{fixed}]")));
         }
         if arguments.is_empty() {
@@ -128,5 +135,7 @@ fn pole(re: &BigRational, im: &BigRational) -> String {
         return re.to_string();
     }
     let sign = if *im < zero { "" } else { "+" };
-    format!("{re}{sign}{im}*i")
+    let units = im.numer();
+    let divisor = if im.is_integer() { String::new() } else { format!("/{}", im.denom()) };
+    format!("{re}{sign}{units}i{divisor}")
 }

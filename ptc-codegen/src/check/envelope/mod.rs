@@ -145,7 +145,7 @@ fn overflow(
             Input::State(j) => {
                 end(input(asked), gains.get(j - 1).map_or(upper, |gain| *gain >= 0.0))
             }
-            Input::Gain(j) => gains[j - 1],
+            Input::Gain(j) => gains.get(j - 1).copied().unwrap_or(f64::NAN),
             other => early(other),
         };
         let finite = Interpreter::new(program, &aligned).value(root).is_finite();

@@ -3,6 +3,7 @@
 use num_traits::{ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
+use crate::spec::value::decimal;
 use crate::spec::{Fixed, Node, Operator, Value};
 
 /// A complex number, exact.
@@ -44,7 +45,10 @@ pub(super) fn real(node: &Node) -> Option<Fixed> {
 pub(super) fn text(value: &BigRational) -> String {
     let scaled = value * BigRational::from_integer(1_000_000_000.into());
     match (value.is_integer(), scaled.is_integer(), value.to_f64()) {
-        (false, true, Some(near)) => near.to_string(),
+        // A double holds 17 digits; the spelling is to be exact.
+        (false, true, Some(near)) if decimal(&near.to_string()).as_ref() == Some(value) => {
+            near.to_string()
+        }
         _ => value.to_string(),
     }
 }

@@ -58,6 +58,13 @@ impl Reader<'_> {
             );
             return None;
         };
+        // A function that has the name of a family: tanh(t).
+        if let [Argument { name: None, value }] = arguments
+            && Function::ALL.iter().any(|(f, _)| *f == name)
+            && !matches!(value.value, Value::Number(_))
+        {
+            return self.custom(Subject::Mu, n, node);
+        }
         if info.family == Family::ExpSum {
             return self.rates(node, arguments);
         }

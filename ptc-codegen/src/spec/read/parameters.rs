@@ -28,6 +28,7 @@ impl Reader<'_> {
         }
         self.eps_below_tau(&spec.fixed);
         let used: BTreeSet<_> = spec.expressions().flat_map(Expression::parameters).collect();
+        self.names_are_distinct(spec, &used);
         let own = spec.time_mapping.parameters();
         let legal: Vec<_> = used
             .into_iter()
@@ -87,6 +88,30 @@ impl Reader<'_> {
             let message = "`error` needs `x0_max`".to_owned();
             let help = "the error at the deadline is bounded from the bounds of |x_i| at the start";
             self.wrong("error", place, message, help.to_owned());
+        }
+    }
+
+    /// A parameter of an expression must not have the name of another one of the controller.
+    fn names_are_distinct(&mut self, spec: &Spec, used: &BTreeSet<Parameter>) {
+        let all = spec.parameters();
+        for parameter in used.iter().filter(|p| matches!(p, Parameter::Named(_))) {
+            let name = parameter.key();
+            let same = |p: &&Parameter| p.key() == name && p != &parameter;
+            let Some(other) = all.iter().find(same) else { continue };
+            let of = |e: Option<&Expression>| e.is_some_and(|e| e.parameters().contains(parameter));
+            let law = match &spec.feedback {
+                Feedback::Expression(law) => Some(law),
+                Feedback::Linear | Feedback::Extern => None,
+            };
+            let key = match spec.custom() {
+                Some(custom) if of(Some(&custom.given)) => custom.subject.key(),
+                _ if of(law) => "pi0",
+                _ => "g",
+            };
+            let place = self.keys.get(key).map(|node| node.place);
+            let message =
+                format!("`{name}` is the {} here, not a parameter of {key}", other.meaning());
+            self.found.push("bad-expression", key, place, message, "choose another name");
         }
     }
 
