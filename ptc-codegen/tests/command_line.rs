@@ -78,7 +78,7 @@ fn every_kind_of_mistake_has_its_message() {
     let good = ["--n=3", "--mu=exp"];
     for (bad, parts) in [
         (&["--n=3", "--mu=exponential"][..], &["[unknown-family]", "`exp`?", "exp_sum"][..]),
-        (&["--n=3", "--mu=3"], &["[unknown-family]", "`3`"]),
+        (&["--n=3", "--mu=3"], &["[bad-expression]", "mu does not depend on `t`"]),
         (&["--n=3"], &["[missing-key]: `mu`", "--mu \"exp(a=1)\""]),
         (&["--mu=exp"], &["[missing-key]: `n`", "1..=16", "--n 3"]),
         (&["--n=17", "--mu=exp"], &["[bad-value]", "--n \"17\"", "^^", "1..=16"]),
