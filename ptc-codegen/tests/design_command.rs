@@ -104,6 +104,8 @@ fn all_mistakes_of_file_and_flags_are_told_at_once() {
     }
     assert_eq!(told.matches("error").count(), 8, "{told}");
     assert!(!told.contains("missing") && !told.contains("psi"), "{told}");
+    // What could not be read may have used it.
+    assert!(!told.contains("theta"), "{told}");
 }
 
 #[test]

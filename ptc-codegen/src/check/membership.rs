@@ -91,7 +91,8 @@ impl From<&Membership> for Outcome {
         };
         let summary = match worst {
             Verdict::Proved => "the mapping is of its class, proved".to_owned(),
-            other => format!("that {condition} is {other}"),
+            Verdict::Refuted { at, why } => format!("{why}, at {at}"),
+            Verdict::Undecided { .. } => format!("that {condition} is {worst}"),
         };
         let detail = |(condition, verdict): (&str, &Verdict)| format!("{condition}: {verdict}");
         let fix = match worst {

@@ -225,7 +225,7 @@ impl<'a> Reader<'a> {
                     let word = if let Value::Word(word) = other { word } else { "" };
                     let message = format!("{} is no check", shown(other));
                     let all = format!("the checks are {}", CHECKS.join(", "));
-                    let help = suggestion(near_miss(word, CHECKS.into_iter()), &all);
+                    let help = suggestion(near_miss(word, CHECKS), &all);
                     self.wrong("allow", Some(item.place), message, help);
                 }
             }
