@@ -61,7 +61,7 @@ const MEANINGFUL: [&str; 48] = [
 
 /// The compilers that refuse a controller of this name; none where the name is not taken at all.
 fn refusals(name: &str) -> Vec<String> {
-    let given = [("n", "2"), ("mu", "exp_sum"), ("name", name)];
+    let given = [("n", "9"), ("mu", "exp_sum"), ("name", name)];
     let entry = |(key, text): &(&str, &str)| {
         let value = parse(key, text, &mut |_| Place(0)).expect("a value");
         Entry { key: (*key).to_owned(), place: Place(0), value }

@@ -192,25 +192,25 @@ ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0)
 }
 
 /* Loops over the powers of the Taylor series of mu, for the gains of all states at once. */
-static void ptc_exp_sum9_in_loops_rows(double rows[9], const double tail[8])
+static void ptc_exp_sum9_in_loops_rows(double row[9], const double p[8])
 {
-    double square[7];
+    double q[7]; /* p^2 */
 
-    for (uint32_t d = 0U; d < 7U; d++) {
-        double sum = tail[d] + tail[d];
-        for (uint32_t e = 0U; e < d; e++) {
-            sum += tail[e] * tail[d - e - 1U];
+    for (uint32_t k = 0U; k < 7U; k++) {
+        double v = p[k] + p[k];
+        for (uint32_t m = 0U; m < k; m++) {
+            v += p[m] * p[k - m - 1U];
         }
-        square[d] = sum;
+        q[k] = v;
     }
-    for (uint32_t first = 0U; first < 8U; first += 2U) {
-        for (uint32_t at = first; at < 8U; at++) {
-            const double *const power = (at == first) ? tail : square;
-            double sum = rows[at];
-            for (uint32_t later = at + 1U; later < 9U; later++) {
-                sum += power[later - at - 1U] * rows[later];
+    for (uint32_t round = 0U; round < 8U; round += 2U) {
+        for (uint32_t k = round; k < 8U; k++) {
+            const double *const f = (k == round) ? p : q;
+            double v = row[k];
+            for (uint32_t m = k + 1U; m < 9U; m++) {
+                v += f[m - k - 1U] * row[m];
             }
-            rows[at] = sum;
+            row[k] = v;
         }
     }
 }
@@ -303,17 +303,17 @@ ptc_status ptc_exp_sum9_in_loops_step(const ptc_exp_sum9_in_loops *self, double 
             const double p7 = ((self->b7_1 * v24) + (self->b7_2 * v26)) * inv_r1;
             const double p8 = ((self->b8_1 * v24) + (self->b8_2 * v26)) * inv_r1;
             const double p9 = ((self->b9_1 * v24) + (self->b9_2 * v26)) * inv_r1;
-            double rows[9] = {self->w2, self->w3, self->w4, self->w5, self->w6, self->w7, self->w8, self->w9, -362880.0};
-            const double rows_tail[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-            ptc_exp_sum9_in_loops_rows(rows, rows_tail);
-            const double row3 = rows[1] * 0.5;
-            const double row4 = rows[2] * 0.16666666666666666;
-            const double row5 = rows[3] * 0.041666666666666664;
-            const double row6 = rows[4] * 0.008333333333333333;
-            const double row7 = rows[5] * 0.001388888888888889;
-            const double row8 = rows[6] * 0.0001984126984126984;
-            const double row9 = rows[7] * 2.48015873015873e-5;
-            const double v27 = (((self->w1 * x1 * inv_r1) + (rows[0] * x2)) * inv_r1) + (row3 * x3);
+            double row[9] = {self->w2, self->w3, self->w4, self->w5, self->w6, self->w7, self->w8, self->w9, -362880.0};
+            const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
+            ptc_exp_sum9_in_loops_rows(row, p);
+            const double row3 = row[1] * 0.5;
+            const double row4 = row[2] * 0.16666666666666666;
+            const double row5 = row[3] * 0.041666666666666664;
+            const double row6 = row[4] * 0.008333333333333333;
+            const double row7 = row[5] * 0.001388888888888889;
+            const double row8 = row[6] * 0.0001984126984126984;
+            const double row9 = row[7] * 2.48015873015873e-5;
+            const double v27 = (((self->w1 * x1 * inv_r1) + (row[0] * x2)) * inv_r1) + (row3 * x3);
             const double v28 = ((((v27 * inv_r1) + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
             const double v29 = ((((v28 + (row6 * x6)) * inv_r1) + (row7 * x7)) * inv_r1) + (row8 * x8);
             double v = ((v29 * inv_r1) + (row9 * x9)) * inv_r1;
@@ -405,22 +405,22 @@ ptc_status ptc_exp_sum9_in_loops_tick(const ptc_exp_sum9_in_loops *self, double 
         const double p7 = ((self->b7_1 * v24) + (self->b7_2 * v26)) * inv_r1;
         const double p8 = ((self->b8_1 * v24) + (self->b8_2 * v26)) * inv_r1;
         const double p9 = ((self->b9_1 * v24) + (self->b9_2 * v26)) * inv_r1;
-        double rows[9] = {self->w2, self->w3, self->w4, self->w5, self->w6, self->w7, self->w8, self->w9, -362880.0};
-        const double rows_tail[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
-        ptc_exp_sum9_in_loops_rows(rows, rows_tail);
-        const double row3 = rows[1] * 0.5;
-        const double row4 = rows[2] * 0.16666666666666666;
-        const double row5 = rows[3] * 0.041666666666666664;
-        const double row6 = rows[4] * 0.008333333333333333;
-        const double row7 = rows[5] * 0.001388888888888889;
-        const double row8 = rows[6] * 0.0001984126984126984;
-        const double row9 = rows[7] * 2.48015873015873e-5;
+        double row[9] = {self->w2, self->w3, self->w4, self->w5, self->w6, self->w7, self->w8, self->w9, -362880.0};
+        const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
+        ptc_exp_sum9_in_loops_rows(row, p);
+        const double row3 = row[1] * 0.5;
+        const double row4 = row[2] * 0.16666666666666666;
+        const double row5 = row[3] * 0.041666666666666664;
+        const double row6 = row[4] * 0.008333333333333333;
+        const double row7 = row[5] * 0.001388888888888889;
+        const double row8 = row[6] * 0.0001984126984126984;
+        const double row9 = row[7] * 2.48015873015873e-5;
         const double v27 = inv_r1 * inv_r1;
         const double v28 = v27 * inv_r1;
         const double v29 = v28 * inv_r1;
         status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
         gains->gain[0] = self->w1 * (v29 * inv_r1) * v29;
-        gains->gain[1] = rows[0] * v29 * v29;
+        gains->gain[1] = row[0] * v29 * v29;
         gains->gain[2] = row3 * v29 * v28;
         gains->gain[3] = row4 * v28 * v28;
         gains->gain[4] = row5 * v28 * v27;

@@ -572,15 +572,15 @@ impl PtcExpSum9InLoops {
         let p7 = ((self.b7_1 * v23) + (self.b7_2 * v25)) * inv_r1;
         let p8 = ((self.b8_1 * v23) + (self.b8_2 * v25)) * inv_r1;
         let p9 = ((self.b9_1 * v23) + (self.b9_2 * v25)) * inv_r1;
-        let rows = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
-        let row3 = rows[1] * 0.5;
-        let row4 = rows[2] * 0.16666666666666666;
-        let row5 = rows[3] * 0.041666666666666664;
-        let row6 = rows[4] * 0.008333333333333333;
-        let row7 = rows[5] * 0.001388888888888889;
-        let row8 = rows[6] * 0.0001984126984126984;
-        let row9 = rows[7] * 2.48015873015873e-5;
-        let v26 = (((self.w1 * x1 * inv_r1) + (rows[0] * x2)) * inv_r1) + (row3 * x3);
+        let row = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
+        let row3 = row[1] * 0.5;
+        let row4 = row[2] * 0.16666666666666666;
+        let row5 = row[3] * 0.041666666666666664;
+        let row6 = row[4] * 0.008333333333333333;
+        let row7 = row[5] * 0.001388888888888889;
+        let row8 = row[6] * 0.0001984126984126984;
+        let row9 = row[7] * 2.48015873015873e-5;
+        let v26 = (((self.w1 * x1 * inv_r1) + (row[0] * x2)) * inv_r1) + (row3 * x3);
         let v27 = ((((v26 * inv_r1) + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
         let v28 = ((((v27 + (row6 * x6)) * inv_r1) + (row7 * x7)) * inv_r1) + (row8 * x8);
         let u = ((v28 * inv_r1) + (row9 * x9)) * inv_r1;
@@ -669,14 +669,14 @@ if u > self.u_max {
         let p7 = ((self.b7_1 * v23) + (self.b7_2 * v25)) * inv_r1;
         let p8 = ((self.b8_1 * v23) + (self.b8_2 * v25)) * inv_r1;
         let p9 = ((self.b9_1 * v23) + (self.b9_2 * v25)) * inv_r1;
-        let rows = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
-        let row3 = rows[1] * 0.5;
-        let row4 = rows[2] * 0.16666666666666666;
-        let row5 = rows[3] * 0.041666666666666664;
-        let row6 = rows[4] * 0.008333333333333333;
-        let row7 = rows[5] * 0.001388888888888889;
-        let row8 = rows[6] * 0.0001984126984126984;
-        let row9 = rows[7] * 2.48015873015873e-5;
+        let row = Self::rows([self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0], &[p2, p3, p4, p5, p6, p7, p8, p9]);
+        let row3 = row[1] * 0.5;
+        let row4 = row[2] * 0.16666666666666666;
+        let row5 = row[3] * 0.041666666666666664;
+        let row6 = row[4] * 0.008333333333333333;
+        let row7 = row[5] * 0.001388888888888889;
+        let row8 = row[6] * 0.0001984126984126984;
+        let row9 = row[7] * 2.48015873015873e-5;
         let v26 = inv_r1 * inv_r1;
         let v27 = v26 * inv_r1;
         let v28 = v27 * inv_r1;
@@ -684,7 +684,7 @@ if u > self.u_max {
         Ok(PtcExpSum9InLoopsGains {
             gain: [
                 self.w1 * (v28 * inv_r1) * v28,
-                rows[0] * v28 * v28,
+                row[0] * v28 * v28,
                 row3 * v28 * v27,
                 row4 * v27 * v27,
                 row5 * v27 * v26,

@@ -142,28 +142,29 @@ impl Syntax for C<'_> {
         }
     }
 
+    /// All names in it are reserved, so that none hides a controller's type.
     fn rows_function(&self, weights: usize) -> Vec<String> {
         let (name, real, tail) = (self.name, self.real, weights - 1);
         let lines = [
-            &format!("static void {name}_rows({real} rows[{weights}], const {real} tail[{tail}])"),
+            &format!("static void {name}_rows({real} row[{weights}], const {real} p[{tail}])"),
             "{",
-            &format!("    {real} square[{}];", tail - 1),
+            &format!("    {real} q[{}]; /* p^2 */", tail - 1),
             "",
-            &format!("    for (uint32_t d = 0U; d < {}U; d++) {{", tail - 1),
-            &format!("        {real} sum = tail[d] + tail[d];"),
-            "        for (uint32_t e = 0U; e < d; e++) {",
-            "            sum += tail[e] * tail[d - e - 1U];",
+            &format!("    for (uint32_t k = 0U; k < {}U; k++) {{", tail - 1),
+            &format!("        {real} v = p[k] + p[k];"),
+            "        for (uint32_t m = 0U; m < k; m++) {",
+            "            v += p[m] * p[k - m - 1U];",
             "        }",
-            "        square[d] = sum;",
+            "        q[k] = v;",
             "    }",
-            &format!("    for (uint32_t first = 0U; first < {tail}U; first += 2U) {{"),
-            &format!("        for (uint32_t at = first; at < {tail}U; at++) {{"),
-            &format!("            const {real} *const power = (at == first) ? tail : square;"),
-            &format!("            {real} sum = rows[at];"),
-            &format!("            for (uint32_t later = at + 1U; later < {weights}U; later++) {{"),
-            "                sum += power[later - at - 1U] * rows[later];",
+            &format!("    for (uint32_t round = 0U; round < {tail}U; round += 2U) {{"),
+            &format!("        for (uint32_t k = round; k < {tail}U; k++) {{"),
+            &format!("            const {real} *const f = (k == round) ? p : q;"),
+            &format!("            {real} v = row[k];"),
+            &format!("            for (uint32_t m = k + 1U; m < {weights}U; m++) {{"),
+            "                v += f[m - k - 1U] * row[m];",
             "            }",
-            "            rows[at] = sum;",
+            "            row[k] = v;",
             "        }",
             "    }",
             "}",
@@ -177,8 +178,8 @@ impl Syntax for C<'_> {
         };
         vec![
             array(name, weights),
-            format!("const {}", array(&format!("{name}_tail"), tail)),
-            format!("{}_rows({name}, {name}_tail);", self.name),
+            format!("const {}", array("p", tail)),
+            format!("{}_rows({name}, p);", self.name),
         ]
     }
 

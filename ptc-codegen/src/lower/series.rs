@@ -100,7 +100,7 @@ fn looped_sums(b: &mut Builder<'_>, taylor: &Taylor, weights: &[Value]) -> Vec<V
     let tail: Vec<_> = taylor.tail.iter().zip(&unit).map(|(c, unit)| b.times(c, unit)).collect();
     let tail = tail.iter().map(|coefficient| b.coefficient(coefficient)).collect();
     let rows = b.push(Op::Rows { tail, weights: weights.to_vec() });
-    let rows = b.name(rows, "rows", "gains without their powers of 1/r1 and factorials");
+    let rows = b.name(rows, "row", "gains without their powers of 1/r1 and factorials");
     (0..b.spec.n - 1).map(|j| b.push(Op::Element(rows, j))).collect()
 }
 
