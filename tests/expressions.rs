@@ -66,7 +66,7 @@ fn errors(family: Family, make: &dyn Fn(usize) -> Spec) -> BTreeMap<usize, (f64,
         let u = Interpreter::new(program, &input).with_law(&law).value(program.step);
         let error = (u - vector.u).abs() / vector.scale;
         let row: &mut (f64, f64) = worst.entry(vector.n).or_default();
-        if !(error <= row.0) {
+        if error > row.0 || error.is_nan() {
             *row = (error, vector.time_to_go() / vector.tau);
         }
     }

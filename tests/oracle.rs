@@ -114,7 +114,7 @@ fn add(worst: &mut Worst, spec: &Spec, vector: &Vector, outcome: &Outcome) -> Re
 /// unit vector, which double precision holds for all of single.jsonl.
 fn gains_fit(spec: &Spec, vector: &Vector) -> bool {
     let double = Spec { precision: Precision::F64, ..spec.clone() };
-    let program = lower(&double, &Law::of(&spec));
+    let program = lower(&double, &Law::of(spec));
     let limit = match spec.precision {
         Precision::F64 => f64::MAX,
         Precision::F32 => f64::from(f32::MAX),

@@ -99,14 +99,16 @@ struct Resolver<'a, 'b> {
     found: &'b mut Diagnostics,
 }
 
+/// A variable with an index.
+type Indexed = fn(usize) -> Variable;
+
 /// What a name that is reserved means: x2, xi2, `x2_0`, `xi2_0`.
-fn indexed(name: &str) -> Option<(usize, fn(usize) -> Variable)> {
+fn indexed(name: &str) -> Option<(usize, Indexed)> {
     let (stem, latched) = name.strip_suffix("_0").map_or((name, false), |stem| (stem, true));
-    let (digits, plain, start): (_, fn(usize) -> Variable, fn(usize) -> Variable) =
-        match stem.strip_prefix("xi") {
-            Some(digits) => (digits, Variable::Xi, Variable::XiAtStart),
-            None => (stem.strip_prefix('x')?, Variable::State, Variable::StateAtStart),
-        };
+    let (digits, plain, start): (_, Indexed, Indexed) = match stem.strip_prefix("xi") {
+        Some(digits) => (digits, Variable::Xi, Variable::XiAtStart),
+        None => (stem.strip_prefix('x')?, Variable::State, Variable::StateAtStart),
+    };
     let whole = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
     let index = if whole { digits.parse().unwrap_or(usize::MAX) } else { return None };
     Some((index, if latched { start } else { plain }))

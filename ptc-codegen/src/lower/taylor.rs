@@ -312,11 +312,11 @@ impl Builder<'_> {
     /// ln(1 + a_1 z + ...): k w_k = k a_k - sum_{j<k} j w_j a_(k-j).
     fn logarithm(&mut self, a: &[Coefficient]) -> Series {
         let mut terms = vec![Coefficient::integer(0)];
-        for k in 1..a.len() {
+        for (k, term) in a.iter().enumerate().skip(1) {
             let mut index = |_: &mut Self, j| Coefficient::index(j);
             let sum = self.convolution(&terms, a, k, 1..=k - 1, &mut index);
             let share = self.over(&sum, &Coefficient::index(k));
-            terms.push(self.minus(&a[k], &share));
+            terms.push(self.minus(term, &share));
         }
         Series::new(None, terms)
     }
@@ -388,11 +388,11 @@ impl Builder<'_> {
     fn inverse_of_square(&mut self, value: Value, a: &[Coefficient], minus: bool) -> Series {
         let divisor: Vec<_> = (0..a.len()).map(|k| self.one_and_square(a, k, minus)).collect();
         let mut terms = vec![Coefficient::Value(value)];
-        for k in 1..a.len() {
+        for (k, term) in a.iter().enumerate().skip(1) {
             let mut index = |_: &mut Self, j| Coefficient::index(j);
             let sum = self.convolution(&terms, &divisor, k, 1..=k - 1, &mut index);
             let share = self.over(&sum, &Coefficient::index(k));
-            let rest = self.minus(&a[k], &share);
+            let rest = self.minus(term, &share);
             terms.push(self.over(&rest, &divisor[0]));
         }
         Series::new(None, terms)

@@ -6,11 +6,14 @@ use super::{Input, Op, Program, Root, Value, number, rows};
 use crate::expression::Function;
 use crate::spec::Precision;
 
+/// The user's own law of xi_1..xi_n and stretched time.
+pub type UserLaw<'a> = &'a dyn Fn(&[f64]) -> f64;
+
 /// The values of a program for given inputs.
 pub struct Interpreter<'a> {
     program: &'a Program,
     input: &'a dyn Fn(Input) -> f64,
-    law: Option<&'a dyn Fn(&[f64]) -> f64>,
+    law: Option<UserLaw<'a>>,
     known: Vec<Option<f64>>,
     arrays: BTreeMap<Value, Vec<f64>>,
 }
@@ -29,7 +32,7 @@ impl<'a> Interpreter<'a> {
 
     /// The same with the user's own law, of xi_1..xi_n and stretched time; without one it is NaN.
     #[must_use]
-    pub fn with_law(self, law: &'a dyn Fn(&[f64]) -> f64) -> Self {
+    pub fn with_law(self, law: UserLaw<'a>) -> Self {
         Self { law: Some(law), ..self }
     }
 
@@ -125,7 +128,7 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
         (Op::Mul(..), [a, b]) => settle(a * b),
         (Op::Div(..), [a, b]) => settle(a / b),
         (Op::Quotient(..), [a, b]) => {
-            if *b > 0.0 || *b < 0.0 {
+            if *b != 0.0 && !b.is_nan() {
                 settle(a / b)
             } else {
                 f64::NAN
@@ -156,10 +159,13 @@ pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
     })
 }
 
+/// A function of one number.
+type Real<R> = fn(R) -> R;
+
 /// A function of the platform; a float one may differ from the rounded double one in the last bit.
 #[allow(clippy::cast_possible_truncation)]
 fn call(function: Function, a: f64, precision: Precision) -> f64 {
-    let (double, single): (fn(f64) -> f64, fn(f32) -> f32) = match function {
+    let (double, single): (Real<f64>, Real<f32>) = match function {
         Function::Abs => (f64::abs, f32::abs),
         Function::Sign => (|a| sign(a, 0.0, 1.0), |a| sign(a, 0.0, 1.0)),
         Function::Sqrt => (f64::sqrt, f32::sqrt),

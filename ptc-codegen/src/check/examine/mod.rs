@@ -3,6 +3,8 @@
 mod known;
 mod numbers;
 
+use std::collections::btree_map::Entry;
+
 use known::{decay_rate, fixed_gains, is_known};
 use numbers::Numbers;
 
@@ -170,12 +172,12 @@ fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
         };
         deadline(&closed_loop, &bounds, error)
     });
-    if !spec.fixed.contains_key(&Parameter::Eps) {
+    if let Entry::Vacant(open) = spec.fixed.entry(Parameter::Eps) {
         // The largest eps is the gentlest on noise; the period then only has to bear it.
         let wanted = ended.as_ref().and_then(|ended| ended.largest_eps.filter(|eps| *eps < tau));
         let eps = wanted.or(sampled.as_ref().and_then(|sampled| sampled.default_eps));
         if let Some(fixed) = eps.and_then(known::rounded_down) {
-            spec.fixed.insert(Parameter::Eps, fixed);
+            open.insert(fixed);
         }
     }
     let eps = spec.fixed.get(&Parameter::Eps).and_then(known::to_f64);
