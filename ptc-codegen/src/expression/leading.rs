@@ -492,7 +492,7 @@ mod tests {
             ("tanh", "2*a"),
             ("algebraic", "0"),
             ("mean(exp(a=a), exp(a=b))", "min(a, b)"),
-            ("mean(exp(a=a), exp(a=b), exp(a=c))", "min(min(a, b), c)"),
+            ("mean(exp(a=a), exp(a=b), exp(a=c))", "min(a, b, c)"),
             ("mean(exp(a=1), exp(a=2))", "1"),
             ("mean(exp(a=1), rational(a=2))", "0"),
             ("tau*(1 - 1.5*exp(-t) + 0.5*exp(-2*t))", "1"),

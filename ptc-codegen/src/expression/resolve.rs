@@ -78,7 +78,7 @@ const MAX_SIZE: usize = 10_000;
 /// Most bits of a constant over or under its fraction bar: powers of powers multiply them.
 const MAX_BITS: u64 = 4096;
 
-/// Most arguments of a function of several.
+/// So many arguments of a function of several are too many.
 const MAX_ARGUMENTS: usize = 100;
 
 /// The expression that `node` stands for; `None` where something in it is wrong, which `found`
