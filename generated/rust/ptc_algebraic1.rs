@@ -133,6 +133,7 @@ mod math {
 
 /// Run-time parameters of [`PtcAlgebraic1`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic1Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -143,6 +143,7 @@ mod math {
 
 /// Run-time parameters of [`PtcAlgebraic3`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic3Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

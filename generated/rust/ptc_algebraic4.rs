@@ -151,6 +151,7 @@ mod math {
 
 /// Run-time parameters of [`PtcAlgebraic4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -161,6 +161,7 @@ mod math {
 
 /// Run-time parameters of [`PtcAlgebraic5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

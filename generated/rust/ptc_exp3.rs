@@ -124,6 +124,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcExp3`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp3Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -124,6 +124,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcExp3F32`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp3F32Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f32,

@@ -127,6 +127,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcExp3Fixed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp3FixedParams {
 }
 

@@ -130,6 +130,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcExp4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -137,6 +137,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcExp5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -146,6 +146,7 @@ mod math {
 
 /// Run-time parameters of [`PtcExpSum2OfThree`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum2OfThreeParams {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

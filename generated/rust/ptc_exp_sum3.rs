@@ -150,6 +150,7 @@ mod math {
 
 /// Run-time parameters of [`PtcExpSum3`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum3Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -155,6 +155,7 @@ mod math {
 
 /// Run-time parameters of [`PtcExpSum4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -161,6 +161,7 @@ mod math {
 
 /// Run-time parameters of [`PtcExpSum5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -169,6 +169,7 @@ mod math {
 
 /// Run-time parameters of [`PtcExpSum9InLoops`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum9InLoopsParams {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -137,6 +137,7 @@ mod math {
 
 /// Run-time parameters of [`PtcPower2`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower2Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -123,6 +123,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcPower2Unbounded`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower2UnboundedParams {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

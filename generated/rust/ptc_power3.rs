@@ -142,6 +142,7 @@ mod math {
 
 /// Run-time parameters of [`PtcPower3`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower3Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

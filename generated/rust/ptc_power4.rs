@@ -149,6 +149,7 @@ mod math {
 
 /// Run-time parameters of [`PtcPower4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

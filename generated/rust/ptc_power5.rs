@@ -158,6 +158,7 @@ mod math {
 
 /// Run-time parameters of [`PtcPower5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

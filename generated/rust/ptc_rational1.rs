@@ -115,6 +115,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcRational1`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcRational1Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -119,6 +119,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcRational2`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcRational2Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -137,6 +137,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcRational5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcRational5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -120,6 +120,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTan2`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTan2Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -126,6 +126,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTan3`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTan3Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

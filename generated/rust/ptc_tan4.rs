@@ -136,6 +136,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTan4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTan4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

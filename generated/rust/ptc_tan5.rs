@@ -149,6 +149,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTan5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTan5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -132,6 +132,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTanh4`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTanh4Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -144,6 +144,7 @@ pub trait Controller<const N: usize> {
 
 /// Run-time parameters of [`PtcTanh5`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTanh5Params {
     /// prescribed settling time, unit s, finite, > 0.
     pub tau: f64,

@@ -2,12 +2,26 @@
 
 use super::{Reader, constant, count, shown, suggestion};
 use crate::diagnostic::near_miss;
-use crate::expression::{Function, Scope, Subject, resolve};
+use crate::expression::{Expression, Function, Scope, Subject, resolve};
 use crate::mapping::{Custom, FAMILIES, Family, FamilyInfo};
 use crate::spec::{Argument, Fixed, MAX_RATES, Node, Parameter, TimeMapping, Value, shorten};
 
 /// A mapping with the values of its own parameters as far as they are fixed.
 type Read = (TimeMapping, Vec<(Parameter, Fixed)>);
+
+/// Whether abs, sign, min or max is taken of something that time changes.
+fn has_kink(expression: &Expression) -> bool {
+    let of_time = |e: &Expression| e.any(&|e| matches!(e, Expression::Variable(_)));
+    expression.any(&|e| {
+        let kink = matches!(
+            e,
+            Expression::Min(..)
+                | Expression::Max(..)
+                | Expression::Call(Function::Abs | Function::Sign, _)
+        );
+        kink && of_time(e)
+    })
+}
 
 impl Reader<'_> {
     pub(super) fn time_mapping(&mut self, n: usize) -> Option<Read> {
@@ -24,6 +38,15 @@ impl Reader<'_> {
     fn custom(&mut self, subject: Subject, n: usize, node: &Node) -> Option<Read> {
         let scope = Scope { subject, n, known: &[Parameter::Tau] };
         let given = resolve(node, scope, &mut self.found)?;
+        if has_kink(&given) {
+            let name = if subject == Subject::Mu { "t" } else { "dt" };
+            let message =
+                format!("{} has a kink: abs, sign, min or max of `{name}`", subject.key());
+            let help =
+                "a mapping is as often differentiable as the order of the plant: leave them out";
+            self.found.push("bad-expression", subject.key(), Some(node.place), message, help);
+            return None;
+        }
         match Custom::new(subject, given) {
             Ok(custom) => Some((TimeMapping::Custom(custom), Vec::new())),
             Err((message, help)) => {
