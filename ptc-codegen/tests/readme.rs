@@ -132,16 +132,20 @@ fn pages_show_what_is_printed() {
 }
 
 #[test]
-fn a_law_of_yours_in_c() {
+fn programs_on_expressions_in_c() {
     let folder = folder("extern");
     for command in blocks_of(EXPRESSIONS, "sh") {
         printed(command.trim_end(), &folder);
     }
-    let [main] = &blocks_of(EXPRESSIONS, "c")[..] else { panic!("one program in C") };
-    fs::write(folder.join("main.c"), main).expect("writable");
-    let strict =
-        "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
-    shell(&format!("{strict} -o demo main.c out/stage.c -lm && ./demo"), &folder);
+    let programs = blocks_of(EXPRESSIONS, "c");
+    let sources = ["stage.c", "stage_associated.c"];
+    assert_eq!(programs.len(), sources.len());
+    for (program, source) in programs.iter().zip(sources) {
+        fs::write(folder.join("main.c"), program).expect("writable");
+        let strict =
+            "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
+        shell(&format!("{strict} -o demo main.c out/{source} -lm && ./demo"), &folder);
+    }
 }
 
 #[test]
