@@ -59,7 +59,7 @@ fn build(folder: &Path, controllers: usize, round: usize) -> Result<f64> {
         let gains: Vec<_> = (1..=n).map(|gain| gain.to_string()).collect();
         let _ = writeln!(
             source,
-            "ptc::ptc_controller!(n = {n}, mu = {family}(a = 1.5), name = loop{index}, tau = 2, gains = [{}]);",
+            "ptc::ptc_controller!(n = {n}, mu = {family}(a = 1.5), name = loop{index}, tau = 2, gains = [{}], allow = growth);",
             gains.join(", ")
         );
     }
