@@ -6,8 +6,8 @@
 //! allocates, nothing panics, and no `std` is needed.
 //!
 //! The law is Theorem 1 of A. Shakouri and N. Assadian, *A Framework for Prescribed-Time Control
-//! Design via Time-Scale Transformation*, with g = 1 and a linear law in stretched time:
-//! u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
+//! Design via Time-Scale Transformation*; unless you give another, with g = 1 and a linear law in
+//! stretched time: u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
 //! s^n + k_n s^(n-1) + ... + k_1 lie left of -n rho, where rho is the decay rate of the mapping
 //! (a for `exp`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
 //! deadline. The macro refuses gains that are fixed and do not; `docs/checks` of the repository tells

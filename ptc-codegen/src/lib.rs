@@ -1,11 +1,11 @@
 //! From an order n and a mapping of time to the source of a prescribed-time controller.
 //!
-//! The plant is x1' = x2, ..., xn' = u. The law is Theorem 1 of A. Shakouri and N. Assadian, "A
-//! Framework for Prescribed-Time Control Design via Time-Scale Transformation", with g = 1 and
-//! pi0 = -(k_1 xi_1 + ... + k_n xi_n): u = kappa'^n (pi0(BB_n x) - b_n^T x).
+//! The plant is x1' = x2, ..., xn' = f + g u. The law is Theorem 1 of A. Shakouri and N. Assadian,
+//! "A Framework for Prescribed-Time Control Design via Time-Scale Transformation":
+//! u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), where pi0 is linear unless the user gives another.
 //!
-//! [`generate`] is the whole line: a [`spec::Spec`] is expanded to closed forms ([`mapping`],
-//! [`expansion`]), these to the law ([`law`]), the law to a staged program ([`lower`],
+//! [`generate`] is the whole line: a [`spec::Spec`] is checked ([`check`]) and expanded to closed
+//! forms ([`mapping`], [`expansion`]), these to the law ([`law`]), the law to a staged program ([`lower`],
 //! [`program`]), which passes optimise and [`emit`] prints. All mistakes of the user are found by
 //! [`spec::read`]; the same spec gives the same bytes on any machine.
 
