@@ -2,9 +2,10 @@
 //! time t. What is lowered is xi_n'.
 
 use super::builder::Builder;
-use crate::expression::{Expression, Variable};
-use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{Feedback, Parameter, Spec};
+use super::state;
+use crate::expression::Variable;
+use crate::program::{Input, Limits, Op, Program};
+use crate::spec::Spec;
 
 /// The program of the associated system; none where mu is not found in closed form.
 pub(super) fn lower(spec: &Spec) -> Option<Program> {
@@ -17,32 +18,13 @@ pub(super) fn lower(spec: &Spec) -> Option<Program> {
     let factor = b.power(slope, u32::try_from(spec.n).unwrap_or(u32::MAX));
     let drift = b.push(Op::Input(Input::Drift));
     let drift = b.mul(factor, drift);
-    let law = law(&mut b);
-    let law = b.name(law, "law", "pi0 at this state and time");
+    let law = state::law(&mut b);
     let last = b.add(drift, law);
     let start_time = Some(b.push(Op::Input(Input::StartTime)));
     let zero = b.integer(0);
     let limits =
         Limits { start_time, u_max: None, past: None, late: zero, hold_from: zero, eps: zero };
     Some(b.finish(last, Vec::new(), None, limits))
-}
-
-fn law(b: &mut Builder<'_>) -> Value {
-    let spec = b.spec;
-    match &spec.feedback {
-        Feedback::Expression(law) => b.scalar(law),
-        Feedback::Extern => {
-            let mut arguments: Vec<_> =
-                (1..=spec.n).map(|j| b.push(Op::Input(Input::State(j)))).collect();
-            arguments.push(b.push(Op::Input(Input::Time)));
-            b.push(Op::Law(arguments))
-        }
-        Feedback::Linear => {
-            let term = |i| Expression::from(Parameter::Gain(i)).mul(Variable::Xi(i).into());
-            let sum = (1..=spec.n).map(term).reduce(Expression::add);
-            b.scalar(&sum.unwrap_or(Expression::integer(0)).neg())
-        }
-    }
 }
 
 #[cfg(test)]

@@ -4,25 +4,36 @@ use super::builder::Builder;
 use super::mapping::{self, Taylor};
 use super::rows::{Factor, Rows};
 use super::series;
-use crate::expression::Variable;
+use crate::expression::{Expression, Variable};
 use crate::program::{Input, Op, Value};
-use crate::spec::Feedback;
+use crate::spec::{Feedback, Parameter};
 
 /// u before the input gain divides it.
 pub(super) fn step(b: &mut Builder<'_>) -> Value {
     let taylor = b.taylor();
+    let law = law(b);
+    let rows = series::drift_rows(b, &taylor);
+    Rows { base: Some(Factor::Multiply(taylor.base_inverse)), rows }.step(b, Some(law))
+}
+
+/// pi0 at this state and stretched time.
+pub(super) fn law(b: &mut Builder<'_>) -> Value {
     let spec = b.spec;
     let law = match &spec.feedback {
         Feedback::Expression(law) => b.scalar(law),
-        Feedback::Extern | Feedback::Linear => {
-            let mut arguments: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
-            arguments.push(b.scalar(&Variable::StretchedTime.into()));
+        Feedback::Extern => {
+            let xi = (1..=spec.n).map(Variable::Xi);
+            let arguments = xi.chain([Variable::StretchedTime]);
+            let arguments = arguments.map(|v| b.scalar(&v.into())).collect();
             b.push(Op::Law(arguments))
         }
+        Feedback::Linear => {
+            let term = |i| Expression::from(Parameter::Gain(i)).mul(Variable::Xi(i).into());
+            let sum = (1..=spec.n).map(term).reduce(Expression::add);
+            b.scalar(&sum.unwrap_or(Expression::integer(0)).neg())
+        }
     };
-    let law = b.name(law, "law", "pi0 at this state and stretched time");
-    let rows = series::drift_rows(b, &taylor);
-    Rows { base: Some(Factor::Multiply(taylor.base_inverse)), rows }.step(b, Some(law))
+    b.name(law, "law", "pi0 at this state and stretched time")
 }
 
 impl Builder<'_> {
