@@ -34,6 +34,7 @@ use spec::{Precision, Spec};
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emit::can_be(spec, language)?;
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;

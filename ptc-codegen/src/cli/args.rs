@@ -138,6 +138,8 @@ fn pass_names() -> Vec<&'static str> {
 pub(crate) enum Lang {
     C,
     Rust,
+    Fmu2,
+    Fmu3,
 }
 
 impl From<Lang> for Language {
@@ -145,6 +147,8 @@ impl From<Lang> for Language {
         match lang {
             Lang::C => Self::C,
             Lang::Rust => Self::Rust,
+            Lang::Fmu2 => Self::Fmu2,
+            Lang::Fmu3 => Self::Fmu3,
         }
     }
 }

@@ -1,13 +1,14 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
-use ptc_codegen::emit::File;
+use ptc_codegen::emit::{File, Language};
 use ptc_codegen::generate;
 
 use super::args::Emit;
+use super::fmu;
 use super::report::{Failure, Notice};
 use super::write;
 
@@ -19,17 +20,31 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let files = match generate(&spec, request.lang.into()) {
+    let language: Language = request.lang.into();
+    let files = match generate(&spec, language) {
         Ok(files) => files,
         Err(found) => return given.finish(None, found),
     };
-    match (request.out.as_os_str() == "-", request.check) {
+    let printed = request.out.as_os_str() == "-";
+    if let (Some(version), false) = (language.fmi(), printed) {
+        return match request.check {
+            true => fmu::check(&request.out, &spec.name(), &files),
+            false => write::to_stdout(&fmu::write(&request.out, &spec.name(), version, &files)?),
+        };
+    }
+    match (printed, request.check) {
         (true, true) => Err(Failure::because(
             "`--check` has no files to compare with where `--out` is `-`".to_owned(),
             "give the folder that holds them, for example -o out",
         )),
+        (true, false) if language.fmi().is_some() => Err(Failure::because(
+            "an FMU is an archive, which is no text to print".to_owned(),
+            "give the folder to write it to, for example -o out",
+        )),
         (true, false) => write::to_stdout(&joined(&files)),
-        (false, true) => check(&request.out, &files),
+        (false, true) => {
+            compare(&request.out, &files, &mut |name| fs::read(request.out.join(name)))
+        }
         (false, false) => write::to_stdout(&write::files(&request.out, &files)?),
     }
 }
@@ -42,13 +57,17 @@ fn joined(files: &[File]) -> String {
     }
 }
 
-/// Compares the files with what is in `folder`.
-fn check(folder: &Path, files: &[File]) -> Result<(), Failure> {
+/// Compares the files with what `read` gives for their names, which is in `folder`.
+pub(super) fn compare(
+    folder: &Path,
+    files: &[File],
+    read: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<(), Failure> {
     let mut notices = Vec::new();
     let mut same = String::new();
     for file in files {
         let path = folder.join(&file.name);
-        match fs::read(&path) {
+        match read(&file.name) {
             Ok(there) if there == file.text.as_bytes() => {
                 same.push_str(&format!("up to date: {}\n", path.display()));
             }
@@ -91,5 +110,5 @@ fn shown(line: Option<&str>) -> String {
 
 fn drift(title: String, notes: Vec<String>) -> Notice {
     let help = "run the same command without `--check` to write it".to_owned();
-    Notice { code: Some("drift"), title, quote: None, notes, help: Some(help) }
+    Notice { code: Some("drift"), title, quote: None, notes, help: Some(help), ..Notice::default() }
 }

@@ -6,6 +6,7 @@
 mod args;
 mod check;
 mod emit;
+mod fmu;
 mod list;
 mod new;
 mod report;

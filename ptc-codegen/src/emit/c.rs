@@ -12,11 +12,8 @@ use crate::spec::{After, Feedback, Guard, Precision, Spec};
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let real = match spec.precision {
-        Precision::F32 => "float",
-        Precision::F64 => "double",
-    };
-    let frame = Frame::new(controller, real, &C { spec, name: &name, real });
+    let syntax = C::new(spec, &name);
+    let frame = Frame::new(controller, syntax.real, &syntax);
     let head = header::lines(controller, Language::C);
     let externs = externs(spec, &name);
     let hold = match spec.after {
@@ -57,10 +54,22 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
-struct C<'a> {
+/// How C is written.
+pub(super) struct C<'a> {
     spec: &'a Spec,
     name: &'a str,
-    real: &'static str,
+    /// The floating-point type.
+    pub(super) real: &'static str,
+}
+
+impl<'a> C<'a> {
+    pub(super) fn new(spec: &'a Spec, name: &'a str) -> Self {
+        let real = match spec.precision {
+            Precision::F32 => "float",
+            Precision::F64 => "double",
+        };
+        Self { spec, name, real }
+    }
 }
 
 impl Syntax for C<'_> {

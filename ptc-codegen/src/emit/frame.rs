@@ -1,10 +1,11 @@
 //! What the emitted functions consist of, as text that a template only has to place.
 
 use super::Controller;
+use super::domain::{self, conditions};
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use crate::program::{Input, Op, Value, number};
-use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
+use crate::spec::{After, Feedback, Guard, Parameter, Precision, What};
 
 /// A name and the expression that gives it its value.
 pub(super) struct Assignment {
@@ -130,12 +131,12 @@ impl Frame {
             real,
             zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
-            domain: domain(controller, syntax),
+            domain: conditions(controller, syntax).into_iter().map(|c| c.test).collect(),
             functions: functions.unwrap_or_default(),
             init: init.lines,
             init_fields: assign(init.roots, false),
             finite: finite.map(|f| syntax.finite(&syntax.built(&f.name))).collect(),
-            start: parameter_text(spec, Parameter::StartTime, syntax),
+            start: domain::text(spec, Parameter::StartTime, syntax),
             arm: arm.lines,
             arm_fields: assign(arm.roots, true),
             states: (1..=spec.n).map(|j| syntax.finite(&format!("x{j}"))).collect(),
@@ -170,59 +171,7 @@ impl Frame {
 }
 
 /// A number as an expression in the language.
-fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
+pub(super) fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
     let text = syntax.literal(&number::literal(value.abs(), precision));
     if value.is_sign_negative() { format!("-{text}") } else { text }
-}
-
-/// A parameter in `init`: its literal where it is fixed, else its local name.
-fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
-    match spec.fixed.get(&parameter).and_then(Fixed::number) {
-        Some(number) => literal(number::round(number, spec.precision), spec.precision, syntax),
-        None => parameter_name(parameter),
-    }
-}
-
-/// The conditions of the run-time parameters' domains.
-fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<String> {
-    let spec = controller.spec();
-    let zero = syntax.literal("0.0");
-    let mut tests = Vec::new();
-    for parameter in spec.run_time_parameters() {
-        let name = parameter_name(parameter);
-        let positive = format!("({name} > {zero})");
-        match spec.domain(parameter) {
-            Domain::Finite => tests.push(syntax.finite(&name)),
-            Domain::Positive => tests.extend([syntax.finite(&name), positive]),
-            Domain::Within => tests.extend(within(spec, parameter, syntax)),
-            Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive),
-        }
-    }
-    if let Some((parameter, greatest)) = &controller.report.greatest
-        && let Some(number) = greatest.number()
-    {
-        let bound = literal(number::round(number, spec.precision), spec.precision, syntax);
-        tests.push(format!("({} <= {bound})", parameter_name(*parameter)));
-    }
-    // eps below tau: both may be fixed, and then the spec has been checked.
-    if spec.what == What::Associated {
-        return tests;
-    }
-    let both_fixed = [Parameter::Eps, Parameter::Tau].iter().all(|p| spec.fixed.contains_key(p));
-    if !both_fixed {
-        let text = |parameter| parameter_text(spec, parameter, syntax);
-        tests.push(format!("({} < {})", text(Parameter::Eps), text(Parameter::Tau)));
-    }
-    tests
-}
-
-/// The conditions that keep a parameter within the bounds that the user gave.
-fn within(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> Vec<String> {
-    let Some((least, greatest)) = spec.bounds.get(&parameter) else { return Vec::new() };
-    let name = parameter_name(parameter);
-    let text = |bound: &Fixed| {
-        bound.number().map(|n| literal(number::round(n, spec.precision), spec.precision, syntax))
-    };
-    let least = text(least).map(|bound| format!("({name} >= {bound})"));
-    least.into_iter().chain(text(greatest).map(|bound| format!("({name} <= {bound})"))).collect()
 }

@@ -4,6 +4,9 @@
 //! holds structure and API text, never arithmetic.
 
 mod c;
+mod domain;
+mod example;
+pub mod fmu;
 mod frame;
 mod header;
 mod plan;
@@ -11,9 +14,10 @@ mod print;
 mod rust;
 
 use crate::check::examine::Report;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::program::Program;
-use crate::spec::Spec;
+use crate::spec::{After, Feedback, Spec, What};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -22,12 +26,37 @@ pub enum Language {
     C,
     /// Rust, `no_std`: one file that stands alone.
     Rust,
+    /// An FMU after FMI 2.0: its files by their paths in the archive, without a binary.
+    Fmu2,
+    /// An FMU after FMI 3.0, likewise.
+    Fmu3,
+}
+
+impl Language {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::C => "c",
+            Self::Rust => "rust",
+            Self::Fmu2 => "fmu2",
+            Self::Fmu3 => "fmu3",
+        }
+    }
+
+    /// The version of FMI, of an FMU.
+    pub fn fmi(self) -> Option<fmu::Version> {
+        match self {
+            Self::Fmu2 => Some(fmu::Version::Two),
+            Self::Fmu3 => Some(fmu::Version::Three),
+            Self::C | Self::Rust => None,
+        }
+    }
 }
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// File name, without a folder.
+    /// File name; in an FMU or a project the path, its folders separated by `/`.
     pub name: String,
     /// Contents.
     pub text: String,
@@ -51,11 +80,52 @@ impl<'a> Controller<'a> {
     }
 }
 
+/// Whether `what`, around the controller, stands alone: it can call no function of the user's, and
+/// needs a controller.
+///
+/// # Errors
+/// What of the spec stands against it.
+pub fn stands_alone(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    let mut against = |key: &str, message: String, help: &str| {
+        found.push("not-alone", key, None, message, help);
+    };
+    let own = "emit C or Rust instead, and call the controller from a program of yours";
+    if spec.what == What::Associated {
+        let message = format!("{what} holds a controller, not the infinite-time system");
+        against("what", message, "leave `what` out, or emit C or Rust");
+    }
+    if spec.feedback == Feedback::Extern {
+        against("pi0", format!("{what} has no function of yours to call for pi0"), own);
+    }
+    if spec.after == After::Extern {
+        against(
+            "after",
+            format!("{what} has no function of yours to call after the deadline"),
+            own,
+        );
+    }
+    found.finish(Some(()))
+}
+
+/// Whether a spec can be emitted in `language`.
+///
+/// # Errors
+/// What of the spec stands against it.
+pub fn can_be(spec: &Spec, language: Language) -> Result<(), Vec<Diagnostic>> {
+    match language {
+        Language::C | Language::Rust => Ok(()),
+        Language::Fmu2 | Language::Fmu3 => fmu::can_be(spec),
+    }
+}
+
 /// The files of a controller in `language`.
 pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
     match language {
         Language::C => c::files(controller),
         Language::Rust => vec![rust::file(controller)],
+        Language::Fmu2 => fmu::files(controller, fmu::Version::Two),
+        Language::Fmu3 => fmu::files(controller, fmu::Version::Three),
     }
 }
 
