@@ -4,7 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use ptc_codegen::emit::File;
+use ptc_codegen::emit::{File, Language};
 use ptc_codegen::generate;
 
 use super::args::Emit;
@@ -19,7 +19,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let files = match generate(&spec, request.lang.into()) {
+    let files = match generate(&spec, request.lang) {
         Ok(files) => files,
         Err(found) => return given.finish(None, found),
     };
@@ -28,17 +28,20 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
             "`--check` has no files to compare with where `--out` is `-`".to_owned(),
             "give the folder that holds them, for example -o out",
         )),
-        (true, false) => write::to_stdout(&joined(&files)),
+        (true, false) => write::to_stdout(&joined(&files, request.lang)),
         (false, true) => check(&request.out, &files),
         (false, false) => write::to_stdout(&write::files(&request.out, &files)?),
     }
 }
 
 /// All files in one text; a comment names each where there are several.
-fn joined(files: &[File]) -> String {
+fn joined(files: &[File], language: Language) -> String {
+    let (open, close) = language.comment();
     match files {
         [only] => only.text.clone(),
-        _ => files.iter().map(|f| format!("/* ---- {} ---- */\n{}", f.name, f.text)).collect(),
+        _ => {
+            files.iter().map(|f| format!("{open}---- {} ----{close}\n{}", f.name, f.text)).collect()
+        }
     }
 }
 

@@ -11,9 +11,10 @@ mod print;
 mod rust;
 
 use crate::check::examine::Report;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::program::Program;
-use crate::spec::Spec;
+use crate::spec::{Parameter, Spec};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -22,6 +23,90 @@ pub enum Language {
     C,
     /// Rust, `no_std`: one file that stands alone.
     Rust,
+}
+
+/// The back ends, in the order of [`Language`].
+const TARGETS: [Target; 2] = [c::TARGET, rust::TARGET];
+
+impl Language {
+    /// Every language.
+    pub const ALL: [Self; TARGETS.len()] = {
+        let mut all = [Self::C; TARGETS.len()];
+        let mut index = 0;
+        while index < TARGETS.len() {
+            all[index] = TARGETS[index].language;
+            index += 1;
+        }
+        all
+    };
+
+    fn target(self) -> &'static Target {
+        // A test holds the table in the order of the enum.
+        &TARGETS[self as usize]
+    }
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        self.target().name
+    }
+
+    /// The language of this name on the command line.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name)
+    }
+
+    /// What is emitted, in a few words.
+    pub fn about(self) -> &'static str {
+        self.target().about
+    }
+
+    /// What opens and what closes a comment line.
+    pub fn comment(self) -> (&'static str, &'static str) {
+        self.target().comment
+    }
+
+    /// What keeps `spec` from being emitted in this language; nothing does in C and Rust.
+    ///
+    /// # Errors
+    /// A name that is a word of the language, and each feature that it cannot express.
+    pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        let target = self.target();
+        let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
+            Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
+            _ => None,
+        });
+        for (key, word) in named.chain([("name".to_owned(), spec.name())]) {
+            if (target.is_word)(&word) {
+                found.push(
+                    "reserved-name",
+                    key,
+                    None,
+                    format!("{word} is a word of the language {}", target.name),
+                    format!("give it another name, for example {word}_1"),
+                );
+            }
+        }
+        (target.refuse)(spec, &mut found);
+        found.finish(Some(()))
+    }
+}
+
+/// A back end: what is known of it before there is a program, and its printer.
+struct Target {
+    language: Language,
+    /// Name on the command line.
+    name: &'static str,
+    /// What is emitted, in a few words.
+    about: &'static str,
+    /// What opens and closes a comment line.
+    comment: (&'static str, &'static str),
+    /// Whether a word that other languages leave free means something in this one.
+    is_word: fn(&str) -> bool,
+    /// Notes what it cannot express.
+    refuse: fn(&Spec, &mut Diagnostics),
+    /// The files of a controller.
+    files: fn(&Controller<'_>) -> Vec<File>,
 }
 
 /// A generated file.
@@ -53,10 +138,7 @@ impl<'a> Controller<'a> {
 
 /// The files of a controller in `language`.
 pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
-    match language {
-        Language::C => c::files(controller),
-        Language::Rust => vec![rust::file(controller)],
-    }
+    (language.target().files)(controller)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
@@ -104,4 +186,17 @@ fn tidy(text: &str) -> String {
     let mut text = lines.join("\n");
     text.push('\n');
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Language, TARGETS};
+
+    #[test]
+    fn targets_are_in_the_order_of_the_languages() {
+        for (index, target) in TARGETS.iter().enumerate() {
+            assert_eq!(target.language as usize, index);
+            assert_eq!(Language::named(target.name), Some(target.language));
+        }
+    }
 }

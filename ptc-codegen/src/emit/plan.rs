@@ -61,7 +61,8 @@ pub(super) struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
+    /// The plan of `program`, whose names `rename` makes those of the language.
+    pub(super) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
         let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
         for (index, definition) in program.values.iter().enumerate() {
             let name = match (&definition.name, &definition.op) {
@@ -69,7 +70,7 @@ impl<'a> Plan<'a> {
                 (None, Op::Input(input)) => input_name(*input),
                 _ => continue,
             };
-            plan.names.insert(Value(index), name);
+            plan.names.insert(Value(index), rename(&name));
         }
         let mut kept = BTreeSet::new();
         kept.extend(program.limits.start_time);
