@@ -39,6 +39,8 @@ pub(super) struct Frame {
     pub(super) locals: Vec<Assignment>,
     /// Conditions that the run-time parameters must meet.
     pub(super) domain: Vec<Requirement>,
+    /// The functions that call one of the mathematical library.
+    pub(super) library: Vec<Routine>,
     /// Lines of the function of [`Op::Rows`], where there is one.
     pub(super) functions: Vec<String>,
     pub(super) init: Vec<String>,
@@ -145,6 +147,7 @@ impl Frame {
             zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
             domain: domain(controller, syntax),
+            library: Routine::ALL.into_iter().filter(|r| plan.calls_library(*r)).collect(),
             functions: functions.unwrap_or_default(),
             init: init.lines,
             init_fields: assign(init.roots, false),

@@ -4,6 +4,7 @@
 //! holds structure and API text, never arithmetic.
 
 mod c;
+mod cpp;
 mod frame;
 mod header;
 mod plan;
@@ -23,10 +24,12 @@ pub enum Language {
     C,
     /// Rust, `no_std`: one file that stands alone.
     Rust,
+    /// C++17: one header.
+    Cpp,
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 2] = [c::TARGET, rust::TARGET];
+const TARGETS: [Target; 3] = [c::TARGET, rust::TARGET, cpp::TARGET];
 
 impl Language {
     /// Every language.
