@@ -32,9 +32,10 @@ use spec::{Precision, Spec};
 /// Generates the source files of one controller.
 ///
 /// # Errors
-/// Everything in the spec that cannot be generated, and every check that refuses it.
+/// Everything in the spec that cannot be generated, in this language or at all, and every check that
+/// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emit::can_be(spec, language)?;
+    language.accepts(spec)?;
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;

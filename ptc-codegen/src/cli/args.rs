@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
 use ptc_codegen::emit::Language;
 use ptc_codegen::program::passes::PASSES;
@@ -113,9 +114,8 @@ pub(crate) struct Design {
 pub(crate) struct Emit {
     #[command(flatten)]
     pub(crate) design: Design,
-    /// Language of the source: c is a header and a source file (C99), rust is one no_std file
-    #[arg(long, value_enum, value_name = "LANGUAGE")]
-    pub(crate) lang: Lang,
+    #[arg(long, value_parser = languages(), value_name = "LANGUAGE", help = languages_told())]
+    pub(crate) lang: Language,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
     /// Folder to write to, made if it is missing; `-` prints to the standard output
@@ -134,23 +134,15 @@ fn pass_names() -> Vec<&'static str> {
     std::iter::once("lower").chain(PASSES.iter().map(|pass| pass.name)).collect()
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Lang {
-    C,
-    Rust,
-    Fmu2,
-    Fmu3,
+/// The languages by name, as the library lists them.
+fn languages() -> impl TypedValueParser<Value = Language> {
+    let names = Language::ALL.map(|language| PossibleValue::new(language.name()));
+    PossibleValuesParser::new(names).try_map(|name| Language::named(&name).ok_or("no language"))
 }
 
-impl From<Lang> for Language {
-    fn from(lang: Lang) -> Self {
-        match lang {
-            Lang::C => Self::C,
-            Lang::Rust => Self::Rust,
-            Lang::Fmu2 => Self::Fmu2,
-            Lang::Fmu3 => Self::Fmu3,
-        }
-    }
+fn languages_told() -> String {
+    let told = Language::ALL.map(|language| format!("{} is {}", language.name(), language.about()));
+    format!("Language of the source: {}", told.join("; "))
 }
 
 /// The flag of parameters by name.

@@ -20,7 +20,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let language: Language = request.lang.into();
+    let language = request.lang;
     let files = match generate(&spec, language) {
         Ok(files) => files,
         Err(found) => return given.finish(None, found),
@@ -41,7 +41,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
             "an FMU is an archive, which is no text to print".to_owned(),
             "give the folder to write it to, for example -o out",
         )),
-        (true, false) => write::to_stdout(&joined(&files)),
+        (true, false) => write::to_stdout(&joined(&files, language)),
         (false, true) => {
             compare(&request.out, &files, &mut |name| fs::read(request.out.join(name)))
         }
@@ -50,10 +50,13 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
 }
 
 /// All files in one text; a comment names each where there are several.
-fn joined(files: &[File]) -> String {
+fn joined(files: &[File], language: Language) -> String {
+    let (open, close) = language.comment();
     match files {
         [only] => only.text.clone(),
-        _ => files.iter().map(|f| format!("/* ---- {} ---- */\n{}", f.name, f.text)).collect(),
+        _ => {
+            files.iter().map(|f| format!("{open}---- {} ----{close}\n{}", f.name, f.text)).collect()
+        }
     }
 }
 

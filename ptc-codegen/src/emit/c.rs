@@ -4,9 +4,19 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec};
+
+pub(super) const TARGET: Target = Target {
+    language: Language::C,
+    name: "c",
+    about: "a header and a source file, C99",
+    comment: ("/* ", " */"),
+    is_word: |_| false,
+    refuse: |_, _| {},
+    files,
+};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
@@ -110,11 +120,8 @@ impl Syntax for C<'_> {
         format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})")
     }
 
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
-        format!(
-            "(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : ({})NAN",
-            self.real
-        )
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
+        format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : ({})NAN", self.real)
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {
@@ -179,6 +186,10 @@ impl Syntax for C<'_> {
             "}",
         ];
         lines.map(str::to_owned).to_vec()
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
     }
 
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {

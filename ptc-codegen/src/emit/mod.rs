@@ -4,7 +4,7 @@
 //! holds structure and API text, never arithmetic.
 
 mod c;
-mod domain;
+mod cpp;
 mod example;
 pub mod fmu;
 mod frame;
@@ -17,7 +17,7 @@ use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::program::Program;
-use crate::spec::{After, Feedback, Spec, What};
+use crate::spec::{After, Feedback, Parameter, Spec, What};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,21 +26,48 @@ pub enum Language {
     C,
     /// Rust, `no_std`: one file that stands alone.
     Rust,
-    /// An FMU after FMI 2.0: its files by their paths in the archive, without a binary.
+    /// C++17: one header.
+    Cpp,
+    /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
     Fmu2,
     /// An FMU after FMI 3.0, likewise.
     Fmu3,
 }
 
+/// The back ends, in the order of [`Language`].
+const TARGETS: [Target; 5] =
+    [c::TARGET, rust::TARGET, cpp::TARGET, fmu::TARGET_2, fmu::TARGET_3];
+
 impl Language {
+    /// Every language.
+    pub const ALL: [Self; TARGETS.len()] = {
+        let mut all = [Self::C; TARGETS.len()];
+        let mut index = 0;
+        while index < TARGETS.len() {
+            all[index] = TARGETS[index].language;
+            index += 1;
+        }
+        all
+    };
+
+    fn target(self) -> &'static Target {
+        // A test holds the table in the order of the enum.
+        &TARGETS[self as usize]
+    }
+
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::C => "c",
-            Self::Rust => "rust",
-            Self::Fmu2 => "fmu2",
-            Self::Fmu3 => "fmu3",
-        }
+        self.target().name
+    }
+
+    /// The language of this name on the command line.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name)
+    }
+
+    /// What is emitted, in a few words.
+    pub fn about(self) -> &'static str {
+        self.target().about
     }
 
     /// The version of FMI, of an FMU.
@@ -48,9 +75,57 @@ impl Language {
         match self {
             Self::Fmu2 => Some(fmu::Version::Two),
             Self::Fmu3 => Some(fmu::Version::Three),
-            Self::C | Self::Rust => None,
+            _ => None,
         }
     }
+
+    /// What opens and what closes a comment line.
+    pub fn comment(self) -> (&'static str, &'static str) {
+        self.target().comment
+    }
+
+    /// What keeps `spec` from being emitted in this language; nothing does in C and Rust.
+    ///
+    /// # Errors
+    /// A name that is a word of the language, and each feature that it cannot express.
+    pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        let target = self.target();
+        let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
+            Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
+            _ => None,
+        });
+        for (key, word) in named.chain([("name".to_owned(), spec.name())]) {
+            if (target.is_word)(&word) {
+                found.push(
+                    "reserved-name",
+                    key,
+                    None,
+                    format!("{word} is a word of the language {}", target.name),
+                    format!("give it another name, for example {word}_1"),
+                );
+            }
+        }
+        (target.refuse)(spec, &mut found);
+        found.finish(Some(()))
+    }
+}
+
+/// A back end: what is known of it before there is a program, and its printer.
+struct Target {
+    language: Language,
+    /// Name on the command line.
+    name: &'static str,
+    /// What is emitted, in a few words.
+    about: &'static str,
+    /// What opens and closes a comment line.
+    comment: (&'static str, &'static str),
+    /// Whether a word that other languages leave free means something in this one.
+    is_word: fn(&str) -> bool,
+    /// Notes what it cannot express.
+    refuse: fn(&Spec, &mut Diagnostics),
+    /// The files of a controller.
+    files: fn(&Controller<'_>) -> Vec<File>,
 }
 
 /// A generated file.
@@ -80,13 +155,9 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// Whether `what`, around the controller, stands alone: it can call no function of the user's, and
-/// needs a controller.
-///
-/// # Errors
-/// What of the spec stands against it.
-pub fn stands_alone(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
-    let mut found = Diagnostics::default();
+/// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
+/// function of the user's, and needs a controller.
+fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     let mut against = |key: &str, message: String, help: &str| {
         found.push("not-alone", key, None, message, help);
     };
@@ -99,34 +170,14 @@ pub fn stands_alone(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
         against("pi0", format!("{what} has no function of yours to call for pi0"), own);
     }
     if spec.after == After::Extern {
-        against(
-            "after",
-            format!("{what} has no function of yours to call after the deadline"),
-            own,
-        );
-    }
-    found.finish(Some(()))
-}
-
-/// Whether a spec can be emitted in `language`.
-///
-/// # Errors
-/// What of the spec stands against it.
-pub fn can_be(spec: &Spec, language: Language) -> Result<(), Vec<Diagnostic>> {
-    match language {
-        Language::C | Language::Rust => Ok(()),
-        Language::Fmu2 | Language::Fmu3 => fmu::can_be(spec),
+        let message = format!("{what} has no function of yours to call after the deadline");
+        against("after", message, own);
     }
 }
 
 /// The files of a controller in `language`.
 pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
-    match language {
-        Language::C => c::files(controller),
-        Language::Rust => vec![rust::file(controller)],
-        Language::Fmu2 => fmu::files(controller, fmu::Version::Two),
-        Language::Fmu3 => fmu::files(controller, fmu::Version::Three),
-    }
+    (language.target().files)(controller)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
@@ -174,4 +225,17 @@ fn tidy(text: &str) -> String {
     let mut text = lines.join("\n");
     text.push('\n');
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Language, TARGETS};
+
+    #[test]
+    fn targets_are_in_the_order_of_the_languages() {
+        for (index, target) in TARGETS.iter().enumerate() {
+            assert_eq!(target.language as usize, index);
+            assert_eq!(Language::named(target.name), Some(target.language));
+        }
+    }
 }

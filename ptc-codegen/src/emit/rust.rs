@@ -4,13 +4,23 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
 use crate::expression::Function;
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec};
 
+pub(super) const TARGET: Target = Target {
+    language: Language::Rust,
+    name: "rust",
+    about: "one no_std file that stands alone",
+    comment: ("/* ", " */"),
+    is_word: |_| false,
+    refuse: |_, _| {},
+    files: |controller| vec![file(controller)],
+};
+
 /// The file of a controller, which stands alone.
-pub(super) fn file(controller: &Controller<'_>) -> File {
+fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec().name();
     let real = real(controller.spec());
     let items = render(controller, "");
@@ -124,9 +134,9 @@ impl Syntax for Rust<'_> {
         format!("if {a} > {zero} {{ {one} }} else if {a} < {zero} {{ -{one} }} else {{ {a} }}")
     }
 
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
         let nan = format!("{}::NAN", real(self.spec));
-        format!("if {divisor} < {zero} || {divisor} > {zero} {{ {quotient} }} else {{ {nan} }}")
+        format!("if {b} < {zero} || {b} > {zero} {{ {a} / {b} }} else {{ {nan} }}")
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {
@@ -187,6 +197,10 @@ impl Syntax for Rust<'_> {
             "}",
         ];
         lines.map(str::to_owned).to_vec()
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
     }
 
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {

@@ -7,13 +7,11 @@ mod variables;
 use askama::Template;
 
 use super::c;
-use super::domain::{self, Condition, conditions};
 use super::example::Example;
-use super::frame::{Frame, literal};
-use super::{Controller, File, Language, stands_alone, tidy};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use super::frame::{Frame, Requirement, literal, parameter_text};
+use super::{Controller, File, Language, Target, stands_alone, tidy};
 use crate::program::number;
-use crate::spec::{Fixed, Parameter, Precision, Spec};
+use crate::spec::{Fixed, Parameter, Precision};
 use variables::{Unit, Variable};
 
 /// A version of the interface.
@@ -45,24 +43,28 @@ impl Version {
     }
 }
 
-/// Whether an FMU can be made of a spec.
-///
-/// # Errors
-/// What of the spec stands against it.
-pub(crate) fn can_be(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
-    stands_alone(spec, "an FMU")?;
-    let mut found = Diagnostics::default();
-    let named = spec.parameters().into_iter().filter(|p| matches!(p, Parameter::Named(_)));
-    for parameter in named.filter(|p| variables::is_taken(p.key(), spec.n)) {
-        let key = format!("params.{}", parameter.key());
-        let message = format!("`{}` is a variable of each FMU", parameter.key());
-        found.push("taken", key, None, message, "call the parameter otherwise");
-    }
-    found.finish(Some(()))
-}
+/// FMI 2.0.
+pub(super) const TARGET_2: Target = Target {
+    language: Language::Fmu2,
+    name: "fmu2",
+    about: "an FMU for co-simulation after FMI 2.0",
+    files: |controller| files(controller, Version::Two),
+    ..TARGET_3
+};
+
+/// FMI 3.0.
+pub(super) const TARGET_3: Target = Target {
+    language: Language::Fmu3,
+    name: "fmu3",
+    about: "one after FMI 3.0",
+    comment: ("/* ", " */"),
+    is_word: |word| matches!(word, "time" | "u" | "time_to_go" | "status"),
+    refuse: |spec, found| stands_alone(spec, "an FMU", found),
+    files: |controller| files(controller, Version::Three),
+};
 
 /// The files of the FMU of a controller, by their paths in it, without a binary.
-pub(super) fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
+fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
     let name = controller.spec().name();
     // The token is a hash of all that the FMU says, itself left out.
     let unsigned = with_token(controller, version, "");
@@ -104,13 +106,13 @@ fn with_token(controller: &Controller<'_>, version: Version, token: &str) -> Vec
         token,
         start: match start_reference {
             Some(_) => "state->params.t0".to_owned(),
-            None => domain::text(spec, Parameter::StartTime, &syntax),
+            None => parameter_text(spec, Parameter::StartTime, &syntax),
         },
         time_to_go: "-((t - state->controller.deadline) - state->controller.correction)",
         starts: starts
             .map(|(local, p)| Start { place: local.value.clone(), value: real(p) })
             .collect(),
-        conditions: conditions(controller, &syntax).iter().map(Judged::of).collect(),
+        conditions: frame.domain.iter().filter_map(|r| Judged::of(r, &variables)).collect(),
         kept: variables.iter().filter_map(place).collect(),
         constants: constants.collect(),
         start_reference,
@@ -212,20 +214,23 @@ struct Constant {
 /// A condition on a parameter, and what is told where it is not met.
 struct Judged {
     name: String,
-    local: String,
+    place: String,
     test: String,
     legal: String,
 }
 
 impl Judged {
-    fn of(condition: &Condition) -> Self {
-        let Condition { parameter, test, legal } = condition;
-        Self {
-            name: parameter.spelling(),
-            local: super::plan::parameter_name(*parameter),
+    fn of(requirement: &Requirement, variables: &[Variable]) -> Option<Self> {
+        let Requirement { test, parameter, legal } = requirement;
+        let place = format!("params.{parameter}");
+        let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
+        let about = variable.parameter?;
+        Some(Self {
+            name: variable.name.clone(),
+            place,
             test: test.clone(),
-            legal: format!("{} [{}], {legal}", parameter.meaning(), parameter.unit()),
-        }
+            legal: format!("{} [{}], {legal}", about.meaning(), about.unit()),
+        })
     }
 }
 

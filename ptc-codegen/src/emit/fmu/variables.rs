@@ -66,12 +66,6 @@ fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
     }
 }
 
-/// Names that the variables have beside those of the parameters.
-pub(super) fn is_taken(name: &str, n: usize) -> bool {
-    matches!(name, "time" | "u" | "time_to_go" | "status")
-        || (1..=n).any(|j| name.strip_prefix('x') == Some(j.to_string().as_str()))
-}
-
 /// The outputs.
 pub(super) fn outputs(variables: &[Variable]) -> Vec<&Variable> {
     variables.iter().filter(|v| v.causality == "output").collect()
