@@ -5,10 +5,11 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::generate;
+use ptc_codegen::{generate, project};
 
 use super::args::Emit;
 use super::fmu;
+use super::project as folder;
 use super::report::{Failure, Notice};
 use super::write;
 
@@ -20,33 +21,54 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let language = request.lang;
-    let files = match generate(&spec, language) {
-        Ok(files) => files,
-        Err(found) => return given.finish(None, found),
-    };
-    let printed = request.out.as_os_str() == "-";
-    if let (Some(version), false) = (language.fmi(), printed) {
-        return match request.check {
-            true => fmu::check(&request.out, &spec.name(), &files),
-            false => write::to_stdout(&fmu::write(&request.out, &spec.name(), version, &files)?),
-        };
+    match request.project {
+        Some(kind) => match project(&spec, kind) {
+            Ok(files) => make(request, &spec.name(), &files),
+            Err(found) => given.finish(None, found),
+        },
+        None => {
+            // The grammar asks for one of the two.
+            let language = request.lang.unwrap_or(Language::C);
+            match generate(&spec, language) {
+                Ok(files) => place(request, &spec.name(), language, &files),
+                Err(found) => given.finish(None, found),
+            }
+        }
     }
-    match (printed, request.check) {
-        (true, true) => Err(Failure::because(
+}
+
+/// Prints, compares or writes the files of a language.
+fn place(request: &Emit, name: &str, language: Language, files: &[File]) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new("."));
+    match (out.as_os_str() == "-", request.check, language.fmi()) {
+        (true, true, _) => Err(Failure::because(
             "`--check` has no files to compare with where `--out` is `-`".to_owned(),
             "give the folder that holds them, for example -o out",
         )),
-        (true, false) if language.fmi().is_some() => Err(Failure::because(
-            "an FMU is an archive, which is no text to print".to_owned(),
-            "give the folder to write it to, for example -o out",
-        )),
-        (true, false) => write::to_stdout(&joined(&files, language)),
-        (false, true) => {
-            compare(&request.out, &files, &mut |name| fs::read(request.out.join(name)))
-        }
-        (false, false) => write::to_stdout(&write::files(&request.out, &files)?),
+        (true, false, Some(_)) => Err(unprintable("an FMU is an archive")),
+        (true, false, None) => write::to_stdout(&joined(files, language)),
+        (false, true, Some(_)) => fmu::check(out, name, files),
+        (false, true, None) => compare(out, files, &mut |name| fs::read(out.join(name))),
+        (false, false, Some(version)) => write::to_stdout(&fmu::write(out, name, version, files)?),
+        (false, false, None) => write::to_stdout(&write::files(out, files)?),
     }
+}
+
+/// Compares or writes the files of a project.
+fn make(request: &Emit, name: &str, files: &[File]) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new(name));
+    match (out.as_os_str() == "-", request.check) {
+        (true, _) => Err(unprintable("a project is a folder")),
+        (false, true) => compare(out, files, &mut |name| fs::read(out.join(name))),
+        (false, false) => folder::write(out, files),
+    }
+}
+
+fn unprintable(what: &str) -> Failure {
+    Failure::because(
+        format!("{what}, which is no text to print"),
+        "give the folder to write to, for example -o out",
+    )
 }
 
 /// All files in one text; a comment names each where there are several.

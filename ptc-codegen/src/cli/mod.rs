@@ -9,6 +9,7 @@ mod emit;
 mod fmu;
 mod list;
 mod new;
+mod project;
 mod report;
 mod show;
 mod source;

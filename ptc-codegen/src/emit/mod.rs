@@ -11,7 +11,10 @@ mod frame;
 mod header;
 mod plan;
 mod print;
+mod project;
 mod rust;
+
+pub use project::Project;
 
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -35,8 +38,7 @@ pub enum Language {
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 5] =
-    [c::TARGET, rust::TARGET, cpp::TARGET, fmu::TARGET_2, fmu::TARGET_3];
+const TARGETS: [Target; 5] = [c::TARGET, rust::TARGET, cpp::TARGET, fmu::TARGET_2, fmu::TARGET_3];
 
 impl Language {
     /// Every language.

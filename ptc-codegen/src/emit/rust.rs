@@ -20,7 +20,7 @@ pub(super) const TARGET: Target = Target {
 };
 
 /// The file of a controller, which stands alone.
-fn file(controller: &Controller<'_>) -> File {
+pub(super) fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec().name();
     let real = real(controller.spec());
     let items = render(controller, "");
