@@ -16,14 +16,17 @@ use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
 pub(super) const DEFAULTS: [&str; 6] = [
     "tau = 1 s (100 eps where the design fixes an eps from 0.1 s on), t0 = 0, u_max = 1e30;",
     "a = 1, m = 1, a_i = i, a parameter of an expression 1, and of what has bounds the least;",
-    "gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on;",
-    "eps what the sample period asks for, twice the least that held gains bear, else tau/100;",
-    "the sample period that of the design, else tau/1000, or a half, a quarter, ... of it, the",
-    "first that the eps of the design bears.",
+    "gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on, or n, 2n or 4n",
+    "more; eps what brings |x_i| from at most 1 to at most 0.01, else what the sample period asks",
+    "for, else tau/100; the sample period that of the design, else tau/1000, or a half, a quarter,",
+    "... of it. The longest period is taken that eps bears, and the first of these poles with it.",
 ];
 
 /// The bound of |u| where the design leaves it open: above whatever occurs, and finite in f32.
 const UNBOUNDED: &str = "1e30";
+
+/// Bound of |x_i| at the deadline, from which eps is chosen.
+const ERROR: &str = "0.01";
 
 /// The parameters, the sample period and the start of an example.
 #[derive(Clone, Debug)]
@@ -52,7 +55,6 @@ impl Example {
             }
         }
         spec.bounds.clear();
-        place_poles(&mut spec);
         let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(1.0);
         let sampled = sample(&spec, tau);
         let period = sampled.promises.sample_time.as_ref().and_then(to_f64);
@@ -100,37 +102,57 @@ fn to_f64(value: &Fixed) -> Option<f64> {
     value.number().and_then(ToPrimitive::to_f64)
 }
 
-/// Gains with which x and u go to 0, where the design leaves them open.
-fn place_poles(spec: &mut Spec) {
+/// Gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on and `left` more,
+/// where the design leaves them open; none where it does not.
+fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
     if spec.feedback != Feedback::Linear || spec.fixed.contains_key(&Parameter::Gain(1)) {
-        return;
+        return None;
     }
-    let n = i64::try_from(spec.n).unwrap_or(1);
+    let n = i64::try_from(spec.n).ok()?;
     // Where no rate is found, that of the common mappings is taken.
     let rate = decay_rate(spec).0.unwrap_or_else(|| integer(1));
-    let right = (rate * integer(n)).ceil();
+    let right = (rate * integer(n)).ceil() + integer(left);
     let poles: Vec<_> = (1..=n).map(|i| Pole::real(-(&right + integer(i)))).collect();
-    let gains = gains(&poles).unwrap_or_default();
+    let gains = gains(&poles).ok()?;
+    let mut spec = spec.clone();
     let gains = (1..).zip(&gains).filter_map(|(i, gain)| Some((Parameter::Gain(i), exact(gain)?)));
     spec.fixed.extend(gains);
+    Some(spec)
 }
 
-/// The design with a sample period, and the eps that it asks for where it is open.
+/// The design with gains, a sample period and an eps where they are open: the longest period with
+/// which the state comes from |x_i| <= 1 to |x_i| <= [`ERROR`] with one of the sets of poles.
 fn sample(spec: &Spec, tau: f64) -> Spec {
+    let n = i64::try_from(spec.n).unwrap_or(1);
+    let placed: Vec<_> = [0, n, 2 * n, 4 * n].iter().filter_map(|l| with_poles(spec, *l)).collect();
+    let designs = if placed.is_empty() { vec![spec.clone()] } else { placed };
+    let promises = &spec.promises;
+    let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_none();
+    let halves = if promises.sample_time.is_some() { 1 } else { 12 };
+    let try_all = |ends: bool, wanted: &[Verdict]| {
+        let period = |halves: i32| tau / 1000.0 / f64::from(1 << halves);
+        (0..halves).find_map(|h| designs.iter().find_map(|d| borne(d, period(h), ends, wanted)))
+    };
+    let proved = [Verdict::Sound];
+    let open = [Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
+    let ended = || if free { try_all(true, &proved) } else { None };
+    let found = ended().or_else(|| try_all(false, &proved)).or_else(|| try_all(false, &open));
+    found.unwrap_or_else(|| designs.into_iter().next().unwrap_or_else(|| spec.clone()))
+}
+
+/// The design with `period`, where it gives none, if its checks of eps have one of the verdicts
+/// `wanted`; with an eps that bounds |x_i| at the deadline, where it `ends`.
+fn borne(spec: &Spec, period: f64, ends: bool, wanted: &[Verdict]) -> Option<Spec> {
     let mut spec = spec.clone();
-    let given = spec.promises.sample_time.is_some();
-    let mut period = tau / 1000.0;
-    for _ in 0..20 {
-        if !given {
-            spec.promises.sample_time = fixed(&format!("{period}"));
-        }
-        let report = examine(&spec);
-        let unsound =
-            |o: &crate::check::Outcome| o.name == "sampling" && o.verdict == Verdict::Unsound;
-        if given || !report.outcomes.iter().any(unsound) {
-            return report.spec;
-        }
-        period /= 2.0;
+    if spec.promises.sample_time.is_none() {
+        spec.promises.sample_time = fixed(&format!("{period}"));
     }
-    spec
+    if ends {
+        spec.promises.error = fixed(ERROR);
+        spec.promises.x0_max = vec![1.into(); spec.n];
+    }
+    let report = examine(&spec);
+    let of = |name: &str| report.outcomes.iter().find(|o| o.name == name).map(|o| o.verdict);
+    let good = |verdict: Option<Verdict>| verdict.is_some_and(|v| wanted.contains(&v));
+    (good(of("sampling")) && (!ends || good(of("deadline")))).then_some(report.spec)
 }
