@@ -72,7 +72,7 @@ fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
             let x = (0..spec.n).map(|_| state(spec, random)).collect();
             let round = |value| rounded(value, spec.precision);
             let parameters = values.values().run_time(spec).into_iter().map(round).collect();
-            records.push(Record { parameters, t, x });
+            records.push(Record { parameters, x0: Vec::new(), t, x });
         }
     }
     records

@@ -5,7 +5,7 @@ use ptc_codegen::mapping::Family;
 use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read};
 
 /// The spec of keys and values as they are written on the command line.
-pub(crate) fn spec(keys: &[(&str, &str)]) -> Spec {
+pub fn spec(keys: &[(&str, &str)]) -> Spec {
     let entry = |(key, text): &(&str, &str)| Entry {
         key: (*key).to_owned(),
         place: Place(0),
@@ -16,25 +16,33 @@ pub(crate) fn spec(keys: &[(&str, &str)]) -> Spec {
 }
 
 /// Every family.
-pub(crate) fn families() -> impl Iterator<Item = Family> {
+pub fn families() -> impl Iterator<Item = Family> {
     ptc_codegen::mapping::FAMILIES.iter().map(|info| info.family)
 }
 
 /// What a run-time parameter of the given values is.
-pub(crate) struct Values<'a> {
-    pub(crate) tau: f64,
-    pub(crate) t0: f64,
-    pub(crate) eps: f64,
-    pub(crate) u_max: f64,
-    pub(crate) a: f64,
-    pub(crate) m: f64,
-    pub(crate) rates: &'a [f64],
-    pub(crate) k: &'a [f64],
+pub struct Values<'a> {
+    /// Settling time, s.
+    pub tau: f64,
+    /// Start, s.
+    pub t0: f64,
+    /// Time-to-go at which the gains are held, s.
+    pub eps: f64,
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// Rate of stretched time, 1/s.
+    pub a: f64,
+    /// Exponent of `power`.
+    pub m: f64,
+    /// Rates of `exp_sum`, 1/s.
+    pub rates: &'a [f64],
+    /// Gains.
+    pub k: &'a [f64],
 }
 
 impl Values<'_> {
     /// The value of one parameter.
-    pub(crate) fn get(&self, parameter: Parameter) -> f64 {
+    pub fn get(&self, parameter: Parameter) -> f64 {
         match parameter {
             Parameter::Tau => self.tau,
             Parameter::StartTime => self.t0,
@@ -49,12 +57,12 @@ impl Values<'_> {
     }
 
     /// Those that `spec` leaves to run time, in the order of the struct.
-    pub(crate) fn run_time(&self, spec: &Spec) -> Vec<f64> {
+    pub fn run_time(&self, spec: &Spec) -> Vec<f64> {
         spec.run_time_parameters().map(|parameter| self.get(parameter)).collect()
     }
 }
 
 /// `value` in `precision`.
-pub(crate) fn rounded(value: f64, precision: Precision) -> f64 {
+pub fn rounded(value: f64, precision: Precision) -> f64 {
     ptc_codegen::program::number::settle(value, precision)
 }
