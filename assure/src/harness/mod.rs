@@ -6,6 +6,7 @@ pub mod goldens;
 pub mod machine;
 pub mod program;
 pub mod random;
+pub mod records;
 mod rust;
 pub mod specs;
 

@@ -1,6 +1,7 @@
 //! Specs, as a front end would read them.
 
 use ptc_codegen::diagnostic::Place;
+use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
 use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read};
 
@@ -65,4 +66,23 @@ impl Values<'_> {
 /// `value` in `precision`.
 pub fn rounded(value: f64, precision: Precision) -> f64 {
     ptc_codegen::program::number::settle(value, precision)
+}
+
+/// Whether the C of `spec` calls a function that two libraries may round differently.
+pub fn calls_a_library(spec: &Spec) -> bool {
+    let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
+    let code: String = files.iter().map(|file| without_comments(&file.text)).collect();
+    ["exp", "exp2", "expm1", "log", "log1p", "pow", "sin", "cos", "tan"].iter().any(|function| {
+        ["", "f"].iter().any(|suffix| {
+            let call = format!("{function}{suffix}(");
+            code.match_indices(&call).any(|(at, _)| {
+                let before = code[..at].chars().next_back();
+                !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_')
+            })
+        })
+    })
+}
+
+fn without_comments(text: &str) -> String {
+    text.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code)).collect()
 }
