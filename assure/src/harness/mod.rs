@@ -10,6 +10,8 @@ pub mod records;
 mod rust;
 pub mod specs;
 
+pub use rust::ieee_addition;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -141,12 +141,12 @@ pub fn real(precision: Precision) -> &'static str {
 
 /// The programs of `specs` in C for this machine, in `folder`.
 pub fn in_c(folder: &Path, specs: &[Spec]) -> Vec<Program> {
-    in_c_on(Machine::Host, folder, specs, &STRICT)
+    in_c_on(Machine::Host, folder, specs, &STRICT.map(str::to_owned))
 }
 
 /// The programs of `specs` in C for `machine`, in `folder`, one for each spec, compiled with
 /// `flags`.
-pub fn in_c_on(machine: Machine, folder: &Path, specs: &[Spec], flags: &[&str]) -> Vec<Program> {
+pub fn in_c_on(machine: Machine, folder: &Path, specs: &[Spec], flags: &[String]) -> Vec<Program> {
     let numbered: Vec<_> = specs.iter().enumerate().collect();
     in_pairs(&numbered, |(index, spec)| {
         let folder = empty(&folder.join(format!("{}_c{index}", machine.stem())));
@@ -163,7 +163,7 @@ pub fn in_c_from(
     folder: &Path,
     spec: &Spec,
     sources: &[PathBuf],
-    flags: &[&str],
+    flags: &[String],
 ) -> Program {
     let name = spec.name();
     let mut glue = machine.c_compiler();
