@@ -99,8 +99,12 @@ fn the_archive_holds_what_the_standard_asks_for() {
         let names: Vec<_> = fs::read_dir(&home).expect("a folder").collect();
         assert_eq!(names.len(), 1, "nothing is left beside the FMU");
         let entries = entries(&home.join("stage.fmu"));
-        let mut wanted =
-            vec!["modelDescription.xml", "sources/stage.c", "sources/stage.h", "sources/stage_fmu.c"];
+        let mut wanted = vec![
+            "modelDescription.xml",
+            "sources/stage.c",
+            "sources/stage.h",
+            "sources/stage_fmu.c",
+        ];
         wanted.extend(own);
         wanted.sort_unstable();
         let texts: Vec<_> = entries.keys().filter(|name| !name.starts_with("binaries/")).collect();
@@ -123,7 +127,8 @@ fn the_controller_is_the_emitted_c() {
                 &folder.join(precision).join(lang),
             );
         }
-        let read = |path: &str| fs::read(folder.join(precision).join("c").join(path)).expect("there");
+        let read =
+            |path: &str| fs::read(folder.join(precision).join("c").join(path)).expect("there");
         for lang in ["fmu2", "fmu3"] {
             let entries = entries(&folder.join(precision).join(lang).join("stage.fmu"));
             assert_eq!(entries["sources/stage.c"], read("stage.c"));
@@ -193,7 +198,9 @@ fn the_same_design_gives_the_same_bytes_and_another_a_different_token() {
 fn without_a_compiler_there_are_sources_and_a_word_about_it() {
     let folder = folder("fmu_sources");
     let flags = [&["--lang=fmu2"][..], &DESIGN].concat();
-    for (compiler, part) in [("/no/such/cc", "cannot run `/no/such/cc`"), ("false", "`false` fails")] {
+    for (compiler, part) in
+        [("/no/such/cc", "cannot run `/no/such/cc`"), ("false", "`false` fails")]
+    {
         let output = emit(&flags, &folder, compiler);
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{told}");
@@ -219,7 +226,9 @@ fn check_compares_the_text_in_the_archive() {
     let other = [&check[..], &["--eps=0.02"]].concat();
     let drift = emit(&other, &folder, "cc");
     assert_eq!(drift.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&drift.stderr).contains("stage.fmu/modelDescription.xml differs"));
+    assert!(
+        String::from_utf8_lossy(&drift.stderr).contains("stage.fmu/modelDescription.xml differs")
+    );
     fs::write(folder.join("stage.fmu"), "no archive").expect("writable");
     let odd = emit(&check, &folder, "cc");
     assert_eq!(odd.status.code(), Some(2));

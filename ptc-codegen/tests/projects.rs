@@ -190,7 +190,8 @@ fn a_folder_is_made_as_a_whole_and_never_over_another() {
     told(&emit("arduino", &DESIGN, Some(&file.join("below")), &folder), 2);
     told(&emit("arduino", &DESIGN, Some(Path::new("-")), &folder), 2);
     told(&emit("arduino", &DESIGN, Some(Path::new(".")), &folder), 2);
-    let left: Vec<_> = files(&folder).into_iter().filter(|(name, _)| name.contains("tmp")).collect();
+    let left: Vec<_> =
+        files(&folder).into_iter().filter(|(name, _)| name.contains("tmp")).collect();
     assert_eq!(left, []);
 }
 

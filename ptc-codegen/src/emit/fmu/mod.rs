@@ -67,9 +67,10 @@ pub(super) const TARGET_3: Target = Target {
 fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
     let name = controller.spec().name();
     // The token is a hash of all that the FMU says, itself left out.
-    let unsigned = with_token(controller, version, "");
+    let example = Example::of(controller.report);
+    let unsigned = with_token(controller, version, &example, "");
     let token = token(unsigned.iter().map(|file| file.text.as_str()));
-    let mut files = with_token(controller, version, &token);
+    let mut files = with_token(controller, version, &example, &token);
     let at_source = |file: File| File { name: format!("sources/{}", file.name), ..file };
     files.extend(c::files(controller).into_iter().map(at_source));
     if version == Version::Three {
@@ -80,13 +81,17 @@ fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
 }
 
 /// modelDescription.xml and the source of the interface.
-fn with_token(controller: &Controller<'_>, version: Version, token: &str) -> Vec<File> {
+fn with_token(
+    controller: &Controller<'_>,
+    version: Version,
+    example: &Example,
+    token: &str,
+) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
     let syntax = c::C::new(spec, &name);
     let frame = Frame::new(controller, syntax.real, &syntax);
-    let example = Example::of(controller.report);
-    let variables = variables::variables(spec, &example);
+    let variables = variables::variables(spec, example);
     let real = |p: Parameter| literal(example.value(p), spec.precision, &syntax);
     let place = |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
     let starts = frame.locals.iter().zip(spec.run_time_parameters());
