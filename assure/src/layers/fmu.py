@@ -1,7 +1,7 @@
 """FMUs in fmpy: validation, single calls and closed loops. Called by fmu.rs.
 
 run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
-pack FOLDER FMU    packs a folder of sources and compiles it as an importer does
+pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
 """
 
 import pathlib
@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 import fmpy
+from fmpy.build import build_platform_binary
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
@@ -151,11 +152,8 @@ def run(listed):
 
 
 def pack(folder, fmu):
-    from fmpy.util import compile_platform_binary
-
-    archive = shutil.make_archive(fmu, "zip", folder)
-    shutil.move(archive, fmu)
-    compile_platform_binary(fmu)
+    build_platform_binary(folder)
+    shutil.move(shutil.make_archive(fmu, "zip", folder), fmu)
 
 
 if __name__ == "__main__":

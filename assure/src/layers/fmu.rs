@@ -10,6 +10,7 @@ use ptc_codegen::emit::Language;
 use ptc_codegen::spec::Spec;
 
 use super::command::{emit, generator, succeed};
+use super::projects::CMAKE;
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
 use crate::harness::program::{Outcome, Program, Record, in_c};
@@ -34,13 +35,6 @@ const FMPY: Tool = Tool {
         "import fmpy, importlib.metadata as m; print('fmpy', m.version('fmpy'))",
     ]),
     source: Source::Pip(&["fmpy==0.3.32"]),
-};
-
-/// By it fmpy compiles the sources of an FMU.
-const CMAKE: Tool = Tool {
-    name: "cmake",
-    shown_by: ShownBy::Command(&["cmake", "--version"]),
-    source: Source::Apt(&["cmake", "make"]),
 };
 
 pub(super) const LAYER: Layer = Layer {

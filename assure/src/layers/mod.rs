@@ -4,10 +4,19 @@ mod command;
 mod compilers;
 mod fmu;
 mod identity;
+mod packages;
+mod projects;
 mod rules;
 mod seeded;
 
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER, fmu::LAYER];
+pub const LAYERS: &[Layer] = &[
+    compilers::LAYER,
+    rules::LAYER,
+    identity::LAYER,
+    fmu::LAYER,
+    projects::LAYER,
+    packages::LAYER,
+];

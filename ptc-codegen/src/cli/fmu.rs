@@ -115,7 +115,7 @@ fn library(name: &str, version: Version, files: &[File]) -> Result<(String, Vec<
     let output = Command::new(&compiler)
         .current_dir(&home.0)
         .args(["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-shared"])
-        .args(["-DFMI3_OVERRIDE_FUNCTION_PREFIX", "-I.", "-o", "library"])
+        .args(["-I.", "-o", "library"])
         .args([format!("{name}.c"), format!("{name}_fmu.c")])
         .arg("-lm")
         .output()
