@@ -129,7 +129,8 @@ fn run(context: &Context) -> Result<Finding> {
     });
     finding.notes.push(
         "A call is one of random parameters, time and state, among them what C refuses: the FMU has \
-         to return an error with a message. The closed loops have the start values of the FMU. u is \
+         to return an error with a message. Every other one is made of an instance that runs, whose \
+         parameters are tuned. The closed loops have the start values of the FMU. u is \
          compared by its bits, the status by its value."
             .to_owned(),
     );

@@ -79,7 +79,8 @@ fn cmake(folder: &Path) -> Result<String> {
         |arguments: &[&str]| succeed(Command::new("cmake").args(arguments).current_dir(folder));
     cmake(&["-B", "build", "-DCMAKE_BUILD_TYPE=Release"])?;
     cmake(&["--build", "build"])?;
-    let tested = text(Command::new("ctest").args(["--test-dir", "build"]).current_dir(folder))?;
+    let test = ["--test-dir", "build", "--output-on-failure"];
+    let tested = text(Command::new("ctest").args(test).current_dir(folder))?;
     ensure!(tested.contains("100% tests passed"), "{tested}");
     cmake(&["--install", "build", "--prefix", "installed"])?;
     let user = folder.join("user");
@@ -92,7 +93,8 @@ fn cmake(folder: &Path) -> Result<String> {
              target_link_libraries(user PRIVATE {name}::{name})\n"
         ),
     )?;
-    cmake(&["-S", "user", "-B", "user/build", "-DCMAKE_PREFIX_PATH=../../installed"])?;
+    let prefix = format!("-DCMAKE_PREFIX_PATH={}", folder.join("installed").display());
+    cmake(&["-S", "user", "-B", "user/build", &prefix])?;
     cmake(&["--build", "user/build"])?;
     text(&mut Command::new(folder.join("user/build/user")))
 }
@@ -246,8 +248,8 @@ fn seed(folder: &Path, generator: &Path, crates: bool, finding: &mut Finding) ->
             Ok(printed) => Some(printed.lines().last().unwrap_or_default().to_owned()),
             Err(error) => {
                 let told = format!("{error:#}");
-                let late = told.lines().find(|line| line.starts_with("late: "));
-                Some(late.unwrap_or("it does not run to its end").to_owned())
+                let late = told.lines().find(|line| line.trim_start().starts_with("late: "));
+                Some(late.unwrap_or("it does not run to its end").trim_start().to_owned())
             }
         })
     });
