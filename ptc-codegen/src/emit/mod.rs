@@ -7,6 +7,7 @@ mod c;
 mod cpp;
 mod frame;
 mod header;
+mod matlab;
 mod plan;
 mod print;
 mod rust;
@@ -26,10 +27,12 @@ pub enum Language {
     Rust,
     /// C++17: one header.
     Cpp,
+    /// MATLAB and GNU Octave: a function file for each function.
+    Matlab,
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 3] = [c::TARGET, rust::TARGET, cpp::TARGET];
+const TARGETS: [Target; 4] = [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET];
 
 impl Language {
     /// Every language.
