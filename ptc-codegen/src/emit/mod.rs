@@ -10,6 +10,7 @@ mod header;
 mod matlab;
 mod plan;
 mod print;
+mod python;
 mod rust;
 
 use crate::check::examine::Report;
@@ -29,10 +30,12 @@ pub enum Language {
     Cpp,
     /// MATLAB and GNU Octave: a function file for each function.
     Matlab,
+    /// Python on NumPy: one typed module.
+    Python,
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 4] = [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET];
+const TARGETS: [Target; 5] = [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET, python::TARGET];
 
 impl Language {
     /// Every language.
