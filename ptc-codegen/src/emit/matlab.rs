@@ -31,8 +31,8 @@ const WORDS: &str = "
 /// Longest name that MATLAB tells from others.
 const LONGEST: usize = 63;
 
-fn refuse(spec: &Spec, found: &mut Diagnostics) {
-    let name = spec.name();
+fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
+    let name = controller.spec().name();
     let longest = LONGEST - "_init".len();
     if name.len() > longest {
         found.push(

@@ -12,6 +12,7 @@ mod plan;
 mod print;
 mod python;
 mod rust;
+mod st;
 
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -32,10 +33,13 @@ pub enum Language {
     Matlab,
     /// Python on NumPy: one typed module.
     Python,
+    /// IEC 61131-3 Structured Text: a function block.
+    StructuredText,
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 5] = [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET, python::TARGET];
+const TARGETS: [Target; 6] =
+    [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET, python::TARGET, st::TARGET];
 
 impl Language {
     /// Every language.
@@ -73,32 +77,6 @@ impl Language {
     pub fn comment(self) -> (&'static str, &'static str) {
         self.target().comment
     }
-
-    /// What keeps `spec` from being emitted in this language; nothing does in C and Rust.
-    ///
-    /// # Errors
-    /// A name that is a word of the language, and each feature that it cannot express.
-    pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        let target = self.target();
-        let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
-            Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
-            _ => None,
-        });
-        for (key, word) in named.chain([("name".to_owned(), spec.name())]) {
-            if (target.is_word)(&word) {
-                found.push(
-                    "reserved-name",
-                    key,
-                    None,
-                    format!("{word} is a word of the language {}", target.name),
-                    format!("give it another name, for example {word}_1"),
-                );
-            }
-        }
-        (target.refuse)(spec, &mut found);
-        found.finish(Some(()))
-    }
 }
 
 /// A back end: what is known of it before there is a program, and its printer.
@@ -113,7 +91,7 @@ struct Target {
     /// Whether a word that other languages leave free means something in this one.
     is_word: fn(&str) -> bool,
     /// Notes what it cannot express.
-    refuse: fn(&Spec, &mut Diagnostics),
+    refuse: fn(&Controller<'_>, &mut Diagnostics),
     /// The files of a controller.
     files: fn(&Controller<'_>) -> Vec<File>,
 }
@@ -146,8 +124,36 @@ impl<'a> Controller<'a> {
 }
 
 /// The files of a controller in `language`.
-pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
-    (language.target().files)(controller)
+///
+/// # Errors
+/// A name that is a word of the language, and each feature that it cannot express; there are none in
+/// C and Rust.
+pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let target = language.target();
+    let mut found = Diagnostics::default();
+    for (key, word) in names(controller.spec()) {
+        if (target.is_word)(&word) {
+            found.push(
+                "reserved-name",
+                key,
+                None,
+                format!("{word} has a meaning of its own in {}", target.name),
+                format!("give it another name, for example {word}_1"),
+            );
+        }
+    }
+    (target.refuse)(controller, &mut found);
+    found.finish(Some(()))?;
+    Ok((target.files)(controller))
+}
+
+/// The names that the user gave, or that were made for him, each by its key.
+fn names(spec: &Spec) -> Vec<(String, String)> {
+    let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
+        Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
+        _ => None,
+    });
+    named.chain([("name".to_owned(), spec.name())]).collect()
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
