@@ -124,7 +124,7 @@ pub(super) fn numbers(spec: &Spec) -> usize {
 }
 
 /// Whether `tick` and `axis` are emitted.
-pub(super) fn has_gains(spec: &Spec) -> bool {
+pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
         && spec.input_gain.is_none()
         && spec.after == After::Hold

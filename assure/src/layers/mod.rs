@@ -3,9 +3,10 @@
 mod compilers;
 mod identity;
 mod rules;
+mod rust;
 mod seeded;
 
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER];
+pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, rust::LAYER, identity::LAYER];
