@@ -1,12 +1,26 @@
 //! The layers, each in a file of its own.
 
+mod comparison;
 mod compilers;
+mod cpp;
 mod identity;
+mod matlab;
+mod python;
 mod rules;
 mod rust;
 mod seeded;
+mod st;
 
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, rust::LAYER, identity::LAYER];
+pub const LAYERS: &[Layer] = &[
+    compilers::LAYER,
+    rules::LAYER,
+    rust::LAYER,
+    cpp::LAYER,
+    python::LAYER,
+    matlab::LAYER,
+    st::LAYER,
+    identity::LAYER,
+];
