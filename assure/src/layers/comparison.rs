@@ -8,7 +8,7 @@ use ptc_codegen::emit::Language;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, passes};
+use ptc_codegen::program::{Input, Program, passes};
 use ptc_codegen::spec::{Parameter, Spec};
 
 use super::seeded::{Defect, with_defect};
@@ -74,6 +74,7 @@ pub(super) fn compare(context: &Context, side: &Side<'_>) -> Result<Finding> {
     let (mut exact, mut near) = (Tally::default(), Tally::default());
     for (index, spec) in emitted.iter().enumerate() {
         let library = calls_a_library(spec);
+        let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
         let tally = if library { &mut near } else { &mut exact };
         tally.controllers += 1;
         for ((record, c), other) in records[index].iter().zip(&wanted[index]).zip(&found[index]) {
@@ -83,7 +84,8 @@ pub(super) fn compare(context: &Context, side: &Side<'_>) -> Result<Finding> {
                 continue;
             }
             tally.differing += 1;
-            let wrong = if library { beyond(spec, record, &c, other, tally) } else { true };
+            let wrong =
+                if library { beyond(spec, &program, record, &c, other, tally) } else { true };
             if wrong {
                 let told = format!("{}: C {c:?}, {name} {other:?}, {record:?}", spec.name());
                 finding.failures.push(told);
@@ -157,12 +159,19 @@ fn without_axis(outcome: Outcome) -> Outcome {
 }
 
 /// Whether outcomes of a family that differ in their bits differ by more than the family's error.
-fn beyond(spec: &Spec, record: &Record, c: &Outcome, other: &Outcome, tally: &mut Tally) -> bool {
+fn beyond(
+    spec: &Spec,
+    program: &Program,
+    record: &Record,
+    c: &Outcome,
+    other: &Outcome,
+    tally: &mut Tally,
+) -> bool {
     let Some(family) = spec.family() else { return false };
     if c.init != other.init {
         return true;
     }
-    let scale = scale(spec, record);
+    let scale = scale(spec, program, record);
     let allowed = tolerance::control(family, spec.precision);
     [(c.step, other.step), (c.axis, other.axis)].into_iter().any(|(a, b)| {
         // On the edge of the bound the last digit decides whether u is clipped.
@@ -179,8 +188,7 @@ fn beyond(spec: &Spec, record: &Record, c: &Outcome, other: &Outcome, tally: &mu
 }
 
 /// The sum of the absolute values of the terms of u; none for a law that is no sum of gains.
-fn scale(spec: &Spec, record: &Record) -> Option<f64> {
-    let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+fn scale(spec: &Spec, program: &Program, record: &Record) -> Option<f64> {
     let free: Vec<_> = spec.run_time_parameters().collect();
     let parameter = |wanted: Parameter| {
         let at = free.iter().position(|p| *p == wanted);
@@ -198,7 +206,7 @@ fn scale(spec: &Spec, record: &Record) -> Option<f64> {
         Input::State(j) => record.x[j - 1],
         Input::StateAtStart(_) | Input::Gain(_) | Input::Drift => f64::NAN,
     };
-    let mut interpreter = Interpreter::new(&program, &input);
+    let mut interpreter = Interpreter::new(program, &input);
     let terms = program.gains.iter().zip(&record.x);
     let sum: f64 = terms.map(|(gain, x)| (interpreter.value(*gain) * x).abs()).sum();
     (!program.gains.is_empty() && sum > 0.0 && sum.is_finite()).then_some(sum)

@@ -12,6 +12,8 @@ use super::seeded::with_defect;
 use crate::context::Context;
 use crate::harness::program::driver;
 use crate::harness::runtime::{self, homes};
+use crate::harness::specs::spec;
+use crate::harness::write;
 use crate::layer::{Finding, Layer};
 use crate::tool::{GCC, PYTHON};
 
@@ -24,7 +26,8 @@ pub(super) const LAYER: Layer = Layer {
 };
 
 fn run(context: &Context) -> Result<Finding> {
-    let python = runtime::python(&context.shared("python"), &["numpy>=1.26", "mypy", "ruff"])?;
+    let python =
+        runtime::python(&context.shared("python"), &["numpy>=1.26", "mypy", "ruff", "control"])?;
     let side = Side {
         language: Language::Python,
         run: &|folder, homes, records| {
@@ -41,7 +44,34 @@ fn run(context: &Context) -> Result<Finding> {
     };
     let mut finding = compare(context, &side)?;
     types(context, &python, &mut finding)?;
+    example(context, &python, &mut finding)?;
     Ok(finding)
+}
+
+/// `examples/python_control.py` with the controller that its head asks for.
+fn example(context: &Context, python: &Path, finding: &mut Finding) -> Result<()> {
+    let folder = context.scratch("python_example");
+    let keys = [
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("gains", "12,7"),
+        ("tau", "0.8"),
+        ("eps", "0.01"),
+        ("u_max", "40"),
+        ("name", "stage"),
+    ];
+    write(&folder, &spec(&keys), Language::Python);
+    let script = context.workspace().join("examples/python_control.py");
+    let mut command = Command::new(python);
+    let output = command.args(["-W", "error::RuntimeWarning"]).arg(script).arg(&folder).output()?;
+    let told = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+    if !output.status.success() {
+        finding.failures.push(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    finding
+        .notes
+        .push(format!("As a NonlinearIOSystem of python-control, in closed loop: {told}."));
+    Ok(())
 }
 
 /// What a checker says of the modules in `folder`, where it says anything.

@@ -58,11 +58,8 @@ enum Part {
 
 fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
-    let real = match spec.precision {
-        Precision::F32 => "single",
-        Precision::F64 => "double",
-    };
-    let frame = Frame::new(controller, real, &Matlab { spec, real });
+    let syntax = Matlab::new(spec);
+    let frame = Frame::new(controller, syntax.real, &syntax);
     let mut parts = vec![(Part::Init, "init"), (Part::Arm, "arm")];
     match spec.what {
         What::Controller => parts.push((Part::Step, "step")),
@@ -161,9 +158,19 @@ end
     },
 ];
 
-struct Matlab<'a> {
+pub(super) struct Matlab<'a> {
     spec: &'a Spec,
     real: &'static str,
+}
+
+impl<'a> Matlab<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        let real = match spec.precision {
+            Precision::F32 => "single",
+            Precision::F64 => "double",
+        };
+        Self { spec, real }
+    }
 }
 
 impl Syntax for Matlab<'_> {

@@ -13,6 +13,8 @@ mod print;
 mod python;
 mod rust;
 mod st;
+#[cfg(test)]
+mod table;
 
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};

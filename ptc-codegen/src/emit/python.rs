@@ -27,7 +27,7 @@ const WORDS: &str = "
 
 fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
-    let frame = Frame::new(controller, real(spec), &Python { spec });
+    let frame = Frame::new(controller, real(spec), &Python::new(spec));
     // In a text of the module a backslash would begin an escape.
     let head: Vec<_> = header::lines(controller, Language::Python)
         .into_iter()
@@ -61,8 +61,14 @@ fn real(spec: &Spec) -> &'static str {
     }
 }
 
-struct Python<'a> {
+pub(super) struct Python<'a> {
     spec: &'a Spec,
+}
+
+impl<'a> Python<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        Self { spec }
+    }
 }
 
 impl Syntax for Python<'_> {

@@ -9,9 +9,9 @@ use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, names, tidy};
 use crate::diagnostic::Diagnostics;
-use crate::expression::Function;
+use crate::expression::{Expression, Function, Subject};
 use crate::program::{Input, Op};
-use crate::spec::{After, Guard, Parameter, Precision, Spec, What};
+use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::StructuredText,
@@ -81,10 +81,10 @@ fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
     for function in absent {
         let calls = |op: &Op| matches!(op, Op::Call(called, _) if *called == function);
         if controller.program.values.iter().any(|value| calls(&value.op)) {
-            let name = function.name();
+            let (name, key) = (function.name(), key_of(spec, function));
             found.push(
                 "unsupported",
-                name,
+                key,
                 None,
                 format!("the controller calls {name}, which st does not have"),
                 "write the mapping or the law with exp or ln, or emit it in another language",
@@ -93,14 +93,22 @@ fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
     }
 }
 
+/// The key whose expression calls `function`; that of the mapping where it comes from its inverse.
+fn key_of(spec: &Spec, function: Function) -> &'static str {
+    let calls = |e: &Expression| e.any(&|e| matches!(e, Expression::Call(f, _) if *f == function));
+    match (&spec.feedback, &spec.input_gain, spec.custom()) {
+        (Feedback::Expression(law), ..) if calls(law) => "pi0",
+        (_, Some(gain), _) if calls(gain) => "g",
+        (.., Some(custom)) if custom.subject == Subject::Kappa => "kappa",
+        _ => "mu",
+    }
+}
+
 fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let real = match spec.precision {
-        Precision::F32 => "REAL",
-        Precision::F64 => "LREAL",
-    };
-    let syntax = StructuredText { spec, name: &name, real, declared: RefCell::default() };
+    let syntax = StructuredText::new(spec);
+    let real = syntax.real;
     let frame = Frame::new(controller, real, &syntax);
     for local in frame
         .locals
@@ -160,15 +168,23 @@ struct Variable {
     kind: String,
 }
 
-struct StructuredText<'a> {
+pub(super) struct StructuredText<'a> {
     spec: &'a Spec,
-    name: &'a str,
+    name: String,
     real: &'static str,
     /// Each variable that a statement sets has to be declared before all statements.
     declared: RefCell<BTreeMap<String, Kind>>,
 }
 
-impl StructuredText<'_> {
+impl<'a> StructuredText<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        let real = match spec.precision {
+            Precision::F32 => "REAL",
+            Precision::F64 => "LREAL",
+        };
+        Self { spec, name: spec.name(), real, declared: RefCell::default() }
+    }
+
     fn declare(&self, name: &str, kind: Kind) {
         self.declared.borrow_mut().insert(name.to_owned(), kind);
     }
