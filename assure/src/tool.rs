@@ -153,6 +153,27 @@ pub const GXX: Tool = Tool {
     source: Source::Apt(&["g++"]),
 };
 
+/// The interpreter of MATLAB functions.
+pub const OCTAVE: Tool = Tool {
+    name: "GNU Octave",
+    shown_by: ShownBy::Command(&["octave-cli", "--version"]),
+    source: Source::Apt(&["octave"]),
+};
+
+/// Python, with what makes an environment for packages.
+pub const PYTHON: Tool = Tool {
+    name: "python3",
+    shown_by: ShownBy::Command(&["python3", "-c", "import ensurepip, sys; print(sys.version)"]),
+    source: Source::Apt(&["python3", "python3-venv"]),
+};
+
+/// The C++ compiler for Arm.
+pub const ARM_GXX: Tool = Tool {
+    name: "arm-none-eabi-g++",
+    shown_by: ShownBy::Command(&["arm-none-eabi-g++", "--version"]),
+    source: Source::Apt(&["gcc-arm-none-eabi", "libstdc++-arm-none-eabi-newlib"]),
+};
+
 /// The other C compiler of this machine.
 pub const CLANG: Tool = Tool {
     name: "clang",

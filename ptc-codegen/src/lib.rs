@@ -35,11 +35,10 @@ use spec::{Precision, Spec};
 /// Everything in the spec that cannot be generated, in this language or at all, and every check that
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    language.accepts(spec)?;
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit(&Controller { report: &report, law: &law, program: &program }, language))
+    emit::emit(&Controller { report: &report, law: &law, program: &program }, language)
 }
 
 /// Generates the files of a small project around one controller, by their paths in it.

@@ -2,13 +2,16 @@
 //! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
+pub mod cpp;
 pub mod goldens;
 pub mod machine;
 pub mod program;
 pub mod random;
 pub mod records;
+pub mod runtime;
 mod rust;
 pub mod specs;
+pub mod tolerance;
 
 pub use rust::ieee_addition;
 

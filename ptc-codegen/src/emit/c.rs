@@ -22,8 +22,7 @@ pub(super) const TARGET: Target = Target {
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let syntax = C::new(spec, &name);
-    let frame = Frame::new(controller, syntax.real, &syntax);
+    let frame = Frame::new(controller, real(spec), &C::new(spec));
     let head = header::lines(controller, Language::C);
     let externs = externs(spec, &name);
     let hold = match spec.after {
@@ -64,21 +63,22 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
-/// How C is written.
+pub(super) fn real(spec: &Spec) -> &'static str {
+    match spec.precision {
+        Precision::F32 => "float",
+        Precision::F64 => "double",
+    }
+}
+
 pub(super) struct C<'a> {
     spec: &'a Spec,
-    name: &'a str,
-    /// The floating-point type.
-    pub(super) real: &'static str,
+    name: String,
+    real: &'static str,
 }
 
 impl<'a> C<'a> {
-    pub(super) fn new(spec: &'a Spec, name: &'a str) -> Self {
-        let real = match spec.precision {
-            Precision::F32 => "float",
-            Precision::F64 => "double",
-        };
-        Self { spec, name, real }
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        Self { spec, name: spec.name(), real: real(spec) }
     }
 }
 
@@ -160,7 +160,7 @@ impl Syntax for C<'_> {
 
     /// All names in it are reserved, so that none hides a controller's type.
     fn rows_function(&self, weights: usize) -> Vec<String> {
-        let (name, real, tail) = (self.name, self.real, weights - 1);
+        let (name, real, tail) = (&self.name, self.real, weights - 1);
         let lines = [
             &format!("static void {name}_rows({real} row[{weights}], const {real} p[{tail}])"),
             "{",

@@ -29,11 +29,8 @@ const WORDS: &str = "
 
 fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
-    let real = match spec.precision {
-        Precision::F32 => "float",
-        Precision::F64 => "double",
-    };
-    let frame = Frame::new(controller, real, &Cpp { spec, real });
+    let syntax = Cpp::new(spec);
+    let frame = Frame::new(controller, syntax.real, &syntax);
     // A user's function decides for itself whether it is constant; a library's is not in C++17.
     let word = |routines: &[Routine]| {
         let calls = routines.iter().any(|routine| frame.library.contains(routine));
@@ -61,12 +58,20 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
     vec![File { name: format!("{}.hpp", spec.name()), text }]
 }
 
-struct Cpp<'a> {
+pub(super) struct Cpp<'a> {
     spec: &'a Spec,
     real: &'static str,
 }
 
-impl Cpp<'_> {
+impl<'a> Cpp<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        let real = match spec.precision {
+            Precision::F32 => "float",
+            Precision::F64 => "double",
+        };
+        Self { spec, real }
+    }
+
     fn array(&self, constant: bool, name: &str, values: &[String]) -> String {
         let word = if constant { "const " } else { "" };
         let (real, count) = (self.real, values.len());

@@ -17,6 +17,8 @@ pub(super) struct Assignment {
 /// A condition on a parameter; as text it is the test.
 pub(super) struct Requirement {
     pub(super) test: String,
+    /// The parameter's local value.
+    local: String,
     /// The parameter's place among the parameters.
     pub(super) parameter: String,
     /// Its legal values, in words.
@@ -27,6 +29,15 @@ impl fmt::Display for Requirement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.test)
     }
+}
+
+/// The conditions on one parameter, for a language that tells which one is wrong.
+pub(super) struct Check<'a> {
+    pub(super) tests: Vec<&'a str>,
+    /// Its local value.
+    pub(super) local: &'a str,
+    pub(super) parameter: &'a str,
+    pub(super) legal: &'a str,
 }
 
 /// The parts of all functions of a controller in one language.
@@ -54,7 +65,11 @@ pub(super) struct Frame {
     /// Conditions on the states x1..xn.
     pub(super) states: Vec<String>,
     pub(super) step: Vec<String>,
+    /// u before it is clipped, in one expression, and its parts: the law, and what takes its place
+    /// once the deadline is over.
     pub(super) step_u: String,
+    pub(super) law_u: String,
+    pub(super) next: Option<String>,
     pub(super) tick: Vec<String>,
     pub(super) gains: Vec<String>,
     pub(super) axis: Vec<String>,
@@ -160,6 +175,8 @@ impl Frame {
                 Some(past) => syntax.select(&format!("{past} >= {zero}"), &next, &step.roots[0]),
                 None => step.roots[0].clone(),
             },
+            law_u: step.roots[0].clone(),
+            next: past.is_some().then_some(next),
             step: step.lines,
             gains: tick.roots[..program.gains.len()].to_vec(),
             tick: tick.lines,
@@ -183,6 +200,20 @@ impl Frame {
             hold_from: field(limits.hold_from, |syntax, name| syntax.field(name)),
             fields: plan.fields,
         }
+    }
+
+    /// The conditions of each parameter, in the order of `domain`.
+    pub(super) fn checks(&self) -> Vec<Check<'_>> {
+        let mut checks: Vec<Check<'_>> = Vec::new();
+        for Requirement { test, local, parameter, legal } in &self.domain {
+            match checks.last_mut() {
+                Some(last) if last.parameter == parameter && last.legal == legal => {
+                    last.tests.push(test);
+                }
+                _ => checks.push(Check { tests: vec![test], local, parameter, legal }),
+            }
+        }
+        checks
     }
 }
 
@@ -233,7 +264,12 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<Requirement> 
             None => domain.text().to_owned(),
         };
         let place = place(parameter, syntax);
-        let require = |test| Requirement { test, parameter: place.clone(), legal: legal.clone() };
+        let require = |test| Requirement {
+            test,
+            local: name.clone(),
+            parameter: place.clone(),
+            legal: legal.clone(),
+        };
         tests.extend(own.into_iter().map(require));
     }
     if let Some((parameter, greatest)) = &controller.report.greatest
@@ -242,6 +278,7 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<Requirement> 
         let bound = literal(number::round(number, spec.precision), spec.precision, syntax);
         tests.push(Requirement {
             test: format!("({} <= {bound})", local_name(*parameter, syntax)),
+            local: local_name(*parameter, syntax),
             parameter: place(*parameter, syntax),
             legal: format!("at most {greatest}"),
         });
@@ -259,6 +296,7 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<Requirement> 
         let (eps, tau) = (text(Parameter::Eps), text(Parameter::Tau));
         tests.push(Requirement {
             test: format!("({eps} < {tau})"),
+            local: local_name(*first, syntax),
             parameter: place(*first, syntax),
             legal: if *first == Parameter::Eps { "> 0, < tau" } else { "finite, > eps" }.to_owned(),
         });

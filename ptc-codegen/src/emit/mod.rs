@@ -9,10 +9,15 @@ mod example;
 pub mod fmu;
 mod frame;
 mod header;
+mod matlab;
 mod plan;
 mod print;
 mod project;
+mod python;
 mod rust;
+mod st;
+#[cfg(test)]
+mod table;
 
 pub use project::Project;
 
@@ -31,6 +36,12 @@ pub enum Language {
     Rust,
     /// C++17: one header.
     Cpp,
+    /// MATLAB and GNU Octave: a function file for each function.
+    Matlab,
+    /// Python on NumPy: one typed module.
+    Python,
+    /// IEC 61131-3 Structured Text: a function block.
+    StructuredText,
     /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
     Fmu2,
     /// An FMU after FMI 3.0, likewise.
@@ -38,7 +49,16 @@ pub enum Language {
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 5] = [c::TARGET, rust::TARGET, cpp::TARGET, fmu::TARGET_2, fmu::TARGET_3];
+const TARGETS: [Target; 8] = [
+    c::TARGET,
+    rust::TARGET,
+    cpp::TARGET,
+    matlab::TARGET,
+    python::TARGET,
+    st::TARGET,
+    fmu::TARGET_2,
+    fmu::TARGET_3,
+];
 
 impl Language {
     /// Every language.
@@ -85,32 +105,6 @@ impl Language {
     pub fn comment(self) -> (&'static str, &'static str) {
         self.target().comment
     }
-
-    /// What keeps `spec` from being emitted in this language; nothing does in C and Rust.
-    ///
-    /// # Errors
-    /// A name that is a word of the language, and each feature that it cannot express.
-    pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        let target = self.target();
-        let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
-            Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
-            _ => None,
-        });
-        for (key, word) in named.chain([("name".to_owned(), spec.name())]) {
-            if (target.is_word)(&word) {
-                found.push(
-                    "reserved-name",
-                    key,
-                    None,
-                    format!("{word} is a word of the language {}", target.name),
-                    format!("give it another name, for example {word}_1"),
-                );
-            }
-        }
-        (target.refuse)(spec, &mut found);
-        found.finish(Some(()))
-    }
 }
 
 /// A back end: what is known of it before there is a program, and its printer.
@@ -125,7 +119,7 @@ struct Target {
     /// Whether a word that other languages leave free means something in this one.
     is_word: fn(&str) -> bool,
     /// Notes what it cannot express.
-    refuse: fn(&Spec, &mut Diagnostics),
+    refuse: fn(&Controller<'_>, &mut Diagnostics),
     /// The files of a controller.
     files: fn(&Controller<'_>) -> Vec<File>,
 }
@@ -178,8 +172,36 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 }
 
 /// The files of a controller in `language`.
-pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
-    (language.target().files)(controller)
+///
+/// # Errors
+/// A name that is a word of the language, and each feature that it cannot express; there are none in
+/// C and Rust.
+pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let target = language.target();
+    let mut found = Diagnostics::default();
+    for (key, word) in names(controller.spec()) {
+        if (target.is_word)(&word) {
+            found.push(
+                "reserved-name",
+                key,
+                None,
+                format!("{word} has a meaning of its own in {}", target.name),
+                format!("give it another name, for example {word}_1"),
+            );
+        }
+    }
+    (target.refuse)(controller, &mut found);
+    found.finish(Some(()))?;
+    Ok((target.files)(controller))
+}
+
+/// The names that the user gave, or that were made for him, each by its key.
+fn names(spec: &Spec) -> Vec<(String, String)> {
+    let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
+        Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
+        _ => None,
+    });
+    named.chain([("name".to_owned(), spec.name())]).collect()
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.

@@ -73,6 +73,13 @@ pub(super) struct RootText<'a> {
     pub(super) rounds: u32,
 }
 
+/// A literal of single precision for a language that reads all numbers as doubles: the same number in
+/// the digits of a double, so that it is rounded once.
+pub(super) fn through_double(text: &str) -> String {
+    let single: f32 = text.parse().unwrap_or(f32::NAN);
+    format!("{:?}", f64::from(single))
+}
+
 /// An expression under construction; a compound one needs parentheses as an operand.
 #[derive(Clone)]
 struct Expression {

@@ -45,7 +45,7 @@ pub(super) fn items(controller: &Controller<'_>) -> String {
 /// The items; `runtime` is the path of the types that they stand on.
 fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     let spec = controller.spec();
-    let frame = Frame::new(controller, real(spec), &Rust { spec, runtime });
+    let frame = Frame::new(controller, real(spec), &Rust::new(spec, runtime));
     let (type_name, parameters) = (spec.type_name(), declared(spec));
     let hold = match spec.after {
         After::Hold => format!("{runtime}Status::Hold"),
@@ -56,7 +56,7 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     Items { type_name, runtime, parameters, hold, frame }.render().unwrap_or_default()
 }
 
-fn real(spec: &Spec) -> &'static str {
+pub(super) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "f32",
         Precision::F64 => "f64",
@@ -91,9 +91,16 @@ impl MathFunction {
     }
 }
 
-struct Rust<'a> {
+pub(super) struct Rust<'a> {
     spec: &'a Spec,
     runtime: &'static str,
+}
+
+impl<'a> Rust<'a> {
+    /// `runtime` is the path of the types that the items stand on; none is their own module.
+    pub(super) fn new(spec: &'a Spec, runtime: &'static str) -> Self {
+        Self { spec, runtime }
+    }
 }
 
 impl Syntax for Rust<'_> {

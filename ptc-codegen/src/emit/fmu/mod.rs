@@ -59,7 +59,7 @@ pub(super) const TARGET_3: Target = Target {
     about: "one after FMI 3.0",
     comment: ("/* ", " */"),
     is_word: |word| matches!(word, "time" | "u" | "time_to_go" | "status"),
-    refuse: |spec, found| stands_alone(spec, "an FMU", found),
+    refuse: |controller, found| stands_alone(controller.spec(), "an FMU", found),
     files: |controller| files(controller, Version::Three),
 };
 
@@ -89,8 +89,8 @@ fn with_token(
 ) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let syntax = c::C::new(spec, &name);
-    let frame = Frame::new(controller, syntax.real, &syntax);
+    let syntax = c::C::new(spec);
+    let frame = Frame::new(controller, c::real(spec), &syntax);
     let variables = variables::variables(spec, example);
     let real = |p: Parameter| literal(example.value(p), spec.precision, &syntax);
     let place = |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
@@ -226,7 +226,7 @@ struct Judged {
 
 impl Judged {
     fn of(requirement: &Requirement, variables: &[Variable]) -> Option<Self> {
-        let Requirement { test, parameter, legal } = requirement;
+        let Requirement { test, parameter, legal, .. } = requirement;
         let place = format!("params.{parameter}");
         let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
         let about = variable.parameter?;

@@ -2,10 +2,10 @@
 
 use super::super::example::{DEFAULTS, Example};
 use super::super::frame::literal;
-use super::super::{Controller, Language, c, declared};
+use super::super::{Controller, Language, c, declared, rust};
 use super::constant;
 use crate::program::number;
-use crate::spec::{Parameter, Precision, Spec};
+use crate::spec::{Parameter, Spec};
 
 /// A run-time parameter, or an array of them.
 pub(super) struct Setting {
@@ -53,7 +53,7 @@ impl Config {
         let example = Example::of(controller.report);
         let text = |value: f64| -> String {
             match language {
-                Language::C => literal(value, spec.precision, &c::C::new(spec, &name)),
+                Language::C => literal(value, spec.precision, &c::C::new(spec)),
                 _ => {
                     let sign = if value.is_sign_negative() { "-" } else { "" };
                     format!("{sign}{}", number::literal(value.abs(), spec.precision))
@@ -69,12 +69,7 @@ impl Config {
         let (tau, tau_fixed) = known(Parameter::Tau, "tau");
         let gain = spec.input_gain.as_ref();
         let number = gain.and_then(constant).map(|g| text(number::round(g, spec.precision)));
-        let real = match (language, spec.precision) {
-            (Language::C, Precision::F32) => "float",
-            (Language::C, Precision::F64) => "double",
-            (_, Precision::F32) => "f32",
-            (_, Precision::F64) => "f64",
-        };
+        let real = if language == Language::C { c::real(spec) } else { rust::real(spec) };
         let x0 = (1..=spec.n).map(|j| text(if j == 1 { 1.0 } else { 0.0 }));
         Self {
             type_name: spec.type_name(),
