@@ -12,7 +12,8 @@ const README: &str = include_str!("../../README.md");
 const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 7] = [
+const PAGES: [(&str, &str); 8] = [
+    ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("checks/README.md", include_str!("../../docs/checks/README.md")),
     ("checks/membership.md", include_str!("../../docs/checks/membership.md")),
