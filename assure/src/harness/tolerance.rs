@@ -5,7 +5,7 @@ use ptc_codegen::mapping::Family;
 use ptc_codegen::spec::Precision;
 
 /// What a controller of `family` and `precision` may be wrong by, for any order in the data.
-pub(crate) fn control(family: Family, precision: Precision) -> f64 {
+pub fn control(family: Family, precision: Precision) -> f64 {
     match (precision, family) {
         // Some 45 roundings of 1.1e-16, in quotients, products and sums without cancellation.
         (
@@ -21,11 +21,11 @@ pub(crate) fn control(family: Family, precision: Precision) -> f64 {
 
 /// Identities between sums of products of doubles, relative to the sum of their absolute values:
 /// the entries of BB_n hold up to n powers of atoms that are themselves a few roundings off.
-pub(crate) const IDENTITY: f64 = 1e-12;
+pub const IDENTITY: f64 = 1e-12;
 
 /// A control law on an exact trajectory, relative to the largest |u| of that trajectory.
-pub(crate) const TRAJECTORY: f64 = 1e-13;
+pub const TRAJECTORY: f64 = 1e-13;
 
 /// A trajectory of RK4 with a few thousand steps, relative to its largest |x_i|: the steps' own
 /// error, not that of the law.
-pub(crate) const SIMULATION: f64 = 1e-9;
+pub const SIMULATION: f64 = 1e-9;
