@@ -42,13 +42,15 @@ pub(super) struct Side<'a> {
 /// The families in all orders up to 4, random controllers, and one for each feature that these may
 /// lack.
 pub(super) fn controllers(context: &Context) -> Vec<Spec> {
-    let features: [&[(&str, &str)]; 8] = [
+    let features: [&[(&str, &str)]; 10] = [
         &[("n", "1"), ("mu", "exp(a=1)"), ("pi0", "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2")],
         &[("n", "2"), ("mu", "rational"), ("pi0", "-xi1 - sign(xi2)"), ("g", "2 + x1*x1")],
         &[("n", "2"), ("mu", "algebraic"), ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt)")],
         &[("n", "3"), ("kappa", "dt/(a*(tau - dt))"), ("g", "x1"), ("guard", "result")],
         &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "extern")],
         &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1*xi1_0 - 2*xi2"), ("after", "zero")],
+        &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1*xi1_0 - 2*xi2"), ("what", "associated")],
+        &[("n", "3"), ("mu", "rational"), ("gains", "1,3,3"), ("what", "associated")],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
         &[("n", "1"), ("mu", "exp"), ("pi0", "-sinh(xi1) - tanh(xi1) - atan(xi1)*cos(xi1)")],
     ];
