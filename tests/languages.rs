@@ -17,7 +17,7 @@ use support::{folder, in_pairs, run, write};
 
 fn controllers() -> Vec<Spec> {
     let of_families = families().map(|family| Spec::new(2, family));
-    let features: [&[(&str, &str)]; 6] = [
+    let features: [&[(&str, &str)]; 7] = [
         &[
             ("n", "3"),
             ("mu", "tanh"),
@@ -34,6 +34,13 @@ fn controllers() -> Vec<Spec> {
         ],
         &[("n", "2"), ("mu", "tanh"), ("pi0", "extern"), ("after", "extern"), ("name", "mine")],
         &[("n", "3"), ("kappa", "dt/(a*(tau - dt))"), ("g", "x1"), ("name", "dividing")],
+        &[
+            ("n", "3"),
+            ("mu", "rational"),
+            ("gains", "1,3,3"),
+            ("what", "associated"),
+            ("name", "infinite"),
+        ],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt"), ("name", "in_loops")],
     ];
     of_families.chain(features.map(spec)).collect()

@@ -204,6 +204,7 @@ pub(super) fn glue_arguments(folder: &Path, spec: &Spec, name: &str, header: &st
         format!("-DLAW={}", yes(spec.feedback == Feedback::Extern)),
         format!("-DAFTER={}", yes(spec.after == After::Extern)),
         format!("-DAXIS={}", yes(has_gains(spec))),
+        format!("-DRATE={}", yes(spec.what == What::Associated)),
     ]
 }
 

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::spec::{After, Feedback, Spec};
+use ptc_codegen::spec::{After, Feedback, Spec, What};
 
 use super::empty;
 use super::program::{Outcome, Record, as_bytes, as_outcomes, has_gains, real};
@@ -36,7 +36,7 @@ pub fn homes<'a>(folder: &Path, specs: &'a [Spec], language: Language) -> Result
 /// A line of the manifest has, between tabs: the folder, in which it finds `records.bin` and leaves
 /// `outcomes.bin`; the name and the type's name; n; `f64` or `f32`; the parameters, as `tau:0,k:3` with
 /// the length of arrays; and whether the controller latches x0, asks for pi0, asks for a law after
-/// the deadline, and has tick and axis.
+/// the deadline, has tick and axis, and is the infinite-time system.
 pub fn outcomes(
     command: &mut Command,
     folder: &Path,
@@ -51,6 +51,7 @@ pub fn outcomes(
             spec.feedback == Feedback::Extern,
             spec.after == After::Extern,
             has_gains(spec),
+            spec.what == What::Associated,
         ];
         let flags = flags.map(|flag| u8::from(flag).to_string()).join("\t");
         let (name, type_name) = (spec.name(), spec.type_name());

@@ -13,7 +13,7 @@ use super::report::quoted;
 use super::source::{Source, flag};
 
 /// Generates prescribed-time controllers: closed forms for an order and a time mapping, as source
-/// code in C or Rust.
+/// code in C, Rust, C++, MATLAB, Python or Structured Text.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) struct CommandLine {
@@ -74,6 +74,8 @@ Examples:
       m, the gains and tau are fixed; writes src/roll.rs
   ptc-codegen emit --lang c --n 2 --mu \"exp_sum(rates=[0.5,1.5])\" --u-max inf -o -
       fixed rates, no clipping; prints header and source
+  ptc-codegen emit --lang python --n 3 --mu exp -o out
+      one module on NumPy, for simulation; writes out/ptc_exp3.py
   ptc-codegen emit roll.toml --lang c --param tau=2 -o out
       what the file roll.toml says, but for tau
   ptc-codegen emit --project cortex-m --n 2 --mu exp --name stage

@@ -65,9 +65,15 @@ void DRIVE(const void* bytes, std::int32_t status[3], void* out)
     status[2] = 0;
     status[0] = static_cast<std::int32_t>(self.init(params START));
     if (status[0] == 0) {
+#if RATE
+        const auto rate = self.rate(t, x, static_cast<REAL>(0.25) LAW_ARGUMENT);
+        status[1] = static_cast<std::int32_t>(rate.status);
+        u[0] = rate.xi_dot[N - 1];
+#else
         const auto step = self.step(t, x LAW_ARGUMENT AFTER_ARGUMENT);
         status[1] = static_cast<std::int32_t>(step.status);
         u[0] = step.u;
+#endif
 #if AXIS
         const auto axis = self.tick(t).axis(x);
         status[2] = static_cast<std::int32_t>(axis.status);

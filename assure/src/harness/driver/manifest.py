@@ -23,6 +23,7 @@ class Controller:
     law: bool
     after: bool
     has_axis: bool
+    is_rate: bool
 
     def records(self) -> Any:
         """One row of numbers for each record."""

@@ -48,9 +48,13 @@ def batch(controller: manifest.Controller) -> Any:
             outcomes["status"][rows, 0] = -1
             continue
         t, x = records[rows, fixed], records[rows, fixed + 1 :]
-        step = self.step(t, x, **laws)
-        assert step.u.dtype == controller.real and step.u.shape == t.shape, (controller.name, step.u)
-        outcomes["status"][rows, 1], outcomes["u"][rows, 0] = step.status, step.u
+        if controller.is_rate:
+            rate = self.rate(t, x, 0.25, **laws)
+            u, status = rate.xi_dot[..., -1], rate.status
+        else:
+            u, status = self.step(t, x, **laws)
+        assert u.dtype == controller.real and u.shape == t.shape, (controller.name, u)
+        outcomes["status"][rows, 1], outcomes["u"][rows, 0] = status, u
         if controller.has_axis:
             axis = self.tick(t).axis(x)
             assert axis.u.dtype == controller.real, (controller.name, axis.u.dtype)

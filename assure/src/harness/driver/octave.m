@@ -20,7 +20,7 @@ function drive(line)
     end
     lengths = cellfun(@(f) str2double(f{2}), layout);
     count = sum(max(1, lengths));
-    [latches, law, after, has_axis] = num2cell(strcmp(words(7:10), '1')){:};
+    [latches, law, after, has_axis, is_rate] = num2cell(strcmp(words(7:11), '1')){:};
     laws = {};
     if law
         laws{end + 1} = @user_law;
@@ -29,8 +29,9 @@ function drive(line)
         laws{end + 1} = @(x, t) -x(1);
     end
     addpath(folder);
-    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis'}, 'UniformOutput', false);
-    [init, step, tick, axis_of] = functions{:};
+    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis', '_rate'}, ...
+        'UniformOutput', false);
+    [init, step, tick, axis_of, rate] = functions{:};
     file = fopen([folder '/records.bin'], 'r');
     records = fread(file, [count + (latches * n) + 1 + n, Inf], [real '=>' real]);
     fclose(file);
@@ -62,7 +63,12 @@ function drive(line)
             status(1) = -1;
         end
         if ~refused
-            [u_step, status(2)] = step(self, t, x, laws{:});
+            if is_rate
+                [xi_dot, status(2)] = rate(self, t, x, 0.25, laws{:});
+                u_step = xi_dot(n);
+            else
+                [u_step, status(2)] = step(self, t, x, laws{:});
+            end
             if ~isa(u_step, real)
                 error('%s: u is a %s', name, class(u_step));
             end
