@@ -20,6 +20,7 @@ pub mod law;
 pub mod lower;
 pub mod mapping;
 pub mod program;
+pub mod reference;
 pub mod spec;
 
 use check::examine::examine;
