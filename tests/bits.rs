@@ -14,7 +14,8 @@ use ptc_codegen::program::{Input, Program, Value, passes};
 use ptc_codegen::spec::{Guard, Parameter, Precision, Spec};
 use support::program::{Outcome, Record, in_c, in_rust};
 use support::random::Random;
-use support::specs::{Values, families, rounded, spec};
+use support::records::records;
+use support::specs::{calls_a_library, families, spec};
 use support::{folder, in_pairs};
 
 /// Records for each spec.
@@ -22,25 +23,6 @@ const RECORDS: usize = 1000;
 
 /// Every how many of them the interpreter sees: it is exact arithmetic at heart, and slow.
 const INTERPRETED: usize = 41;
-
-/// Whether the C of `spec` calls a function that two libraries may round differently.
-fn calls_a_library(spec: &Spec) -> bool {
-    let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
-    let code: String = files.iter().map(|file| without_comments(&file.text)).collect();
-    ["exp", "exp2", "expm1", "log", "log1p", "pow", "sin", "cos", "tan"].iter().any(|function| {
-        ["", "f"].iter().any(|suffix| {
-            let call = format!("{function}{suffix}(");
-            code.match_indices(&call).any(|(at, _)| {
-                let before = code[..at].chars().next_back();
-                !before.is_some_and(|c| c.is_ascii_alphanumeric() || c == '_')
-            })
-        })
-    })
-}
-
-fn without_comments(text: &str) -> String {
-    text.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code)).collect()
-}
 
 /// Every kind of spec of the families that call no library.
 fn specs(family: Family) -> Vec<Spec> {
@@ -60,101 +42,6 @@ fn specs(family: Family) -> Vec<Spec> {
         specs.push(Spec { precision, ..fixed });
     }
     specs
-}
-
-/// Records of every kind that `spec` has to bear.
-fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
-    let mut records = Vec::new();
-    while records.len() < RECORDS {
-        let values = parameters(spec, random);
-        for _ in 0..25 {
-            let t = time(spec, &values, random);
-            let x = (0..spec.n).map(|_| state(spec, random)).collect();
-            let round = |value| rounded(value, spec.precision);
-            let parameters = values.values().run_time(spec).into_iter().map(round).collect();
-            records.push(Record { parameters, t, x });
-        }
-    }
-    records
-}
-
-/// Parameters of the run-time kind; a fixed tau is the caller's affair.
-struct Drawn {
-    tau: f64,
-    t0: f64,
-    eps: f64,
-    u_max: f64,
-    a: f64,
-    k: Vec<f64>,
-}
-
-impl Drawn {
-    fn values(&self) -> Values<'_> {
-        let Self { tau, t0, eps, u_max, a, .. } = *self;
-        Values { tau, t0, eps, u_max, a, m: f64::NAN, rates: &[], k: &self.k }
-    }
-}
-
-fn parameters(spec: &Spec, random: &mut Random) -> Drawn {
-    let round = |value| rounded(value, spec.precision);
-    let fixed_tau = spec.fixed.contains_key(&Parameter::Tau);
-    let tau = if fixed_tau { 1.7 } else { random.magnitude(1e-3, 1e3) };
-    let mut drawn = Drawn {
-        tau: round(tau),
-        t0: round([0.0, random.between(-30.0, 30.0), 1e4][choice(random, 3)]),
-        eps: tau * random.magnitude(1e-6, 0.5),
-        u_max: [f64::INFINITY, random.magnitude(1e-3, 1e6)][choice(random, 2)],
-        a: random.magnitude(0.05, 20.0),
-        k: (0..spec.n).map(|_| random.sign() * random.magnitude(1e-3, 1e3)).collect(),
-    };
-    // Now and then one that `init` refuses, or whose coefficients overflow.
-    match random.below(40) {
-        0 => drawn.a = -1.0,
-        1 => drawn.eps = drawn.tau,
-        2 => drawn.u_max = f64::NAN,
-        3 => drawn.k[0] = f64::INFINITY,
-        4 => drawn.a = 1e-37,
-        5 => drawn.k.fill(0.0),
-        _ => {}
-    }
-    drawn
-}
-
-fn choice(random: &mut Random, count: u64) -> usize {
-    usize::try_from(random.below(count)).expect("a small number")
-}
-
-fn time(spec: &Spec, values: &Drawn, random: &mut Random) -> f64 {
-    let Drawn { tau, t0, .. } = *values;
-    let trusted = spec.guard != Guard::Full;
-    let t = match random.below(16) {
-        0 => t0,
-        1 => t0 + tau,
-        2 => t0 + tau * random.magnitude(1.0, 1e20),
-        3 => t0 + tau * (1.0 - random.magnitude(1e-12, 1e-3)),
-        4 if !trusted => t0 - random.magnitude(1e-3, 1e3),
-        5 if !trusted => f64::NAN,
-        6 if !trusted => random.sign() * f64::INFINITY,
-        _ => t0 + tau * random.between(0.0, 1.0),
-    };
-    let t = rounded(t, spec.precision);
-    if trusted { t.max(t0) } else { t }
-}
-
-fn state(spec: &Spec, random: &mut Random) -> f64 {
-    let (huge, tiny) = match spec.precision {
-        Precision::F64 => (1e300, 1e-315),
-        Precision::F32 => (1e37, 1e-42),
-    };
-    let x = match random.below(99) {
-        0 => 0.0,
-        1 => huge,
-        2 => tiny,
-        3 if spec.guard == Guard::Full => f64::NAN,
-        4 if spec.guard == Guard::Full => f64::INFINITY,
-        _ => random.magnitude(1e-3, 1e3),
-    };
-    rounded(random.sign() * x, spec.precision)
 }
 
 /// What `program` and the frame around it give for a record that `init` takes.
@@ -249,7 +136,7 @@ fn languages_and_passes_agree_bit_for_bit() {
         specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();
     let outcomes = in_pairs(&programs, |(index, ((spec, c), rust))| {
         let mut random = Random(*index as u64);
-        let records = records(spec, &mut random);
+        let records = records(spec, &mut random, RECORDS);
         let (c, rust) = (c.run(&records), rust.run(&records));
         agree(spec, &records, &c, &rust);
         c

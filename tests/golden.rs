@@ -9,44 +9,12 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::Spec;
+use support::goldens::controllers;
 use support::program::{Record, in_c, in_rust};
 use support::specs::Values;
-use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, specs, write};
+use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
-
-/// The controllers whose sources are kept.
-fn controllers() -> Vec<Spec> {
-    let spec = specs::spec;
-    let mut all: Vec<_> =
-        specs::families().flat_map(|family| (1..=5).map(move |n| Spec::new(n, family))).collect();
-    all.extend([
-        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_f32"), ("precision", "f32")]),
-        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_result"), ("guard", "result")]),
-        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_trusting"), ("guard", "none")]),
-        spec(&[("n", "2"), ("mu", "exp_sum(3)"), ("name", "ptc_exp_sum2_of_three")]),
-        spec(&[("n", "9"), ("mu", "exp_sum"), ("name", "ptc_exp_sum9_in_loops")]),
-        spec(&[
-            ("n", "3"),
-            ("mu", "exp(a=1)"),
-            ("name", "ptc_exp3_fixed"),
-            ("gains", "120,74,15"),
-            ("tau", "2"),
-            ("t0", "0"),
-            ("eps", "1e-3"),
-            ("u_max", "50"),
-        ]),
-        spec(&[
-            ("n", "2"),
-            ("mu", "power(a=0.5,m=2)"),
-            ("name", "ptc_power2_unbounded"),
-            ("gains", "1,2"),
-            ("u_max", "inf"),
-        ]),
-    ]);
-    all
-}
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("generated")
@@ -156,6 +124,7 @@ fn every_golden_runs() {
         let times: Vec<f64> = (0..=17).map(|i| f64::from(i) / 8.0).collect();
         let record = |t: &f64| Record {
             parameters: values.run_time(spec),
+            x0: Vec::new(),
             t: *t,
             x: (0..spec.n).map(|j| 0.01 * (j as f64 + 1.0)).collect(),
         };

@@ -4,22 +4,15 @@
 
 mod support;
 
-use std::fmt::Write as _;
-use std::fs;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-
-use ptc_codegen::emit::Language;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{After, Feedback, Parameter, Precision, Spec};
-use support::program::real;
+use ptc_codegen::spec::{After, Parameter, Precision, Spec};
+use support::program::{self, Record, in_c, in_rust};
 use support::random::Random;
 use support::specs::{rounded, spec};
-use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
+use support::{folder, in_pairs};
 
 const RECORDS: usize = 400;
 
@@ -93,15 +86,6 @@ fn calls_a_library(spec: &Spec) -> bool {
     spec.is_iterated()
 }
 
-/// One call: parameters, the latched state, time and state.
-#[derive(Clone, Debug)]
-struct Record {
-    parameters: Vec<f64>,
-    x0: Vec<f64>,
-    t: f64,
-    x: Vec<f64>,
-}
-
 fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
     let round = |value| rounded(value, spec.precision);
     let mut records = Vec::new();
@@ -122,7 +106,8 @@ fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
             _ => round(random.sign() * random.magnitude(1e-2, 10.0)),
         };
         let finite = |x: f64| if x.is_nan() { 1.0 } else { x };
-        let x0: Vec<_> = (0..spec.n).map(|_| finite(state(random))).collect();
+        let latched = if spec.latches() { spec.n } else { 0 };
+        let x0 = (0..latched).map(|_| finite(state(random))).collect();
         let trusting = spec.guard == ptc_codegen::spec::Guard::None;
         let x = (0..spec.n)
             .map(|_| {
@@ -195,163 +180,23 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
     }
 }
 
-/// Names and array lengths of the fields of the parameters, in order.
-fn fields(spec: &Spec) -> Vec<(String, Option<usize>)> {
-    spec.run_time_parameters().map(|p| (p.key().to_owned(), p.index())).collect()
-}
-
-fn in_c(folder: &Path, spec: &Spec) -> PathBuf {
-    let (name, n) = (spec.name(), spec.n);
-    let real = if spec.precision == Precision::F32 { "float" } else { "double" };
-    let mut set = String::new();
-    for (at, (field, index)) in fields(spec).iter().enumerate() {
-        let index = index.map(|i| format!("[{i}]")).unwrap_or_default();
-        let _ = writeln!(set, "        params.{field}{index} = (REAL)v[{at}];");
+/// Status and u of `step`, or the status of `init` where it refused.
+fn of(outcome: &program::Outcome) -> Outcome {
+    match outcome.init {
+        0 => (outcome.step.0, outcome.step.1.to_bits()),
+        refused => (refused, 0),
     }
-    let count = fields(spec).len();
-    let latch = if spec.latches() { ", x0" } else { "" };
-    let mut externs = String::new();
-    if spec.feedback == Feedback::Extern {
-        externs.push_str(", law");
-    }
-    if spec.after == After::Extern {
-        externs.push_str(", after");
-    }
-    if !externs.is_empty() {
-        externs.push_str(", &context");
-    }
-    let text = format!(
-        "#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n#include \"{name}.h\"\n\
-         typedef {real} REAL;\n\
-         REAL law(void *context, const REAL xi[{n}], REAL t);\n\
-         REAL after(void *context, const REAL x[{n}], REAL t);\n\
-         REAL law(void *context, const REAL xi[{n}], REAL t) {{\n    REAL sum = (REAL)0;\n    *(int *)context += 1;\n\
-         \x20   for (int i = 0; i < {n}; i++) {{ sum = sum + (REAL)-1.5 * xi[i]; }}\n\
-         \x20   return sum + (REAL)0.125 * t;\n}}\n\
-         REAL after(void *context, const REAL x[{n}], REAL t) {{ *(int *)context += 1; (void)t; return -x[0]; }}\n\
-         int main(void) {{\n    double v[{count} + 2 * {n} + 1];\n    int context = 0;\n\
-         \x20   while (fread(v, sizeof v, 1, stdin) == 1) {{\n\
-         \x20       {name} self;\n        {name}_params params;\n        REAL x0[{n}], x[{n}];\n\
-         \x20       REAL u = (REAL)12345;\n        int32_t status;\n        double out;\n\
-         \x20       memset(&params, 0, sizeof params);\n{set}\
-         \x20       for (int i = 0; i < {n}; i++) {{\n\
-         \x20           x0[i] = (REAL)v[{count} + i];\n            x[i] = (REAL)v[{count} + {n} + 1 + i];\n        }}\n\
-         \x20       (void)x0;\n        (void)context;\n\
-         \x20       status = {name}_init(&self, &params{latch});\n\
-         \x20       if (status == 0) {{ status = {name}_step(&self, (REAL)v[{count} + {n}], x{externs}, &u); }}\n\
-         \x20       else {{ u = (REAL)0; }}\n\
-         \x20       out = (double)u;\n        fwrite(&status, sizeof status, 1, stdout);\n\
-         \x20       fwrite(&out, sizeof out, 1, stdout);\n    }}\n    return 0;\n}}\n"
-    );
-    let files = write(folder, spec, Language::C);
-    let main = folder.join("main.c");
-    fs::write(&main, text).expect("a driver");
-    let path = folder.join("in_c");
-    run(c_compiler()
-        .args(STRICT)
-        .arg("-I")
-        .arg(folder)
-        .arg(&main)
-        .args(files.iter().filter(|file| file.extension().is_some_and(|e| e == "c")))
-        .arg("-o")
-        .arg(&path)
-        .arg("-lm"));
-    path
-}
-
-fn in_rust(folder: &Path, spec: &Spec) -> PathBuf {
-    let (name, type_name, n) = (spec.name(), spec.type_name(), spec.n);
-    let real = real(spec.precision);
-    let mut set: Vec<String> = Vec::new();
-    let all = fields(spec);
-    for (at, (field, index)) in all.iter().enumerate() {
-        match index {
-            None => set.push(format!("{field}: v[{at}] as {real}")),
-            Some(0) => {
-                let items: Vec<_> = (at..at + all.iter().filter(|(f, _)| f == field).count())
-                    .map(|at| format!("v[{at}] as {real}"))
-                    .collect();
-                set.push(format!("{field}: [{}]", items.join(", ")));
-            }
-            Some(_) => {}
-        }
-    }
-    let count = all.len();
-    let latch = if spec.latches() { ", &x0" } else { "" };
-    let mut externs = String::new();
-    if spec.feedback == Feedback::Extern {
-        let _ = write!(
-            externs,
-            ", |xi: &[{real}; {n}], t: {real}| xi.iter().fold(0.0, |s, xi| s + -1.5 * xi) + 0.125 * t"
-        );
-    }
-    if spec.after == After::Extern {
-        let _ = write!(externs, ", |x: &[{real}; {n}], _t: {real}| -x[0]");
-    }
-    let text = format!(
-        "#[allow(dead_code)]\nmod {name};\nuse std::io::{{Read, Write}};\n\
-         fn main() {{\n    let mut bytes = Vec::new();\n\
-         \x20   std::io::stdin().read_to_end(&mut bytes).expect(\"records\");\n\
-         \x20   let numbers: Vec<f64> = bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().expect(\"8\"))).collect();\n\
-         \x20   let mut out = Vec::new();\n\
-         \x20   for v in numbers.chunks_exact({count} + 2 * {n} + 1) {{\n\
-         \x20       let x0: [{real}; {n}] = std::array::from_fn(|i| v[{count} + i] as {real});\n\
-         \x20       let x: [{real}; {n}] = std::array::from_fn(|i| v[{count} + {n} + 1 + i] as {real});\n\
-         \x20       let _ = x0;\n\
-         \x20       let params = {name}::{type_name}Params {{ {} }};\n\
-         \x20       let (status, u) = match {name}::{type_name}::new(params{latch}) {{\n\
-         \x20           Err(_) => (-1i32, 0.0),\n\
-         \x20           Ok(built) => match built.step(v[{count} + {n}] as {real}, &x{externs}) {{\n\
-         \x20               Ok(c) => (match c.status {{ {name}::Status::Ok => 0, {name}::Status::Hold => 1, {name}::Status::Saturated => 2, {name}::Status::After => 3 }}, c.u),\n\
-         \x20               Err({name}::Error::Param) => (-1, 0.0),\n\
-         \x20               Err({name}::Error::Input) => (-2, 0.0),\n\
-         \x20               Err({name}::Error::Range) => (-3, 0.0),\n\
-         \x20           }},\n        }};\n\
-         \x20       out.extend(status.to_le_bytes());\n        out.extend((u as f64).to_le_bytes());\n    }}\n\
-         \x20   std::io::stdout().write_all(&out).expect(\"outcomes\");\n}}\n",
-        set.join(", ")
-    );
-    write(folder, spec, Language::Rust);
-    let main = folder.join("main.rs");
-    fs::write(&main, text).expect("a driver");
-    let path = folder.join("in_rust");
-    run(rustc().args(["-O", "-Aunused"]).arg(&main).arg("-o").arg(&path));
-    path
-}
-
-fn outcomes(program: &Path, records: &[Record]) -> Vec<Outcome> {
-    let numbers = records.iter().flat_map(|r| {
-        r.parameters.iter().chain(&r.x0).chain([&r.t]).chain(&r.x).copied().collect::<Vec<_>>()
-    });
-    let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
-    let mut child = Command::new(program)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program");
-    let mut stdin = child.stdin.take().expect("its input");
-    let writer = std::thread::spawn(move || stdin.write_all(&bytes).expect("records"));
-    let output = child.wait_with_output().expect("its output");
-    writer.join().expect("all records");
-    assert!(output.status.success());
-    let outcome = |bytes: &[u8]| {
-        let status = i32::from_le_bytes(bytes[..4].try_into().expect("four bytes"));
-        (status, u64::from_le_bytes(bytes[4..].try_into().expect("eight bytes")))
-    };
-    output.stdout.chunks_exact(12).map(outcome).collect()
 }
 
 #[test]
 fn languages_agree_on_laws_of_the_user() {
     let specs = specs();
     let home = folder("laws");
-    let indexed: Vec<_> = specs.iter().enumerate().collect();
-    let seen = in_pairs(&indexed, |(index, spec)| {
-        let folder = home.join(index.to_string());
-        fs::create_dir_all(&folder).expect("a folder");
+    let programs = in_c(&home, &specs).into_iter().zip(in_rust(&home, &specs));
+    let indexed: Vec<_> = specs.iter().zip(programs).enumerate().collect();
+    let seen = in_pairs(&indexed, |(index, (spec, (c, rust)))| {
         let records = records(spec, &mut Random(*index as u64));
-        let (c, rust) = (in_c(&folder, spec), in_rust(&folder, spec));
-        let (c, rust) = (outcomes(&c, &records), outcomes(&rust, &records));
+        let [c, rust] = [c, rust].map(|side| side.run(&records).iter().map(of).collect::<Vec<_>>());
         let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
         for ((record, c), rust) in records.iter().zip(&c).zip(&rust) {
             if calls_a_library(spec) {

@@ -34,7 +34,7 @@ fn spec(vector: &Vector, precision: Precision) -> Spec {
 
 fn record(vector: &Vector, spec: &Spec) -> Record {
     let parameters = vector.values(eps(spec.precision)).run_time(spec);
-    Record { parameters, t: vector.t, x: vector.x.clone() }
+    Record { parameters, x0: Vec::new(), t: vector.t, x: vector.x.clone() }
 }
 
 /// Worst errors of `step` and of `tick` followed by `axis`, and where the former is.

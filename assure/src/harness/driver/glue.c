@@ -1,0 +1,94 @@
+/* One controller behind `drive`: a record of numbers in, an outcome out; see Record and Outcome in
+ * program.rs. HEADER is its header, NAME its name, DRIVE the name of its function, N its order, REAL
+ * its type, PARAMS its number of run-time parameters. LATCHES, LAW, AFTER and AXIS are 1 where the
+ * controller latches x0, asks for pi0, asks for a law after the deadline, has tick and axis. */
+#include <stdint.h>
+#include <string.h>
+
+#include HEADER
+
+#define JOIN(a, b) a##b
+#define METHOD(name, method) JOIN(name, method)
+
+/* What a call must overwrite. */
+#define UNSET ((REAL)12345)
+
+#if LATCHES
+#define START , x0
+#else
+#define START
+#endif
+#if LAW
+#define LAW_ARGUMENT , user_law
+#else
+#define LAW_ARGUMENT
+#endif
+#if AFTER
+#define AFTER_ARGUMENT , user_after
+#else
+#define AFTER_ARGUMENT
+#endif
+#if LAW || AFTER
+#define CONTEXT_ARGUMENT , NULL
+#else
+#define CONTEXT_ARGUMENT
+#endif
+
+void DRIVE(const void *bytes, int32_t status[3], void *out);
+
+#if LAW
+/* -1.5 (xi_1 + ... + xi_n) + t/8, for the user's law. */
+static REAL user_law(void *context, const REAL xi[N], REAL t)
+{
+    REAL sum = (REAL)0;
+    (void)context;
+    for (int i = 0; i < N; i++) {
+        sum = sum + ((REAL)-1.5 * xi[i]);
+    }
+    return sum + ((REAL)0.125 * t);
+}
+#endif
+
+#if AFTER
+/* -x_1, for the user's law after the deadline. */
+static REAL user_after(void *context, const REAL x[N], REAL t)
+{
+    (void)context;
+    (void)t;
+    return -x[0];
+}
+#endif
+
+void DRIVE(const void *bytes, int32_t status[3], void *out)
+{
+    REAL record[PARAMS + (LATCHES * N) + 1 + N];
+    REAL u[2] = { UNSET, UNSET };
+    METHOD(NAME, _params) params;
+    NAME self;
+
+    memcpy(record, bytes, sizeof record);
+    memset(&params, 0, sizeof params);
+    memcpy(&params, record, PARAMS * sizeof(REAL));
+#if LATCHES
+    const REAL *x0 = &record[PARAMS];
+#endif
+    const REAL t = record[PARAMS + (LATCHES * N)];
+    const REAL *x = &record[PARAMS + (LATCHES * N) + 1];
+
+    status[1] = 0;
+    status[2] = 0;
+    status[0] = (int32_t)METHOD(NAME, _init)(&self, &params START);
+    if (status[0] == 0) {
+        status[1] = (int32_t)METHOD(NAME, _step)(&self, t, x LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[0]);
+#if AXIS
+        METHOD(NAME, _gains) gains;
+        status[2] = (int32_t)METHOD(NAME, _tick)(&self, t, &gains);
+        if (status[2] >= 0) {
+            status[2] = (int32_t)METHOD(NAME, _axis)(&gains, x, &u[1]);
+        } else {
+            u[1] = (REAL)0;
+        }
+#endif
+    }
+    memcpy(out, u, sizeof u);
+}

@@ -1,0 +1,36 @@
+//! The controllers whose sources are kept in generated/.
+
+use ptc_codegen::spec::Spec;
+
+use super::specs::{families, spec};
+
+/// Every one of them.
+pub fn controllers() -> Vec<Spec> {
+    let mut all: Vec<_> =
+        families().flat_map(|family| (1..=5).map(move |n| Spec::new(n, family))).collect();
+    all.extend([
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_f32"), ("precision", "f32")]),
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_result"), ("guard", "result")]),
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "ptc_exp3_trusting"), ("guard", "none")]),
+        spec(&[("n", "2"), ("mu", "exp_sum(3)"), ("name", "ptc_exp_sum2_of_three")]),
+        spec(&[("n", "9"), ("mu", "exp_sum"), ("name", "ptc_exp_sum9_in_loops")]),
+        spec(&[
+            ("n", "3"),
+            ("mu", "exp(a=1)"),
+            ("name", "ptc_exp3_fixed"),
+            ("gains", "120,74,15"),
+            ("tau", "2"),
+            ("t0", "0"),
+            ("eps", "1e-3"),
+            ("u_max", "50"),
+        ]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "power(a=0.5,m=2)"),
+            ("name", "ptc_power2_unbounded"),
+            ("gains", "1,2"),
+            ("u_max", "inf"),
+        ]),
+    ]);
+    all
+}

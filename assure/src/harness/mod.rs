@@ -1,0 +1,96 @@
+//! Generated controllers compiled and run as programs, on this machine and on others under QEMU:
+//! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
+//! generator, and panics with what it said.
+
+pub mod goldens;
+pub mod machine;
+pub mod program;
+pub mod random;
+pub mod records;
+mod rust;
+pub mod specs;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::spec::Spec;
+
+/// The strict C flags: generated code has no warning under any of them, and no contraction, for
+/// Rust has none either.
+pub const STRICT: [&str; 11] = [
+    "-std=c99",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wfloat-equal",
+    "-Wshadow",
+    "-Werror",
+    "-ffp-contract=off",
+];
+
+/// `path` as an empty folder.
+pub fn empty(path: &Path) -> PathBuf {
+    let _ = fs::remove_dir_all(path);
+    fs::create_dir_all(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    path.to_owned()
+}
+
+/// Writes the files of `spec` to `folder` and returns their paths.
+pub fn write(folder: &Path, spec: &Spec, language: Language) -> Vec<PathBuf> {
+    let files = ptc_codegen::generate(spec, language).expect("a legal spec");
+    let write = |file: ptc_codegen::emit::File| {
+        let path = folder.join(file.name);
+        fs::write(&path, file.text).expect("a generated file");
+        path
+    };
+    files.into_iter().map(write).collect()
+}
+
+/// The C compiler of this machine: `CC`, else gcc.
+pub fn c_compiler() -> Command {
+    Command::new(std::env::var_os("CC").unwrap_or_else(|| "gcc".into()))
+}
+
+/// The Rust compiler that cargo uses.
+pub fn rustc() -> Command {
+    let mut command = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+    command.args(["--edition=2024", "-Dwarnings"]);
+    command
+}
+
+/// Runs a command that must succeed.
+pub fn run(command: &mut Command) -> Vec<u8> {
+    let output = command.output().unwrap_or_else(|error| {
+        let name = command.get_program().to_string_lossy();
+        panic!("{name}: {error}. C is compiled here: install gcc, or name a compiler in CC")
+    });
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {}\n{stderr}", output.status);
+    output.stdout
+}
+
+/// `work` on each item, two at a time, in the order of the items.
+pub fn in_pairs<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = Mutex::new(items.iter().enumerate());
+    let done = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                loop {
+                    let Some((index, item)) = next.lock().expect("no panic").next() else { break };
+                    let result = work(item);
+                    done.lock().expect("no panic").push((index, result));
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().expect("no panic");
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, result)| result).collect()
+}
