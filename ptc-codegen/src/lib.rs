@@ -21,6 +21,7 @@ pub mod lower;
 pub mod mapping;
 pub mod program;
 pub mod reference;
+pub mod selftest;
 pub mod spec;
 
 use check::examine::examine;
@@ -39,6 +40,21 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
     Ok(emit::emit(&Controller { report: &report, law: &law, program: &program }, language))
+}
+
+/// The self-test of one controller in C: the source that a target compiles beside the controller,
+/// and its header.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, every check that refuses it, and what has no
+/// self-test.
+pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let report = examine(spec).accepted()?;
+    let law = Law::of(&report.spec);
+    let program = optimised(&report.spec, &law)?;
+    let controller = Controller { report: &report, law: &law, program: &program };
+    let test = selftest::SelfTest::new(&controller)?;
+    Ok(emit::emit_selftest(&controller, &test))
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the

@@ -4,8 +4,8 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use ptc_codegen::emit::File;
-use ptc_codegen::generate;
+use ptc_codegen::emit::{File, Language};
+use ptc_codegen::{generate, generate_selftest};
 
 use super::args::Emit;
 use super::report::{Failure, Notice};
@@ -19,10 +19,23 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let files = match generate(&spec, request.lang.into()) {
+    let language = request.lang.into();
+    if request.selftest && language != Language::C {
+        return Err(Failure::because(
+            "`--selftest` is written in C only".to_owned(),
+            "give --lang c with it; in Rust, the tests of your own crate run on the target",
+        ));
+    }
+    let mut files = match generate(&spec, language) {
         Ok(files) => files,
         Err(found) => return given.finish(None, found),
     };
+    if request.selftest {
+        match generate_selftest(&spec) {
+            Ok(more) => files.extend(more),
+            Err(found) => return given.finish(None, found),
+        }
+    }
     match (request.out.as_os_str() == "-", request.check) {
         (true, true) => Err(Failure::because(
             "`--check` has no files to compare with where `--out` is `-`".to_owned(),

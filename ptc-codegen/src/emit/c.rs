@@ -12,11 +12,7 @@ use crate::spec::{After, Feedback, Guard, Precision, Spec};
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let real = match spec.precision {
-        Precision::F32 => "float",
-        Precision::F64 => "double",
-    };
-    let frame = Frame::new(controller, real, &C { spec, name: &name, real });
+    let frame = frame(controller, &name);
     let head = header::lines(controller, Language::C);
     let externs = externs(spec, &name);
     let hold = match spec.after {
@@ -39,6 +35,16 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         .into_iter()
         .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
         .collect()
+}
+
+/// The parts of the functions.
+pub(super) fn frame(controller: &Controller<'_>, name: &str) -> Frame {
+    let spec = controller.spec();
+    let real = match spec.precision {
+        Precision::F32 => "float",
+        Precision::F64 => "double",
+    };
+    Frame::new(controller, real, &C { spec, name, real })
 }
 
 /// Type and name of what `step` takes beside time and state: the user's functions, and what is

@@ -25,6 +25,8 @@ const FIRST_BITS: usize = 192;
 const MAX_BITS: usize = 16384;
 /// Two results agree where they differ by less than 2^-AGREED of the scale.
 const AGREED: i32 = 140;
+/// Decimal digits that agree at least: 140 bits.
+pub const DIGITS: usize = 42;
 
 /// Outcome of a call, by the names and numbers of the emitted C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
