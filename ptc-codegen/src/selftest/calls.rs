@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use super::overflow::least;
 use super::parameters::Chosen;
 use super::trial::Trial;
-use super::{Call, Draw, Session, greatest, own_law, own_rest};
-use crate::emit::Controller;
+use super::{Call, Draw, Session, Unreachable, greatest, own_law, own_rest};
+use crate::emit::{Controller, checked_fields};
+use crate::program::Op;
 use crate::program::interpret::Decision;
 use crate::program::number::settle;
 use crate::reference::{self, Status, evaluate, tolerance};
@@ -15,6 +17,8 @@ use crate::spec::{After, Guard, Parameter, Precision, Spec};
 const APPROACH: [f64; 10] = [1.0, 0.75, 0.4, 0.1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// Random calls among which those are kept that take a branch no other took.
 const CANDIDATES: usize = 400;
+/// As many where an iteration has branches that few numbers take.
+const ITERATED: usize = 4000;
 
 /// What the sessions are made from.
 struct Maker<'a> {
@@ -25,14 +29,20 @@ struct Maker<'a> {
 }
 
 /// The sessions of the self-test of a controller.
-pub(super) fn sessions(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Vec<Session> {
+///
+/// With them come the branches of the program that none of the calls takes.
+pub(super) fn sessions(
+    controller: &Controller<'_>,
+    chosen: &Chosen<'_>,
+) -> (Vec<Session>, Vec<Unreachable>) {
     let mut maker = Maker { controller, chosen, taken: BTreeSet::new() };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
     sessions.extend(maker.bounded());
     sessions.extend(maker.out_of_range());
     sessions.extend(maker.branches());
     sessions.retain(|session| !session.calls.is_empty());
-    sessions
+    let never = maker.never();
+    (sessions, never)
 }
 
 impl<'a> Maker<'a> {
@@ -129,6 +139,17 @@ impl<'a> Maker<'a> {
         }
         session.calls.push(call);
         Some(status)
+    }
+
+    /// Whether `init` takes the parameters: no coefficient overflows.
+    fn is_taken(&self, session: &Session) -> bool {
+        let zeros = vec![0.0; self.spec().n];
+        let start = self.parameter(session, Parameter::StartTime);
+        let (controller, x0) = (self.controller, session.x0.as_slice());
+        let parameters = &session.parameters;
+        let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
+        let [fields, armed] = checked_fields(controller.program);
+        trial.first_excess(&fields).or_else(|| trial.first_excess(&armed)).is_none()
     }
 
     fn trial(&self, session: &Session, t: f64, x: &[f64]) -> super::trial::Seen {
@@ -287,6 +308,20 @@ impl<'a> Maker<'a> {
                     self.ask(&mut session, t, &x);
                 }
             }
+            // Where u does not grow with the state, another direction may do.
+            let mut draw = Draw(4);
+            for _ in 0..if missing.is_empty() { 0 } else { CANDIDATES / 4 } {
+                let size = draw.of(&[1e-3, 1.0, 1e3]);
+                let x: Vec<_> = (0..n)
+                    .map(|_| settle(draw.between(-size, size), spec.precision))
+                    .collect();
+                let Some(call) = self.call(&session, t, &x) else { continue };
+                let kind = (call.status, call.u > 0.0);
+                if missing.contains(&kind) {
+                    missing.retain(|other| *other != kind);
+                    self.ask(&mut session, t, &x);
+                }
+            }
         }
         Some(session)
     }
@@ -299,7 +334,7 @@ impl<'a> Maker<'a> {
         let largest = greatest(spec);
         let all: Vec<_> = spec.run_time_parameters().collect();
         let mut found = Vec::new();
-        let mut kinds = vec![(true, true), (true, false), (false, true)];
+        let mut kinds = vec![(true, true), (true, false)];
         for round in 0..CANDIDATES {
             let mut session = self.session(if round % 2 == 0 { 0.0625 } else { 1e-4 });
             for (at, parameter) in all.iter().enumerate() {
@@ -307,10 +342,18 @@ impl<'a> Maker<'a> {
                     Parameter::UMax if round % 3 == 1 => {
                         session.parameters[at] = self.chosen.legal(*parameter, 1.0);
                     }
-                    // A time-to-go that has no reciprocal.
+                    // A time-to-go that has no reciprocal, and no share of tau.
                     Parameter::Eps if round % 4 == 3 => {
-                        let least = if spec.precision == Precision::F64 { 5e-324 } else { 1e-45 };
-                        session.parameters[at] = self.chosen.legal(*parameter, least);
+                        session.parameters[at] = self.chosen.legal(*parameter, least(spec));
+                    }
+                    Parameter::Tau if round % 4 == 3 && round % 16 > 8 => {
+                        session.parameters[at] = self.chosen.legal(*parameter, largest / 8.0);
+                    }
+                    Parameter::Tau if round % 4 == 3 && round % 16 > 4 => {
+                        session.parameters[at] = self.chosen.legal(*parameter, 8.0 * least(spec));
+                    }
+                    Parameter::StartTime if round % 4 == 3 => {
+                        session.parameters[at] = self.chosen.legal(*parameter, 0.0);
                     }
                     Parameter::Gain(_) if round % 8 == 7 => {
                         session.parameters[at] = self.chosen.legal(*parameter, 0.0);
@@ -328,9 +371,9 @@ impl<'a> Maker<'a> {
             let seen = self.trial(&session, t, &x);
             let range = |status: Status| status == Status::Range;
             let kind = (range(seen.step.0), seen.axis.is_some_and(range));
-            let wanted = kinds.contains(&kind) && (kind.0 || kind.1);
-            // What stays in range must be known, and a bound says nothing of the digits.
-            if !wanted || !kind.0 {
+            // A bound says nothing of the digits: what stays in range is asked elsewhere.
+            let is_new = kinds.contains(&kind) || !seen.decisions.is_subset(&self.taken);
+            if !kind.0 || !is_new || !self.is_taken(&session) {
                 continue;
             }
             let axis = seen.axis.filter(|status| range(*status));
@@ -342,13 +385,55 @@ impl<'a> Maker<'a> {
         found
     }
 
+    /// The branches of iterations and divisions that no call takes.
+    fn never(&self) -> Vec<Unreachable> {
+        let program = self.controller.program;
+        let mut never = Vec::new();
+        let mut add = |condition: String, what: &str| {
+            let tried = if self.spec().is_iterated() { ITERATED } else { CANDIDATES };
+            let reason = format!("{what} in {tried} random calls, nor at the ends of the range");
+            never.push(Unreachable { condition, reason });
+        };
+        for value in program.needed(&[program.step]) {
+            let missing = |way| !self.taken.contains(&(value, way));
+            match &program.get(value).op {
+                Op::Root(root) => {
+                    let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
+                    if missing("exhausted") {
+                        let condition = format!("round < {}U", root.rounds);
+                        add(condition, "the iteration used no more rounds than it has");
+                    }
+                    if missing("before") {
+                        add(format!("({name}_next >= {name}_low)"), "no step went below the bracket");
+                    }
+                    if missing("beyond") {
+                        add(format!("({name}_next <= {name}_high)"), "no step went above the bracket");
+                    }
+                }
+                Op::Quotient(_, divisor) => {
+                    let name = program.get(*divisor).name.as_ref();
+                    let name = name.map_or("input_gain", |(name, _)| name);
+                    if missing("negative") {
+                        add(format!("({name} < 0.0)"), "g was not negative");
+                    }
+                    if missing("zero") {
+                        add(format!("({name} > 0.0)"), "g was not 0");
+                    }
+                }
+                _ => {}
+            }
+        }
+        never
+    }
+
     /// Random calls that take a branch of the code which none before took.
     fn branches(&mut self) -> Vec<Session> {
         let spec = self.spec();
         let mut draw = Draw(3);
         let all: Vec<_> = spec.run_time_parameters().collect();
         let mut found = Vec::new();
-        for round in 0..CANDIDATES {
+        let iterated = self.spec().is_iterated();
+        for round in 0..if iterated { ITERATED } else { CANDIDATES } {
             let eps = draw.of(&[1e-3, 0.05, 0.3]);
             let mut session = self.session(eps);
             for (at, parameter) in all.iter().enumerate() {
@@ -357,7 +442,8 @@ impl<'a> Maker<'a> {
                 {
                     continue;
                 }
-                let size = draw.between(0.2, 3.0);
+                // Equal ones, now and then: brackets of no width.
+                let size = if round % 3 == 0 { 0.875 } else { draw.between(0.2, 3.0) };
                 let signed = spec.domain(*parameter) == crate::spec::Domain::Finite;
                 let value = match draw.of(&[0, 1, 2, 3]) {
                     0 if signed => 0.0,
@@ -376,15 +462,16 @@ impl<'a> Maker<'a> {
             for x0 in &mut session.x0 {
                 *x0 = settle(draw.between(-2.0, 2.0), spec.precision);
             }
-            let t = self.time(&session, draw.between(0.0, 1.0) * tau);
-            let size = draw.of(&[1.0, 1e-3, 1e2]);
+            let share = draw.between(0.0, 1.0);
+            let t = self.time(&session, draw.of(&[share, share, 1.0, 0.999_999]) * tau);
+            let size = draw.of(&[1.0, 1e-3, 1e2, 1e6]);
             let x: Vec<_> = (0..spec.n)
                 .map(|_| {
                     settle(draw.of(&[0.0, 1.0, 1.0]) * draw.between(-size, size), spec.precision)
                 })
                 .collect();
             let seen = self.trial(&session, t, &x);
-            if seen.decisions.is_subset(&self.taken) {
+            if seen.decisions.is_subset(&self.taken) || !self.is_taken(&session) {
                 continue;
             }
             let zero_gain = seen.step.1.is_nan() && seen.step.0 == Status::Range;

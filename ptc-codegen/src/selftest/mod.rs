@@ -85,7 +85,7 @@ impl SelfTest {
             ));
         }
         let chosen = parameters::Chosen::new(controller);
-        let sessions = calls::sessions(controller, &chosen);
+        let (sessions, never) = calls::sessions(controller, &chosen);
         if sessions.first().is_none_or(|session| session.calls.is_empty()) {
             return Err(refusal(
                 "selftest",
@@ -103,7 +103,7 @@ impl SelfTest {
             refused,
             refused_states,
             tau_is_kept: spec.run_time_parameters().any(|p| p == crate::spec::Parameter::Tau),
-            unreachable: overflow.unreachable,
+            unreachable: [overflow.unreachable, never].concat(),
         })
     }
 }

@@ -48,6 +48,7 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
             }),
         }
     }
+    found.parameters.extend(beyond(controller, chosen, &fields));
     // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
     let keeps_tau = spec.run_time_parameters().any(|p| p == Parameter::Tau);
     if !keeps_tau {
@@ -76,6 +77,26 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
     found
 }
 
+/// A start and a tau whose sum overflows where nothing else does.
+fn beyond(
+    controller: &Controller<'_>,
+    chosen: &Chosen<'_>,
+    fields: &[(Value, String)],
+) -> Option<Vec<f64>> {
+    let spec = controller.spec();
+    let mut set = chosen.run_time(0.0625);
+    for wanted in [Parameter::Tau, Parameter::StartTime] {
+        let at = spec.run_time_parameters().position(|p| p == wanted)?;
+        set[at] = chosen.legal(wanted, greatest(spec));
+    }
+    let start = greatest(spec);
+    let zeros = vec![0.0; spec.n];
+    let trial = Trial { controller, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+    let tau = chosen.legal(Parameter::Tau, start);
+    let overflows = !settle(start + tau, spec.precision).is_finite();
+    (overflows && trial.first_excess(fields).is_none()).then_some(set)
+}
+
 /// Why a value is never the first that is not finite, as far as it is known.
 fn reason(program: &Program, fields: &[(Value, String)], at: usize) -> String {
     let value = fields[at].0;
@@ -102,7 +123,7 @@ fn extreme(
 ) -> Vec<f64> {
     let all: Vec<_> = spec.run_time_parameters().collect();
     // First each alone at its ends, then all of them anywhere.
-    let ends = [greatest(spec), greatest(spec) / 4.0, smallest(spec), smallest(spec) * 4.0];
+    let ends = [greatest(spec), greatest(spec) / 4.0, 2.0 * least(spec), 64.0 / greatest(spec)];
     let alone = (round < 4 * all.len()).then(|| (round / 4, ends[round % 4]));
     let share = draw.of(&[0.2, 0.5, 0.9]);
     let mut set: Vec<f64> = Vec::with_capacity(all.len());
@@ -121,16 +142,17 @@ fn extreme(
     if let Some(eps) = place(Parameter::Eps) {
         let tau = place(Parameter::Tau).map_or(chosen.value(Parameter::Tau, 0.0625), |at| set[at]);
         if set[eps] >= tau {
-            set[eps] = settle(tau / 16.0, spec.precision).max(f64::MIN_POSITIVE);
+            set[eps] = settle(tau / 16.0, spec.precision).max(least(spec));
         }
     }
     set
 }
 
-fn smallest(spec: &Spec) -> f64 {
+/// The least number > 0.
+pub(super) fn least(spec: &Spec) -> f64 {
     match spec.precision {
-        Precision::F64 => f64::MIN_POSITIVE,
-        Precision::F32 => f64::from(f32::MIN_POSITIVE),
+        Precision::F64 => f64::from_bits(1),
+        Precision::F32 => f64::from(f32::from_bits(1)),
     }
 }
 
