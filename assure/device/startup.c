@@ -3,7 +3,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-extern uint32_t stack_top, data_start, data_end, data_load, bss_start, bss_end;
+extern void stack_top(void);
+extern uint32_t data_start, data_end, data_load, bss_start, bss_end;
 extern int main(void);
 extern void initialise_monitor_handles(void);
 void reset(void);
@@ -25,7 +26,7 @@ static void fault(void)
 }
 
 __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void) = {
-    (void (*)(void))&stack_top, reset, fault, fault, fault, fault, fault, 0, 0, 0, 0, fault, fault, 0, fault, fault
+    stack_top, reset, fault, fault, fault, fault, fault, 0, 0, 0, 0, fault, fault, 0, fault, fault
 };
 
 void reset(void)

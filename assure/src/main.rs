@@ -1,2 +1,101 @@
-//! placeholder
-fn main() {}
+//! `cargo assure`: runs the layers of assurance and writes assurance/REPORT.md.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use anyhow::{Context as _, Result, bail};
+use clap::Parser;
+use ptc_assure::context::Context;
+use ptc_assure::layer::{Layer, Outcome};
+use ptc_assure::layers::LAYERS;
+use ptc_assure::{report, tool};
+
+/// Examines emitted code, layer by layer: what each one shows, of which files, by which tool.
+///
+/// Exit codes: 0 no layer failed (one that cannot run is told as not run), 1 a layer failed, 2 bad
+/// arguments.
+#[derive(Debug, Parser)]
+#[command(name = "cargo assure")]
+struct CommandLine {
+    /// The layers to run; all without one
+    #[arg(value_name = "LAYER")]
+    layers: Vec<String>,
+    /// Print the layers and what each shows
+    #[arg(long)]
+    list: bool,
+    /// Seed of the random controllers and records
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Install nothing: a layer that lacks a tool is not run
+    #[arg(long)]
+    no_install: bool,
+    /// File of the report; by default assurance/REPORT.md where all layers run, else none
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    match execute(&CommandLine::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Whether no layer failed.
+fn execute(line: &CommandLine) -> Result<bool> {
+    if line.list {
+        for layer in LAYERS {
+            println!("{:<12} {}", layer.name, layer.claim);
+        }
+        return Ok(true);
+    }
+    let chosen = chosen(&line.layers)?;
+    if !line.no_install {
+        let tools: Vec<_> = chosen.iter().flat_map(|layer| layer.tools).copied().collect();
+        tool::install(&tools);
+    }
+    let here = Context::new(PathBuf::new(), line.seed);
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = std::path::absolute(target.unwrap_or_else(|| here.workspace().join("target")))?;
+    let context = Context::new(target.join("assure"), line.seed);
+    let mut outcomes: Vec<(&Layer, Outcome)> = Vec::new();
+    for layer in chosen {
+        eprintln!("{} ...", layer.name);
+        let (outcome, time) = layer.execute(&context);
+        println!(
+            "{:<8} {:<12} {:>4} s  {}",
+            outcome.word(),
+            layer.name,
+            time.as_secs(),
+            outcome.summary()
+        );
+        for failure in outcome.finding().into_iter().flat_map(|finding| &finding.failures) {
+            eprintln!("{failure}");
+        }
+        outcomes.push((layer, outcome));
+    }
+    let whole = line.layers.is_empty().then(|| context.workspace().join("assurance/REPORT.md"));
+    if let Some(path) = line.report.clone().or(whole) {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        folder.map_or(Ok(()), fs::create_dir_all)?;
+        fs::write(&path, report::report(line.seed, &outcomes))
+            .with_context(|| format!("cannot write {}", path.display()))?;
+        println!("written: {}", path.display());
+    }
+    Ok(!outcomes.iter().any(|(_, outcome)| matches!(outcome, Outcome::Failed(_))))
+}
+
+/// The layers that were asked for, in the order in which they run.
+fn chosen(names: &[String]) -> Result<Vec<&'static Layer>> {
+    let legal: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
+    if let Some(unknown) = names.iter().find(|name| !legal.contains(&name.as_str())) {
+        bail!("there is no layer `{unknown}`; the layers are {}", legal.join(", "));
+    }
+    let wanted = |layer: &&Layer| names.is_empty() || names.iter().any(|name| name == layer.name);
+    Ok(LAYERS.iter().filter(wanted).collect())
+}

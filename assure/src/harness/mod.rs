@@ -14,6 +14,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
+use std::thread::ScopedJoinHandle;
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::spec::Spec;
@@ -75,22 +76,25 @@ pub fn run(command: &mut Command) -> Vec<u8> {
     output.stdout
 }
 
-/// `work` on each item, two at a time, in the order of the items.
+/// `work` on each item, two at a time, in the order of the items. A panic of it goes on as it is.
 pub fn in_pairs<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let next = Mutex::new(items.iter().enumerate());
-    let done = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..2 {
-            scope.spawn(|| {
-                loop {
-                    let Some((index, item)) = next.lock().expect("no panic").next() else { break };
-                    let result = work(item);
-                    done.lock().expect("no panic").push((index, result));
-                }
-            });
+    let take = || next.lock().expect("no panic").next();
+    let worker = || {
+        let mut done = Vec::new();
+        while let Some((index, item)) = take() {
+            done.push((index, work(item)));
         }
+        done
+    };
+    let mut done = std::thread::scope(|scope| {
+        let handles = [(); 2].map(|()| scope.spawn(worker));
+        let join = |handle: ScopedJoinHandle<'_, _>| match handle.join() {
+            Ok(done) => done,
+            Err(panic) => std::panic::resume_unwind(panic),
+        };
+        handles.map(join).into_iter().flatten().collect::<Vec<_>>()
     });
-    let mut done = done.into_inner().expect("no panic");
     done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
 }

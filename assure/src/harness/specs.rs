@@ -1,5 +1,6 @@
 //! Specs, as a front end would read them.
 
+use super::random::Random;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
@@ -85,4 +86,62 @@ pub fn calls_a_library(spec: &Spec) -> bool {
 
 fn without_comments(text: &str) -> String {
     text.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, code)| code)).collect()
+}
+
+/// Mappings of random controllers: families with and without what can be fixed, and expressions.
+const MAPPINGS: [(&str, &str); 17] = [
+    ("mu", "exp"),
+    ("mu", "exp(a=0.7)"),
+    ("mu", "rational"),
+    ("mu", "rational(a=3)"),
+    ("mu", "power"),
+    ("mu", "power(m=2)"),
+    ("mu", "power(a=0.5,m=1.5)"),
+    ("mu", "tan"),
+    ("mu", "tan(a=2)"),
+    ("mu", "tanh"),
+    ("mu", "algebraic"),
+    ("mu", "exp_sum"),
+    ("mu", "exp_sum(rates=[0.5,1.5,4])"),
+    ("mu", "mean(rational(a=1), rational(a=b))"),
+    ("mu", "tau*(1 - exp(-a*t))"),
+    ("kappa", "dt/(a*(tau - dt))"),
+    ("kappa", "tau*dt/(tau - dt) + dt"),
+];
+
+/// A random controller called `name`.
+pub fn random(random: &mut Random, name: &str) -> Spec {
+    let mut one_of = |texts: &[&'static str]| texts[random.below(texts.len() as u64) as usize];
+    let n = one_of(&["1", "2", "3", "4", "5", "6"]);
+    let precision = one_of(&["f64", "f32"]);
+    let guard = one_of(&["full", "full", "result", "none"]);
+    let after = one_of(&["hold", "hold", "zero", "extern"]);
+    let times = one_of(&["", "tau", "tau t0 eps"]);
+    let u_max = one_of(&["", "inf", "25"]);
+    let law = one_of(&["", "", "gains", "poles", "expression", "extern"]);
+    let (key, mapping) = MAPPINGS[random.below(MAPPINGS.len() as u64) as usize];
+    let order: usize = n.parse().expect("an order");
+    let listed =
+        |number: fn(usize) -> String| (1..=order).map(number).collect::<Vec<_>>().join(",");
+    let gains = listed(|i| format!("{}.5", 3 * i));
+    let poles = listed(|i| format!("-{}", 8 + i));
+    let own = (1..=order).map(|i| format!("- {i}*xi{i}")).collect::<String>();
+    let own = format!("{own} - xi1*abs(xi1)");
+    let mut keys = vec![("name", name), ("n", n), (key, mapping), ("precision", precision)];
+    keys.extend([("guard", guard), ("after", after), ("allow", "growth")]);
+    for (key, value) in [("tau", "1.75"), ("t0", "0.5"), ("eps", "0.001")] {
+        keys.extend(times.split(' ').any(|fixed| fixed == key).then_some((key, value)));
+    }
+    keys.extend((!u_max.is_empty()).then_some(("u_max", u_max)));
+    match law {
+        "gains" => keys.push(("gains", &gains)),
+        // Poles give gains only where the mapping's rate is known.
+        "poles" if mapping.contains("a=") && !mapping.contains("mean") => {
+            keys.push(("poles", &poles))
+        }
+        "expression" => keys.push(("pi0", &own)),
+        "extern" => keys.push(("pi0", "extern")),
+        _ => {}
+    }
+    spec(&keys)
 }

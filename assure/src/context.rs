@@ -1,0 +1,71 @@
+//! What a layer works on: the controllers of the goldens, those of every family, and random ones.
+
+use std::path::{Path, PathBuf};
+
+use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::{Precision, Spec};
+
+use crate::harness::random::Random;
+use crate::harness::specs::{families, random, spec};
+use crate::harness::{empty, goldens};
+
+/// The folder of the work and the seed of what is random.
+#[derive(Clone, Debug)]
+pub struct Context {
+    root: PathBuf,
+    /// The seed of random specs and records.
+    pub seed: u64,
+}
+
+impl Context {
+    /// The context that works below `root`.
+    pub fn new(root: PathBuf, seed: u64) -> Self {
+        Self { root, seed }
+    }
+
+    /// An empty folder of a layer's own.
+    pub fn scratch(&self, name: &str) -> PathBuf {
+        empty(&self.root.join(name))
+    }
+
+    /// The root of the workspace.
+    pub fn workspace(&self) -> &'static Path {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        here.parent().unwrap_or(here)
+    }
+
+    /// The controllers of generated/.
+    pub fn goldens(&self) -> Vec<Spec> {
+        goldens::controllers()
+    }
+
+    /// Every family, power with m = 2 beside power, of the orders 1 to `greatest` in both
+    /// precisions, with a name of its own.
+    pub fn families(&self, greatest: usize) -> Vec<Spec> {
+        let mut all = Vec::new();
+        for precision in [Precision::F64, Precision::F32] {
+            for n in 1..=greatest {
+                let suffix = if precision == Precision::F32 { "_f32" } else { "" };
+                for family in families() {
+                    let name = format!("ptc_{}{n}{suffix}", family.name());
+                    all.push(Spec { precision, name: Some(name), ..Spec::new(n, family) });
+                }
+                let keys = [("n", &*n.to_string()), ("mu", "power(m=2)")];
+                let name = format!("ptc_square{n}{suffix}");
+                all.push(Spec { precision, name: Some(name), ..spec(&keys) });
+            }
+        }
+        all
+    }
+
+    /// `count` random controllers, the same for the same seed.
+    pub fn random(&self, count: usize) -> Vec<Spec> {
+        let mut source = Random(self.seed);
+        (0..count).map(|index| random(&mut source, &format!("random{index}"))).collect()
+    }
+
+    /// The controller by which a layer shows that it sees defects: a double integrator.
+    pub fn example(&self) -> Spec {
+        Spec::new(2, Family::Exp)
+    }
+}

@@ -1,0 +1,224 @@
+//! The same records on every machine, in C and in Rust: equal bits.
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::{Precision, Spec};
+
+use crate::context::Context;
+use crate::harness::machine::{EMULATED, Machine};
+use crate::harness::program::{Outcome, Program, Record, in_c, in_c_on, in_rust, in_rust_on};
+use crate::harness::random::Random;
+use crate::harness::records::records;
+use crate::harness::specs::calls_a_library;
+use crate::harness::{STRICT, in_pairs};
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::{
+    ARM_GCC, GCC, NEWLIB, PICOLIBC, QEMU_ARM, QEMU_RISCV, RISCV_GCC, RUSTC, ShownBy, Source, Tool,
+};
+
+const RECORDS: usize = 1000;
+
+/// The standard library of a target of the Rust compiler.
+const fn rust_target(name: &'static str, arguments: &'static [&'static str]) -> Tool {
+    // It prints nothing where the target's library is there.
+    Tool {
+        name,
+        shown_by: ShownBy::Command(arguments),
+        source: Source::Rustup(&[
+            "target",
+            "add",
+            "thumbv6m-none-eabi",
+            "thumbv7em-none-eabihf",
+            "riscv32imac-unknown-none-elf",
+        ]),
+    }
+}
+
+pub(super) const LAYER: Layer = Layer {
+    name: "identity",
+    claim: "C and Rust give the same bits on x86-64, Cortex-M0, M4F and M7 and on 32-bit RISC-V \
+            where no function of a mathematical library is called, and nearly the same elsewhere.",
+    tools: &[
+        GCC,
+        RUSTC,
+        ARM_GCC,
+        NEWLIB,
+        QEMU_ARM,
+        RISCV_GCC,
+        PICOLIBC,
+        QEMU_RISCV,
+        rust_target("Rust for Arm and RISC-V", RUST_TARGETS),
+    ],
+    run,
+};
+
+/// Whether the target libraries are there: rustc compiles an empty crate without std for each.
+const RUST_TARGETS: &[&str] = &[
+    "sh",
+    "-c",
+    "for target in thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf; do \
+     test -d \"$(rustc --print sysroot)/lib/rustlib/$target/lib\" || exit 1; done",
+];
+
+/// How the outcomes of one program compare with those of C on this machine.
+#[derive(Clone, Copy, Default)]
+struct Comparison {
+    /// Records.
+    compared: usize,
+    /// Records of which any bit differs.
+    differing: usize,
+    /// The greatest relative difference of u, where both gave one.
+    greatest: f64,
+    /// Records with another status.
+    statuses: usize,
+}
+
+impl Comparison {
+    fn of(wanted: &[Outcome], found: &[Outcome]) -> Self {
+        let mut all = Self { compared: wanted.len(), ..Self::default() };
+        for (a, b) in wanted.iter().zip(found) {
+            all.differing += usize::from(a.bits() != b.bits());
+            let statuses = |o: &Outcome| (o.init, o.step.0, o.axis.0);
+            if statuses(a) != statuses(b) {
+                all.statuses += 1;
+                continue;
+            }
+            for (u, v) in [(a.step.1, b.step.1), (a.axis.1, b.axis.1)] {
+                let size = u.abs().max(v.abs());
+                if size > 0.0 && size.is_finite() {
+                    all.greatest = all.greatest.max((u - v).abs() / size);
+                }
+            }
+        }
+        all
+    }
+
+    fn add(&mut self, other: Self) {
+        self.compared += other.compared;
+        self.differing += other.differing;
+        self.statuses += other.statuses;
+        self.greatest = self.greatest.max(other.greatest);
+    }
+}
+
+/// Programs by what they are called in the report.
+type Sides = Vec<(String, Vec<Program>)>;
+
+fn run(context: &Context) -> Result<Finding> {
+    let folder = context.scratch("identity");
+    let specs = [context.families(4), context.random(24)].concat();
+    let records: Vec<_> = specs
+        .iter()
+        .enumerate()
+        .map(|(index, spec)| records(spec, &mut Random(context.seed ^ index as u64), RECORDS))
+        .collect();
+    let mut sides: Sides = vec![("this machine, Rust".to_owned(), in_rust(&folder, &specs))];
+    for machine in EMULATED {
+        let name = machine.name();
+        sides.push((format!("{name}, C"), in_c_on(machine, &folder, &specs, &STRICT)));
+        let home = folder.join(machine.stem());
+        sides.push((format!("{name}, Rust"), in_rust_on(machine, &home, &specs)));
+    }
+    let wanted = outcomes(&in_c(&folder, &specs), &records);
+    let mut finding = Finding::default();
+    let mut equal = BTreeMap::<&str, Comparison>::new();
+    let mut near = BTreeMap::<(String, &str), Comparison>::new();
+    for (side, programs) in &sides {
+        let found = outcomes(programs, &records);
+        for ((spec, wanted), found) in specs.iter().zip(&wanted).zip(&found) {
+            let comparison = Comparison::of(wanted, found);
+            if calls_a_library(spec) {
+                let key = (group(spec), side.as_str());
+                near.entry(key).or_default().add(comparison);
+            } else {
+                equal.entry(side).or_default().add(comparison);
+                if comparison.differing > 0 {
+                    let name = spec.name();
+                    finding
+                        .failures
+                        .push(format!("{side}: {name}: {} records differ", comparison.differing));
+                }
+            }
+        }
+    }
+    let exact = specs.iter().filter(|spec| !calls_a_library(spec)).count();
+    let bits: usize = equal.values().map(|c| c.differing).sum();
+    finding.summary = format!(
+        "{exact} controllers of {} records on {} machines in C and Rust: {bits} differing outcomes; \
+         {} more that call a library",
+        RECORDS,
+        EMULATED.len() + 1,
+        specs.len() - exact
+    );
+    tables(&mut finding, &equal, &near);
+    negative_control(context, &mut finding);
+    Ok(finding)
+}
+
+/// Family and precision, which is what the differences of libraries depend on.
+fn group(spec: &Spec) -> String {
+    let precision = if spec.precision == Precision::F32 { "f32" } else { "f64" };
+    format!("{} {precision}", spec.mapping_name())
+}
+
+fn outcomes(programs: &[Program], records: &[Vec<Record>]) -> Vec<Vec<Outcome>> {
+    let calls: Vec<_> = programs.iter().zip(records).collect();
+    in_pairs(&calls, |(program, records)| program.run(records))
+}
+
+fn tables(
+    finding: &mut Finding,
+    equal: &BTreeMap<&str, Comparison>,
+    near: &BTreeMap<(String, &str), Comparison>,
+) {
+    let rows = equal
+        .iter()
+        .map(|(side, c)| vec![(*side).to_owned(), c.compared.to_string(), c.differing.to_string()])
+        .collect();
+    finding.tables.push(Table {
+        title: "Against C on this machine, no library function".to_owned(),
+        head: vec!["where", "records", "differing"],
+        rows,
+    });
+    let rows = near.iter().map(|((group, side), c)| {
+        vec![
+            group.clone(),
+            (*side).to_owned(),
+            c.compared.to_string(),
+            c.differing.to_string(),
+            c.statuses.to_string(),
+            format!("{:.1e}", c.greatest),
+        ]
+    });
+    finding.tables.push(Table {
+        title: "Against C on this machine, with exp, log or pow of the machine's own library"
+            .to_owned(),
+        head: vec![
+            "mapping",
+            "where",
+            "records",
+            "differing",
+            "other status",
+            "greatest relative difference of u",
+        ],
+        rows: rows.collect(),
+    });
+}
+
+/// Contraction to fused multiply-adds must be seen as different bits.
+fn negative_control(context: &Context, finding: &mut Finding) {
+    let folder = context.scratch("identity_control");
+    let specs = [Spec { precision: Precision::F32, ..Spec::new(3, Family::Exp) }];
+    let records = [records(&specs[0], &mut Random(context.seed), RECORDS)];
+    let mut fused = STRICT.to_vec();
+    fused.retain(|flag| *flag != "-ffp-contract=off");
+    fused.push("-ffp-contract=fast");
+    let [strict, fused] = [&STRICT[..], &fused].map(|flags| {
+        outcomes(&in_c_on(Machine::CortexM4f, &folder, &specs, flags), &records).remove(0)
+    });
+    let differing = Comparison::of(&strict, &fused).differing;
+    let caught = (differing > 0).then(|| format!("{differing} of {RECORDS} records differ"));
+    finding.seed("fused multiply-add allowed on the Cortex-M4F (-ffp-contract=fast)", caught);
+}

@@ -1,0 +1,132 @@
+//! MISRA C:2012, by the addon of cppcheck.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context as _, Result};
+use ptc_codegen::emit::Language;
+use ptc_codegen::spec::{Precision, Spec};
+
+use super::seeded::{Defect, with_defect};
+use crate::context::Context;
+use crate::harness::{empty, in_pairs, write};
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::{ShownBy, Source, Tool};
+
+const CPPCHECK: Tool = Tool {
+    name: "cppcheck",
+    shown_by: ShownBy::Command(&["cppcheck", "--version"]),
+    source: Source::Apt(&["cppcheck"]),
+};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "rules",
+    claim: "Emitted C violates no rule of MISRA C:2012 that cppcheck's addon checks, and cppcheck's \
+            own checks of style and warnings find nothing.",
+    tools: &[CPPCHECK],
+    run,
+};
+
+fn run(context: &Context) -> Result<Finding> {
+    let folder = context.scratch("rules");
+    // The goldens are of the orders 1 to 5 in double precision.
+    let mut single = context.families(3);
+    single.retain(|spec| spec.precision == Precision::F32);
+    let specs = [context.goldens(), single, context.random(15)].concat();
+    let indexed: Vec<_> = specs.iter().enumerate().collect();
+    let told = in_pairs(&indexed, |(index, spec)| {
+        let folder = empty(&folder.join(index.to_string()));
+        let files = write(&folder, spec, Language::C);
+        violations(&folder, spec, &files)
+    });
+    let mut finding = Finding::default();
+    for text in told {
+        let text = text?;
+        finding.failures.extend((!text.is_empty()).then_some(text));
+    }
+    finding.summary =
+        format!("{} controllers, {} with a violation", specs.len(), finding.failures.len());
+    let mut rows = Vec::new();
+    for (index, (defect, rule)) in DEFECTS.into_iter().enumerate() {
+        let folder = folder.join(format!("seeded{index}"));
+        let files = with_defect(&folder, &context.example(), Language::C, defect)?;
+        let told = violations(&folder, &context.example(), &files)?;
+        let seen = told.contains(&format!("misra-c2012-{rule}]"));
+        finding.seed(defect.2, seen.then(|| format!("rule {rule}")));
+    }
+    rows.push(vec![
+        "5.7".to_owned(),
+        "only where the sources of several controllers are checked together".to_owned(),
+        "each header defines `ptc_status` behind one guard, so that it stands alone and several can \
+         be included; the definitions are the same text"
+            .to_owned(),
+    ]);
+    let head = vec!["rule", "where", "reason"];
+    finding.tables.push(Table { title: "Deviations".to_owned(), head, rows });
+    finding.notes.push(
+        "Each controller is checked together with a file that calls all of its functions, as a \
+         project would. The addon checks the rules that a tool can decide in one pass; it is no \
+         certificate of compliance."
+            .to_owned(),
+    );
+    Ok(finding)
+}
+
+/// Defects, and the rule that each violates.
+const DEFECTS: [(Defect, &str); 4] = [
+    (("*u = 0.0;", "if (t > 0.0) *u = 0.0;", "a body of if without braces"), "15.6"),
+    (
+        (
+            "    return status;",
+            "    if (u == NULL) { return PTC_OK; }\n    return status;",
+            "two returns",
+        ),
+        "15.5",
+    ),
+    (
+        (
+            "(self != NULL) && isfinite(t0)",
+            "self != NULL && isfinite(t0)",
+            "precedence left to the reader",
+        ),
+        "12.1",
+    ),
+    (
+        (
+            "ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], double *u)\n{",
+            "ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], double *u)\n{\n    goto out;\nout:",
+            "a goto",
+        ),
+        "15.1",
+    ),
+];
+
+/// What cppcheck tells of the files of a controller.
+fn violations(folder: &Path, spec: &Spec, files: &[PathBuf]) -> Result<String> {
+    let caller = folder.join("caller.c");
+    let source = files.iter().find(|file| file.extension().is_some_and(|e| e == "c"));
+    let source = source.context("no C source")?;
+    fs::write(&caller, calls(spec, &fs::read_to_string(source)?))?;
+    let output = Command::new("cppcheck")
+        .current_dir(folder)
+        .args(["--std=c99", "--enable=style,warning", "--addon=misra", "--quiet"])
+        .arg("--suppress=*:caller.c")
+        .args([source, &caller])
+        .output()?;
+    Ok(String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// A file that uses every function of the controller, which would else look local (rule 8.7).
+fn calls(spec: &Spec, source: &str) -> String {
+    let name = spec.name();
+    let mut text = format!("#include \"{name}.h\"\nvoid caller(void);\nvoid caller(void)\n{{\n");
+    for function in ["init", "arm", "step", "tick", "axis", "rate"] {
+        if source.contains(&format!("{name}_{function}(")) {
+            let _ = writeln!(text, "    (void)&{name}_{function};");
+        }
+    }
+    text.push_str("}\n");
+    text
+}

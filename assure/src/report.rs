@@ -1,0 +1,83 @@
+//! assurance/REPORT.md: what was shown, of which code, by which tool of which version. It holds no
+//! times, so that the same code and tools give the same report.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use crate::layer::{Finding, Layer, Outcome, Table};
+
+/// The text of the report.
+pub fn report(seed: u64, layers: &[(&Layer, Outcome)]) -> String {
+    let mut text = format!(
+        "# Assurance\n\nWritten by `cargo assure --seed {seed}`, every number by that run. It \
+         examines what ptc-codegen {} emits: the controllers of `generated/`, every family at \
+         several orders in both precisions, and random ones of that seed.\nEach layer also \
+         examines code with defects put in on purpose, and fails where it does not see them.\n\n\
+         | layer | shows that | result | |\n| --- | --- | --- | --- |\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    for (layer, outcome) in layers {
+        let cells = [layer.name, layer.claim, outcome.word(), outcome.summary()].map(cell);
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    text.push_str("\n## Tools\n\n| tool | version |\n| --- | --- |\n");
+    let ran = layers.iter().filter(|(_, outcome)| outcome.finding().is_some());
+    let tools: BTreeMap<_, _> = ran
+        .flat_map(|(layer, _)| layer.tools)
+        .map(|tool| (tool.name, tool.version()))
+        .filter(|(_, version)| !version.is_empty())
+        .collect();
+    for (name, version) in tools {
+        let _ = writeln!(text, "| {name} | {} |", cell(&version));
+    }
+    for (layer, outcome) in layers {
+        let _ = write!(
+            text,
+            "\n## {}\n\n{} **{}**: {}\n",
+            layer.name,
+            layer.claim,
+            outcome.word(),
+            outcome.summary()
+        );
+        if let Some(finding) = outcome.finding() {
+            details(&mut text, finding);
+        }
+    }
+    text
+}
+
+fn details(text: &mut String, finding: &Finding) {
+    for failure in &finding.failures {
+        let _ = write!(text, "\nFailure:\n\n```text\n{}\n```\n", failure.trim_end());
+    }
+    if !finding.seeded.is_empty() {
+        let row = |seeded: &crate::layer::Seeded| {
+            let caught = seeded.caught.clone().unwrap_or_else(|| "NOT CAUGHT".to_owned());
+            vec![seeded.defect.clone(), caught]
+        };
+        let rows = finding.seeded.iter().map(row).collect();
+        let title = "Defects put in on purpose".to_owned();
+        table(text, &Table { title, head: vec!["defect", "what told of it"], rows });
+    }
+    for one in &finding.tables {
+        table(text, one);
+    }
+    for note in &finding.notes {
+        let _ = write!(text, "\n{note}\n");
+    }
+}
+
+fn table(text: &mut String, table: &Table) {
+    let _ = write!(text, "\n{}:\n\n| {} |\n|", table.title, table.head.join(" | "));
+    text.push_str(&" --- |".repeat(table.head.len()));
+    text.push('\n');
+    for row in &table.rows {
+        let cells: Vec<_> = row.iter().map(|text| cell(text)).collect();
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+}
+
+/// A text as a cell of a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace('\n', " ")
+}
