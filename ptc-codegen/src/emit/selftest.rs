@@ -59,7 +59,11 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
         sessions: &sessions,
         calls: &calls.iter().map(|call| numbers.call(call, has_gains)).collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
-        states: &test.refused_states.iter().map(|x0| numbers.list(x0)).collect::<Vec<_>>(),
+        states: &test
+            .refused_states
+            .iter()
+            .map(|(start, x0)| format!("{}, {}", numbers.list(x0), numbers.number(*start)))
+            .collect::<Vec<_>>(),
         frame: &frame,
     };
     [

@@ -260,7 +260,7 @@ impl<'a> Maker<'a> {
     fn armed_again(&mut self) -> Session {
         let n = self.spec().n;
         let mut session = self.session(0.0625);
-        session.again = Some(1000.5);
+        session.again = Some(settle(1000.1, self.spec().precision));
         let tau = self.parameter(&session, Parameter::Tau);
         for share in [1.0, 0.3, 0.0] {
             let t = self.time(&session, share * tau);
@@ -414,10 +414,10 @@ impl<'a> Maker<'a> {
                     let name = program.get(*divisor).name.as_ref();
                     let name = name.map_or("input_gain", |(name, _)| name);
                     if missing("negative") {
-                        add(format!("({name} < 0.0)"), "g was not negative");
+                        add(format!("({name} < 0.0"), "g was not negative");
                     }
                     if missing("zero") {
-                        add(format!("({name} > 0.0)"), "g was not 0");
+                        add(format!("({name} > 0.0"), "g was not 0");
                     }
                 }
                 _ => {}

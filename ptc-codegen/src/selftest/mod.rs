@@ -62,8 +62,8 @@ pub struct SelfTest {
     pub sessions: Vec<Session>,
     /// Parameters that `init` must refuse.
     pub refused: Vec<Vec<f64>>,
-    /// States that `init` and `arm` must refuse to latch.
-    pub refused_states: Vec<Vec<f64>>,
+    /// Starts with states that `arm` must refuse to latch; with the first of them so must `init`.
+    pub refused_states: Vec<(f64, Vec<f64>)>,
     /// Whether a start time can make the deadline overflow with the parameters alone.
     pub tau_is_kept: bool,
     /// What is checked and cannot fail.
@@ -96,7 +96,7 @@ impl SelfTest {
         let overflow = overflow::find(controller, &chosen);
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
-        let mut refused_states = refused::states(spec);
+        let mut refused_states = refused::states(spec, chosen.value(crate::spec::Parameter::StartTime, 0.0));
         refused_states.extend(overflow.states);
         Ok(Self {
             sessions,

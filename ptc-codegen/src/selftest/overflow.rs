@@ -16,7 +16,8 @@ const TRIALS: usize = 3000;
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) parameters: Vec<Vec<f64>>,
-    pub(super) states: Vec<Vec<f64>>,
+    /// A start and a state each.
+    pub(super) states: Vec<(f64, Vec<f64>)>,
     pub(super) unreachable: Vec<Unreachable>,
 }
 
@@ -57,12 +58,19 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
             reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
         });
     }
-    let mut first: Vec<Option<Vec<f64>>> = vec![None; armed.len()];
-    for _ in 0..if armed.is_empty() { 0 } else { TRIALS } {
+    if found.parameters.is_empty() && !spec.latches() {
+        found.unreachable.push(Unreachable {
+            condition: "(status == PTC_OK)".to_owned(),
+            reason: "neither a coefficient nor the deadline overflows".to_owned(),
+        });
+    }
+    let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];
+    for round in 0..if armed.is_empty() { 0 } else { TRIALS } {
         let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
+        let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
         let trial = Trial { controller, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
         if let Some(index) = trial.first_excess(&armed) {
-            first[index].get_or_insert(x0);
+            first[index].get_or_insert((start, x0));
         }
     }
     for (at, x0) in first.into_iter().enumerate() {

@@ -59,7 +59,8 @@ impl<'a> Chosen<'a> {
         let n = self.spec.n;
         match parameter {
             Parameter::Tau => 2.0,
-            Parameter::StartTime => 0.25,
+            // The sum with tau has to be rounded, so that what is left out of it matters.
+            Parameter::StartTime => 0.3,
             Parameter::Eps => eps * self.value(Parameter::Tau, eps),
             Parameter::UMax => f64::INFINITY,
             Parameter::A => 0.75,

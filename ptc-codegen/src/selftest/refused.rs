@@ -47,15 +47,15 @@ fn illegal(spec: &Spec, chosen: &Chosen<'_>, parameter: Parameter) -> Vec<f64> {
     values
 }
 
-/// States that cannot be latched: each x_j not finite, alone.
-pub(super) fn states(spec: &Spec) -> Vec<Vec<f64>> {
+/// States that cannot be latched, each with a start: each x_j not finite, alone.
+pub(super) fn states(spec: &Spec, start: f64) -> Vec<(f64, Vec<f64>)> {
     if !spec.latches() {
         return Vec::new();
     }
     let one = |j: usize, value: f64| {
         let mut x0 = vec![0.5; spec.n];
         x0[j] = value;
-        x0
+        (start, x0)
     };
     (0..spec.n).flat_map(|j| [one(j, f64::NAN), one(j, f64::INFINITY)]).collect()
 }
