@@ -4,8 +4,9 @@ mod compilers;
 mod identity;
 mod rules;
 mod seeded;
+mod selftest;
 
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER];
+pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER, selftest::LAYER];
