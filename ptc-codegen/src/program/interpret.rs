@@ -49,13 +49,18 @@ impl<'a> Interpreter<'a> {
 
     /// The number that `value` takes.
     pub fn value(&mut self, value: Value) -> f64 {
-        for needed in self.program.needed(&[value]) {
+        self.values(&[value])[0]
+    }
+
+    /// The numbers that several values take, each operation done once.
+    pub fn values(&mut self, values: &[Value]) -> Vec<f64> {
+        for needed in self.program.needed(values) {
             if self.known[needed.0].is_none() && !self.program.get(needed).looped {
                 let result = self.compute(needed);
                 self.known[needed.0] = Some(result);
             }
         }
-        self.at(value)
+        values.iter().map(|value| self.at(*value)).collect()
     }
 
     fn at(&self, value: Value) -> f64 {

@@ -59,7 +59,8 @@ impl Trial<'_> {
     pub(super) fn first_excess(&self, values: &[(Value, String)]) -> Option<usize> {
         let input = |input| self.input(input, &[]);
         let mut interpreter = Interpreter::new(self.program(), &input);
-        values.iter().position(|(value, _)| !interpreter.value(*value).is_finite())
+        let wanted: Vec<_> = values.iter().map(|(value, _)| *value).collect();
+        interpreter.values(&wanted).into_iter().position(|number| !number.is_finite())
     }
 
     /// Runs `step`, and `tick` with `axis` where there are gains.
@@ -90,7 +91,7 @@ impl Trial<'_> {
             () => Status::Ok,
         };
         let axis = program.axis.map(|axis| {
-            let gains: Vec<_> = program.gains.iter().map(|gain| step.value(*gain)).collect();
+            let gains = step.values(&program.gains);
             let input = |input| self.input(input, &gains);
             let mut own = Interpreter::new(program, &input);
             status(own.value(axis))
