@@ -137,8 +137,9 @@ const DEFECTS: [(&str, &str, &str); 3] = [
 
 fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()> {
     let spec = examine(&context.example()).spec;
-    let records = records(&spec, &mut Random(context.seed), RECORDS);
-    let rust: Vec<Program> = in_rust(&empty(&folder.join("seeded_rust")), std::slice::from_ref(&spec));
+    let records = records(&spec, &mut Random(context.seed), 10 * RECORDS);
+    let rust: Vec<Program> =
+        in_rust(&empty(&folder.join("seeded_rust")), std::slice::from_ref(&spec));
     for (index, defect) in DEFECTS.into_iter().enumerate() {
         let folder = folder.join(format!("seeded{index}"));
         let files = with_defect(&folder, &spec, Language::C, defect)?;

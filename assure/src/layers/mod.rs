@@ -10,4 +10,5 @@ mod selftest;
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER, selftest::LAYER, fuzz::LAYER];
+pub const LAYERS: &[Layer] =
+    &[compilers::LAYER, rules::LAYER, identity::LAYER, selftest::LAYER, fuzz::LAYER];

@@ -178,7 +178,8 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
         let sources = [folder.join(format!("{name}.c")), folder.join(format!("{name}_selftest.c"))];
         let told = [Machine::Host, Machine::CortexM4f].map(|m| passes(m, &folder, &spec, &sources));
         let caught = told == [false, false];
-        finding.seed(defect.2, caught.then(|| "the self-test, here and on a Cortex-M4F".to_owned()));
+        finding
+            .seed(defect.2, caught.then(|| "the self-test, here and on a Cortex-M4F".to_owned()));
     }
     // A session fewer must show in the coverage.
     let folder = empty(&folder.join("fewer"));

@@ -19,8 +19,14 @@ pub fn control(family: Family, precision: Precision) -> f64 {
     }
 }
 
-/// The same for the mapping of a spec. One of the user's own is allowed what the family is whose
-/// arguments are rounded most.
+/// The same for the mapping of a spec.
+///
+/// A mapping of the user's own is evaluated as its expression says, with what cancels in it: a sum
+/// of several kappa loses some digits that a family's closed form keeps.
 pub fn of(spec: &Spec) -> f64 {
-    control(spec.family().unwrap_or(Family::Power), spec.precision)
+    match (spec.family(), spec.precision) {
+        (Some(family), precision) => control(family, precision),
+        (None, Precision::F64) => 2e-12,
+        (None, Precision::F32) => 2e-4,
+    }
 }

@@ -312,9 +312,8 @@ impl<'a> Maker<'a> {
             let mut draw = Draw(4);
             for _ in 0..if missing.is_empty() { 0 } else { CANDIDATES / 4 } {
                 let size = draw.of(&[1e-3, 1.0, 1e3]);
-                let x: Vec<_> = (0..n)
-                    .map(|_| settle(draw.between(-size, size), spec.precision))
-                    .collect();
+                let x: Vec<_> =
+                    (0..n).map(|_| settle(draw.between(-size, size), spec.precision)).collect();
                 let Some(call) = self.call(&session, t, &x) else { continue };
                 let kind = (call.status, call.u > 0.0);
                 if missing.contains(&kind) {
@@ -404,10 +403,16 @@ impl<'a> Maker<'a> {
                         add(condition, "the iteration used no more rounds than it has");
                     }
                     if missing("before") {
-                        add(format!("({name}_next >= {name}_low)"), "no step went below the bracket");
+                        add(
+                            format!("({name}_next >= {name}_low)"),
+                            "no step went below the bracket",
+                        );
                     }
                     if missing("beyond") {
-                        add(format!("({name}_next <= {name}_high)"), "no step went above the bracket");
+                        add(
+                            format!("({name}_next <= {name}_high)"),
+                            "no step went above the bracket",
+                        );
                     }
                 }
                 Op::Quotient(_, divisor) => {

@@ -96,7 +96,8 @@ impl SelfTest {
         let overflow = overflow::find(controller, &chosen);
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
-        let mut refused_states = refused::states(spec, chosen.value(crate::spec::Parameter::StartTime, 0.0));
+        let mut refused_states =
+            refused::states(spec, chosen.value(crate::spec::Parameter::StartTime, 0.0));
         refused_states.extend(overflow.states);
         Ok(Self {
             sessions,

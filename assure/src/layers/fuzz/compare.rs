@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use ptc_codegen::expression::{Expression, Variable};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
-use ptc_codegen::expression::{Expression, Variable};
 use ptc_codegen::spec::{Feedback, Guard, Parameter, Precision, Spec};
 
 use crate::harness::program::{Outcome, Record, real};
@@ -204,7 +204,11 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
         };
         if !agrees {
             let told = format!("{:?}, u = {u:e}", c.step);
-            return Some(Difference { between: "C and the interpreter", told, record: record.clone() });
+            return Some(Difference {
+                between: "C and the interpreter",
+                told,
+                record: record.clone(),
+            });
         }
     }
     None
@@ -265,7 +269,12 @@ fn definition(
         let eps = value(spec, record, Parameter::Eps);
         let at_eps = (expected.time_to_go - eps).abs() <= 1e-6 * eps;
         if c.step.0 != expected.status.code() && !edge && !at_eps {
-            return difference(format!("{:?}, {:?} with u = {:e}", c.step, expected.status, control.u()));
+            return difference(format!(
+                "{:?}, {:?} with u = {:e}",
+                c.step,
+                expected.status,
+                control.u()
+            ));
         }
         if matches!(c.step.0, 0 | 1) && !at_eps {
             let error = control.error(c.step.1) / allowed;
@@ -274,7 +283,9 @@ fn definition(
             if !(error <= 1.0) {
                 let told = format!(
                     "{:?}, u = {:e} with scale {:e}: {error:.2} of what is allowed",
-                    c.step, control.u(), control.scale()
+                    c.step,
+                    control.u(),
+                    control.scale()
                 );
                 return difference(told);
             }
@@ -285,7 +296,8 @@ fn definition(
 
 /// Whether the numbers are of the sizes for which the accuracy is promised, tests/data/README.md.
 fn is_usual(spec: &Spec, record: &Record) -> bool {
-    let within = |value: f64, low: f64, high: f64| value == 0.0 || (low..high).contains(&value.abs());
+    let within =
+        |value: f64, low: f64, high: f64| value == 0.0 || (low..high).contains(&value.abs());
     let parameters = spec.run_time_parameters().all(|p| {
         let value = parameter(spec, record, p);
         match p {

@@ -17,7 +17,17 @@ pub(super) struct Kind {
 }
 
 const FAMILIES: [&str; 11] = [
-    "exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum", "mu", "mu", "kappa", "kappa",
+    "exp",
+    "rational",
+    "power",
+    "tan",
+    "tanh",
+    "algebraic",
+    "exp_sum",
+    "mu",
+    "mu",
+    "kappa",
+    "kappa",
 ];
 
 impl Kind {
@@ -45,7 +55,8 @@ fn family(random: &mut Random, name: &str) -> String {
                 0 => name.to_owned(),
                 1 => format!("exp_sum({})", count.max(2)),
                 _ => {
-                    let rates: Vec<_> = (0..count.max(2)).map(|_| number(random, 0.3, 3.0)).collect();
+                    let rates: Vec<_> =
+                        (0..count.max(2)).map(|_| number(random, 0.3, 3.0)).collect();
                     format!("exp_sum(rates=[{}])", rates.join(","))
                 }
             };

@@ -33,7 +33,12 @@ pub(super) fn measure(folder: &Path, spec: &Spec, sources: &[PathBuf; 2]) -> Res
     };
     execute(gcc().args(["--coverage", "-c", "-o", "controller.o"]).arg(&sources[0]));
     let main = main_program(folder, spec)?;
-    execute(gcc().args(["--coverage", "-o", "covered", "controller.o"]).args([&sources[1], &main]).arg("-lm"));
+    execute(
+        gcc()
+            .args(["--coverage", "-o", "covered", "controller.o"])
+            .args([&sources[1], &main])
+            .arg("-lm"),
+    );
     // What it says of itself is asked elsewhere; here even a self-test that fails covers.
     Command::new(folder.join("covered")).current_dir(folder).output()?;
     let told = execute(Command::new("gcov").current_dir(folder).args([
@@ -48,7 +53,9 @@ pub(super) fn measure(folder: &Path, spec: &Spec, sources: &[PathBuf; 2]) -> Res
     let listed = conditions(&folder.join(format!("{name}_selftest.h")))?;
     let mut coverage = Coverage::default();
     let files = told["files"].as_array().context("files of gcov")?;
-    let own = |file: &&Value| file["file"].as_str().is_some_and(|file| file.ends_with(&format!("{name}.c")));
+    let own = |file: &&Value| {
+        file["file"].as_str().is_some_and(|file| file.ends_with(&format!("{name}.c")))
+    };
     let file = files.iter().find(own).context("the controller among the files of gcov")?;
     for line in file["lines"].as_array().context("lines of gcov")? {
         let branches = line["branches"].as_array().context("branches of gcov")?;
@@ -84,5 +91,8 @@ pub(super) fn mixed_decisions(source: &Path) -> Result<Vec<String>> {
     let text = fs::read_to_string(source)?;
     let mixed = |statement: &&str| statement.contains("&&") && statement.contains("||");
     let statements = text.split([';', '{', '}']);
-    Ok(statements.filter(mixed).map(|text| format!("a decision of && and ||: {}", text.trim())).collect())
+    Ok(statements
+        .filter(mixed)
+        .map(|text| format!("a decision of && and ||: {}", text.trim()))
+        .collect())
 }
