@@ -20,6 +20,8 @@ pub mod law;
 pub mod lower;
 pub mod mapping;
 pub mod program;
+pub mod reference;
+pub mod selftest;
 pub mod spec;
 
 use check::examine::examine;
@@ -35,10 +37,7 @@ use spec::{Precision, Spec};
 /// Everything in the spec that cannot be generated, in this language or at all, and every check that
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    emit::emit(&Controller { report: &report, law: &law, program: &program }, language)
+    emitted(spec, |controller| emit::emit(controller, language))?
 }
 
 /// Generates the files of a small project around one controller, by their paths in it.
@@ -47,10 +46,20 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
     project.accepts(spec)?;
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    Ok(project.files(&Controller { report: &report, law: &law, program: &program }))
+    emitted(spec, |controller| project.files(controller))
+}
+
+/// The self-test of one controller in C: the source that a target compiles beside the controller,
+/// and its header.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, every check that refuses it, and what has no
+/// self-test.
+pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, |controller| {
+        let test = selftest::SelfTest::new(controller)?;
+        Ok(emit::emit_selftest(controller, &test))
+    })?
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -59,10 +68,15 @@ pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnosti
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_items)
+}
+
+/// What `emit` makes of the controller that `spec` asks for.
+fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit_items(&Controller { report: &report, law: &law, program: &program }))
+    Ok(emit(&Controller { report: &report, law: &law, program: &program }))
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

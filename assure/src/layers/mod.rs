@@ -5,6 +5,7 @@ mod comparison;
 mod compilers;
 mod cpp;
 mod fmu;
+mod fuzz;
 mod identity;
 mod matlab;
 mod miri;
@@ -14,6 +15,7 @@ mod python;
 mod rules;
 mod rust;
 mod seeded;
+mod selftest;
 mod st;
 mod supply;
 
@@ -24,9 +26,11 @@ pub const LAYERS: &[Layer] = &[
     supply::LAYER,
     compilers::LAYER,
     rules::LAYER,
+    selftest::LAYER,
     rust::LAYER,
     miri::LAYER,
     identity::LAYER,
+    fuzz::LAYER,
     cpp::LAYER,
     python::LAYER,
     matlab::LAYER,

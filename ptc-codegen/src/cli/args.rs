@@ -139,6 +139,9 @@ pub(crate) struct Emit {
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,
+    /// Also write NAME_selftest.c and .h, which test the controller on its target (C only)
+    #[arg(long, conflicts_with = "dump")]
+    pub(crate) selftest: bool,
     /// Print the program after PASS instead of any source (lower: before the first)
     #[arg(long, value_name = "PASS", value_parser = pass_names())]
     pub(crate) dump: Option<String>,

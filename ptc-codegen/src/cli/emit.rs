@@ -4,8 +4,10 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
+use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::{generate, project};
+use ptc_codegen::spec::Spec;
+use ptc_codegen::{generate, generate_selftest, project};
 
 use super::args::Emit;
 use super::fmu;
@@ -15,6 +17,12 @@ use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
+    if request.selftest && request.lang != Some(Language::C) {
+        return Err(Failure::because(
+            "`--selftest` is written in C only".to_owned(),
+            "give --lang c with it; in Rust, the tests of your own crate run on the target",
+        ));
+    }
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = given.read()?;
@@ -29,12 +37,21 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         None => {
             // The grammar asks for one of the two.
             let language = request.lang.unwrap_or(Language::C);
-            match generate(&spec, language) {
+            match sources(request, &spec, language) {
                 Ok(files) => place(request, &spec.name(), language, &files),
                 Err(found) => given.finish(None, found),
             }
         }
     }
+}
+
+/// The files of a language, and what goes with them by flags.
+fn sources(request: &Emit, spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let mut files = generate(spec, language)?;
+    if request.selftest {
+        files.extend(generate_selftest(spec)?);
+    }
+    Ok(files)
 }
 
 /// Prints, compares or writes the files of a language.

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::Controller;
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
+use super::{Controller, is_derived};
 use crate::program::{Input, Op, Value, number};
 use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
 
@@ -113,9 +113,7 @@ impl Frame {
                 |(field, value): (&Field, String)| Assignment { name: field.name.clone(), value };
             fields.zip(roots).map(one).collect()
         };
-        // A field that is a parameter as it was given has been checked by its domain.
-        let derived = |v: Value| !matches!(program.get(v).op, Op::Input(_));
-        let finite = plan.fields.iter().filter(|f| !f.armed && derived(f.value));
+        let finite = plan.fields.iter().filter(|f| !f.armed && is_derived(program, f));
         let field =
             |value: Value, owner: fn(&dyn Syntax, &str) -> String| match &program.get(value).op {
                 Op::Number(number) => {
@@ -129,17 +127,9 @@ impl Frame {
             value: place(parameter, syntax),
         };
         let latches = spec.latches();
-        // The deadline is checked anyway, and what makes up its rounding is finite with it.
-        let derived_at_start = |field: &Field| {
-            let value = program.get(field.value);
-            let of_time = |name: &str| matches!(name, "deadline" | "correction");
-            field.armed
-                && derived(field.value)
-                && !value.name.as_ref().is_some_and(|(n, _)| of_time(n))
-        };
         let armed = plan.fields.iter().filter(|field| field.armed).zip(&arm.roots);
         let latched_fields = armed
-            .filter(|(field, _)| derived_at_start(field))
+            .filter(|(field, _)| is_derived(program, field))
             .map(|(_, text)| text.clone())
             .collect();
         let latched_states = (1..=spec.n)

@@ -15,6 +15,7 @@ mod print;
 mod project;
 mod python;
 mod rust;
+mod selftest;
 mod st;
 #[cfg(test)]
 mod table;
@@ -24,8 +25,10 @@ pub use project::Project;
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
-use crate::program::Program;
+use crate::program::{Op, Program, Value};
+use crate::selftest::SelfTest;
 use crate::spec::{After, Feedback, Parameter, Spec, What};
+use plan::{Field, Plan};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -202,6 +205,31 @@ fn names(spec: &Spec) -> Vec<(String, String)> {
         _ => None,
     });
     named.chain([("name".to_owned(), spec.name())]).collect()
+}
+
+/// The C files of the self-test of a controller.
+pub fn emit_selftest(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
+    selftest::files(controller, test)
+}
+
+/// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
+/// name of its field.
+pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
+    let fields = Plan::new(program, str::to_owned).fields;
+    let derived = |field: &&Field| is_derived(program, field);
+    [false, true].map(|armed| {
+        let own = fields.iter().filter(|field| field.armed == armed).filter(derived);
+        own.map(|field| (field.value, field.name.clone())).collect()
+    })
+}
+
+/// Whether a field is to be checked: one that is a parameter as it was given has been checked by
+/// its domain, the deadline is checked anyway, and what makes up its rounding is finite with it.
+fn is_derived(program: &Program, field: &Field) -> bool {
+    let value = program.get(field.value);
+    let of_time = |name: &str| matches!(name, "deadline" | "correction");
+    !matches!(value.op, Op::Input(_))
+        && !(field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n)))
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
