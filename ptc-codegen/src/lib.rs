@@ -34,10 +34,16 @@ use spec::{Precision, Spec};
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit(&Controller { report: &report, law: &law, program: &program }, language))
+    emitted(spec, |controller| emit::emit(controller, language))
+}
+
+/// Generates the C files of one controller for a proof that they have no error at run time: header
+/// and source, which differ from those of [`generate`] by comments alone, and the proof's harness.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, and every check that refuses it.
+pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_with_proof)
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -46,10 +52,15 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_items)
+}
+
+/// What `emit` makes of the controller that `spec` asks for.
+fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit_items(&Controller { report: &report, law: &law, program: &program }))
+    Ok(emit(&Controller { report: &report, law: &law, program: &program }))
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

@@ -121,6 +121,10 @@ pub(crate) struct Emit {
     /// Folder to write to, made if it is missing; `-` prints to the standard output
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     pub(crate) out: PathBuf,
+    /// With --lang c: put ACSL contracts into the header, and write NAME_eva.c, which proves with
+    /// Frama-C that the code has no error at run time
+    #[arg(long)]
+    pub(crate) acsl: bool,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,

@@ -5,21 +5,28 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use ptc_codegen::emit::File;
-use ptc_codegen::generate;
+use ptc_codegen::{generate, generate_with_proof};
 
-use super::args::Emit;
+use super::args::{Emit, Lang};
 use super::report::{Failure, Notice};
 use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
+    if request.acsl {
+        acsl_fits(request)?;
+    }
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = given.read()?;
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let files = match generate(&spec, request.lang.into()) {
+    let generated = match request.acsl {
+        true => generate_with_proof(&spec),
+        false => generate(&spec, request.lang.into()),
+    };
+    let files = match generated {
         Ok(files) => files,
         Err(found) => return given.finish(None, found),
     };
@@ -32,6 +39,19 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         (false, true) => check(&request.out, &files),
         (false, false) => write::to_stdout(&write::files(&request.out, &files)?),
     }
+}
+
+/// Contracts are for C alone, and the program of a pass has none.
+fn acsl_fits(request: &Emit) -> Result<(), Failure> {
+    let other = match (request.lang, &request.dump) {
+        (Lang::Rust, _) => "`--lang rust`",
+        (Lang::C, Some(_)) => "`--dump`",
+        (Lang::C, None) => return Ok(()),
+    };
+    Err(Failure::because(
+        format!("`--acsl` annotates C, and {other} asks for no C"),
+        "give --lang c without --dump, or leave --acsl out",
+    ))
 }
 
 /// All files in one text; a comment names each where there are several.

@@ -2,22 +2,33 @@
 
 use askama::Template;
 
+use super::acsl::{self, Contracts};
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, tidy};
+use super::{Controller, Declared, File, Language, declared, eva, header, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
+    sources(controller, false)
+}
+
+/// The same with contracts and case splits in comments, and the harness of the proof.
+pub(super) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
+    sources(controller, true)
+}
+
+fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let real = match spec.precision {
-        Precision::F32 => "float",
-        Precision::F64 => "double",
-    };
-    let frame = Frame::new(controller, real, &C { spec, name: &name, real });
+    let real = real(spec.precision);
+    let frame = Frame::new(controller, real, &C { spec, name: &name, real, annotated });
     let head = header::lines(controller, Language::C);
+    let contracts = match annotated {
+        true => Contracts::new(controller, &frame),
+        false => Contracts::default(),
+    };
     let externs = externs(spec, &name);
     let hold = match spec.after {
         After::Hold => "PTC_HOLD",
@@ -29,21 +40,24 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         head: &head,
         parameters: &declared(spec),
         externs: &externs,
+        contracts: &contracts,
         frame: &frame,
     };
     let mut lines = frame.step.iter().chain(&frame.functions);
     let loops = lines.any(|line| line.contains("uint32_t"));
     let pad = if spec.guard == Guard::Full { "        " } else { "    " };
     let source = Source { name: &name, loops, pad, hold, externs: &externs, frame: &frame };
+    let proof = annotated.then(|| eva::harness(controller, &frame, &externs));
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
         .into_iter()
         .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
+        .chain(proof)
         .collect()
 }
 
 /// Type and name of what `step` takes beside time and state: the user's functions, and what is
 /// handed on to them.
-fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
+pub(super) fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     let mut externs = Vec::new();
     if spec.feedback == Feedback::Extern {
         externs.push((format!("{name}_pi0 "), "pi0"));
@@ -57,18 +71,33 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
+/// The type of numbers.
+pub(super) fn real(precision: Precision) -> &'static str {
+    match precision {
+        Precision::F32 => "float",
+        Precision::F64 => "double",
+    }
+}
+
+/// A number as C writes it.
+pub(super) fn number(text: &str, precision: Precision) -> String {
+    match precision {
+        Precision::F32 => format!("{text}f"),
+        Precision::F64 => text.to_owned(),
+    }
+}
+
 struct C<'a> {
     spec: &'a Spec,
     name: &'a str,
     real: &'static str,
+    /// Whether cases are split for Eva, in comments.
+    annotated: bool,
 }
 
 impl Syntax for C<'_> {
     fn literal(&self, text: &str) -> String {
-        match self.spec.precision {
-            Precision::F32 => format!("{text}f"),
-            Precision::F64 => text.to_owned(),
-        }
+        number(text, self.spec.precision)
     }
 
     fn field(&self, name: &str) -> String {
@@ -210,6 +239,9 @@ impl Syntax for C<'_> {
             "    }".to_owned(),
             "}".to_owned(),
         ]);
+        if self.annotated {
+            lines.extend(acsl::split_root(y, root.tolerance, real));
+        }
         lines
     }
 }
@@ -222,6 +254,7 @@ struct Header<'a> {
     parameters: &'a [Declared],
     /// Type and name of what `step` takes beside time and state.
     externs: &'a [(String, &'static str)],
+    contracts: &'a Contracts,
     frame: &'a Frame,
 }
 

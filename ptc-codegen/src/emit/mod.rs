@@ -3,7 +3,9 @@
 //! A printer ([`print`]) writes expressions and statements; a template places them. A template
 //! holds structure and API text, never arithmetic.
 
+mod acsl;
 mod c;
+mod eva;
 mod frame;
 mod header;
 mod plan;
@@ -57,6 +59,12 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
         Language::C => c::files(controller),
         Language::Rust => vec![rust::file(controller)],
     }
+}
+
+/// The C files of a controller with contracts and case splits in comments, and a harness with which
+/// Frama-C's plug-in Eva proves that they have no error at run time.
+pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
+    c::files_with_proof(controller)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
