@@ -1,6 +1,7 @@
 //! The layers, each in a file of its own.
 
 mod compilers;
+mod eva;
 mod identity;
 mod rules;
 mod seeded;
@@ -8,4 +9,4 @@ mod seeded;
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, identity::LAYER];
+pub const LAYERS: &[Layer] = &[compilers::LAYER, rules::LAYER, eva::LAYER, identity::LAYER];

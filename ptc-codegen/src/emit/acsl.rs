@@ -125,13 +125,13 @@ fn predicates(controller: &Controller<'_>, frame: &Frame) -> String {
     text
 }
 
-/// Whether Eva sees that a field is finite: it is a parameter, or `arm` has tested it as a variable.
-/// That `isfinite(built.c1)` was asked of a member is lost on it.
+/// Whether Eva sees that a field is finite: `init` or `arm` has asked `isfinite` of a variable that it
+/// is. That it was asked of a member, as in `isfinite(built.c1)`, is lost on Eva.
 fn is_seen(controller: &Controller<'_>, field: &Field) -> bool {
     let tested = |p| matches!(controller.spec().domain(p), Domain::Finite | Domain::Positive);
     match controller.program.get(field.value).op {
         Op::Input(Input::Parameter(parameter)) => tested(parameter),
-        _ => field.armed && field.name != "correction",
+        _ => matches!(field.name.as_str(), "t0" | "deadline"),
     }
 }
 

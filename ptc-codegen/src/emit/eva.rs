@@ -52,6 +52,11 @@ pub(super) fn harness(
     let run_time_limit = open(Parameter::UMax);
     let u_max = spec.fixed.get(&Parameter::UMax).filter(|fixed| fixed.number().is_some());
     let fixed_limit = u_max.map(|fixed| text(rounded(fixed, spec)));
+    let calls = calls(&name, frame, externs);
+    let with = |argument: &str| {
+        let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
+        having.map(|call| call.text(&name, None)).collect()
+    };
     let harness = Harness {
         name: &name,
         prefix: &prefix,
@@ -63,7 +68,12 @@ pub(super) fn harness(
         run_time_limit,
         fixed_limit,
         handed: handed(&name, externs),
-        null_calls: null_calls(&name, frame, externs),
+        null_calls: calls
+            .iter()
+            .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))
+            .collect(),
+        state_calls: with("x"),
+        timed_calls: with("t"),
         all_places: spec.run_time_parameters().map(|p| place("params.", p)).collect(),
         sees_all: spec.guard == Guard::Full || frame.associated,
         compared: spec.run_time_parameters().any(compared),
@@ -152,39 +162,48 @@ fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
     externs.iter().map(one).collect()
 }
 
-/// Calls in which one pointer is NULL, for each pointer that is checked.
-fn null_calls(name: &str, frame: &Frame, externs: &[(String, &'static str)]) -> Vec<String> {
-    let functions = externs.iter().filter(|(_, argument)| *argument != "context");
-    let functions: Vec<_> = functions.map(|(_, f)| format!("{name}_eva_{f}")).collect();
-    let context = (!functions.is_empty()).then_some("NULL");
-    let zero = frame.zero.as_str();
-    let call = |function: &str,
-                pointers: &[&str],
-                missing: usize,
-                with: &dyn Fn(Vec<&str>) -> Vec<String>| {
-        let mut given = pointers.to_vec();
-        given[missing] = "NULL";
-        format!("{name}_{function}({})", with(given).join(", "))
-    };
-    let mut calls = Vec::new();
-    let (last, drift) = if frame.associated { ("x", Some(zero)) } else { ("&u", None) };
-    let mut pointers = vec!["&self", "x"];
-    pointers.extend(functions.iter().map(String::as_str));
-    pointers.push(last);
-    let main = |given: Vec<&str>| {
-        let (own, rest) = given.split_at(2);
-        let (laws, out) = rest.split_at(rest.len() - 1);
-        let all = [own[0], "t", own[1]].into_iter().chain(drift).chain(laws.iter().copied());
-        all.chain(context).chain(out.iter().copied()).map(str::to_owned).collect()
-    };
-    let function = if frame.associated { "rate" } else { "step" };
-    calls.extend((0..pointers.len()).map(|missing| call(function, &pointers, missing, &main)));
+/// A function of the controller: what it is called with, and which of that are pointers.
+struct Call {
+    function: &'static str,
+    arguments: Vec<String>,
+    pointers: Vec<usize>,
+}
+
+impl Call {
+    fn text(&self, name: &str, missing: Option<usize>) -> String {
+        let given = self.arguments.iter().enumerate();
+        let given: Vec<_> = given
+            .map(|(at, argument)| if missing == Some(at) { "NULL" } else { argument.as_str() })
+            .collect();
+        format!("{name}_{}({})", self.function, given.join(", "))
+    }
+}
+
+/// The calls of all functions that take time or a state.
+fn calls(name: &str, frame: &Frame, externs: &[(String, &'static str)]) -> Vec<Call> {
+    let mut arguments = vec!["&self".to_owned(), "t".to_owned(), "x".to_owned()];
+    let mut pointers = vec![0, 2];
+    if frame.associated {
+        arguments.push(frame.zero.clone());
+    }
+    for (_, argument) in externs {
+        if *argument == "context" {
+            arguments.push("NULL".to_owned());
+        } else {
+            pointers.push(arguments.len());
+            arguments.push(format!("{name}_eva_{argument}"));
+        }
+    }
+    pointers.push(arguments.len());
+    let (function, last) = if frame.associated { ("rate", "xi_dot") } else { ("step", "&u") };
+    arguments.push(last.to_owned());
+    let mut calls = vec![Call { function, arguments, pointers }];
     if !frame.gains.is_empty() {
-        let tick =
-            |given: Vec<&str>| vec![given[0].to_owned(), "t".to_owned(), given[1].to_owned()];
-        let axis = |given: Vec<&str>| given.into_iter().map(str::to_owned).collect();
-        calls.extend((0..2).map(|missing| call("tick", &["&self", "&gains"], missing, &tick)));
-        calls.extend((0..3).map(|missing| call("axis", &["&gains", "x", "&u"], missing, &axis)));
+        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
+        let tick = words(&["&self", "t", "&gains"]);
+        calls.push(Call { function: "tick", arguments: tick, pointers: vec![0, 2] });
+        let axis = words(&["&gains", "x", "&u"]);
+        calls.push(Call { function: "axis", arguments: axis, pointers: vec![0, 1, 2] });
     }
     calls
 }
@@ -208,7 +227,11 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Arguments between state and u.
     handed: String,
+    /// Calls in which one pointer is NULL, for each that is checked.
     null_calls: Vec<String>,
+    /// Calls that take the state, and those that take time.
+    state_calls: Vec<String>,
+    timed_calls: Vec<String>,
     /// Places of all run-time parameters.
     all_places: Vec<String>,
     /// Whether the domain of any parameter is told by comparisons alone, and of tau and t0.
