@@ -62,6 +62,15 @@ pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
     })?
 }
 
+/// Generates the C files of one controller for a proof that they have no error at run time: header
+/// and source, which differ from those of [`generate`] by comments alone, and the proof's harness.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, and every check that refuses it.
+pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_with_proof)
+}
+
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
 /// facade crate `ptc` in place of its own.
 ///

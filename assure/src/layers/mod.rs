@@ -4,6 +4,7 @@ mod command;
 mod comparison;
 mod compilers;
 mod cpp;
+mod eva;
 mod fmu;
 mod fuzz;
 mod identity;
@@ -26,6 +27,7 @@ pub const LAYERS: &[Layer] = &[
     supply::LAYER,
     compilers::LAYER,
     rules::LAYER,
+    eva::LAYER,
     selftest::LAYER,
     rust::LAYER,
     miri::LAYER,

@@ -136,6 +136,10 @@ pub(crate) struct Emit {
     /// for a project, which takes a new or an empty one, the controller's name]
     #[arg(short, long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// With --lang c: put ACSL contracts into the header, and write NAME_eva.c, which proves with
+    /// Frama-C that the code has no error at run time
+    #[arg(long)]
+    pub(crate) acsl: bool,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,

@@ -7,7 +7,7 @@ use std::path::Path;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::spec::Spec;
-use ptc_codegen::{generate, generate_selftest, project};
+use ptc_codegen::{generate, generate_selftest, generate_with_proof, project};
 
 use super::args::Emit;
 use super::fmu;
@@ -17,12 +17,7 @@ use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
-    if request.selftest && request.lang != Some(Language::C) {
-        return Err(Failure::because(
-            "`--selftest` is written in C only".to_owned(),
-            "give --lang c with it; in Rust, the tests of your own crate run on the target",
-        ));
-    }
+    beside_c(request)?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = given.read()?;
@@ -45,9 +40,29 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
 }
 
+/// What goes beside C alone is asked for with C.
+fn beside_c(request: &Emit) -> Result<(), Failure> {
+    let given = [(request.acsl, "--acsl"), (request.selftest, "--selftest")];
+    let Some((_, flag)) = given.iter().find(|(given, _)| *given) else { return Ok(()) };
+    let other = match (request.lang, request.project, &request.dump) {
+        (Some(Language::C), _, None) => return Ok(()),
+        (_, _, Some(_)) => "--dump".to_owned(),
+        (Some(language), _, _) => format!("--lang {}", language.name()),
+        (None, Some(project), _) => format!("--project {}", project.name()),
+        (None, None, _) => return Ok(()),
+    };
+    Err(Failure::because(
+        format!("`{flag}` goes with C, and `{other}` asks for something else"),
+        &format!("give --lang c without --dump, or leave {flag} out"),
+    ))
+}
+
 /// The files of a language, and what goes with them by flags.
 fn sources(request: &Emit, spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let mut files = generate(spec, language)?;
+    let mut files = match request.acsl {
+        true => generate_with_proof(spec)?,
+        false => generate(spec, language)?,
+    };
     if request.selftest {
         files.extend(generate_selftest(spec)?);
     }

@@ -3,8 +3,10 @@
 //! A printer ([`print`]) writes expressions and statements; a template places them. A template
 //! holds structure and API text, never arithmetic.
 
+mod acsl;
 mod c;
 mod cpp;
+mod eva;
 mod example;
 pub mod fmu;
 mod frame;
@@ -230,6 +232,12 @@ fn is_derived(program: &Program, field: &Field) -> bool {
     let of_time = |name: &str| matches!(name, "deadline" | "correction");
     !matches!(value.op, Op::Input(_))
         && !(field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n)))
+}
+
+/// The C files of a controller with contracts and case splits in comments, and a harness with which
+/// Frama-C's plug-in Eva proves that they have no error at run time.
+pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
+    c::files_with_proof(controller)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
