@@ -2,6 +2,7 @@
 //! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
+pub mod cost;
 pub mod cpp;
 pub mod goldens;
 pub mod machine;

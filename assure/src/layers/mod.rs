@@ -3,6 +3,7 @@
 mod command;
 mod comparison;
 mod compilers;
+pub mod cost;
 mod cpp;
 mod eva;
 mod fmu;
@@ -29,6 +30,7 @@ pub const LAYERS: &[Layer] = &[
     rules::LAYER,
     eva::LAYER,
     selftest::LAYER,
+    cost::LAYER,
     rust::LAYER,
     miri::LAYER,
     identity::LAYER,

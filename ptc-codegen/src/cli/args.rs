@@ -146,6 +146,9 @@ pub(crate) struct Emit {
     /// Also write NAME_selftest.c and .h, which test the controller on its target (C only)
     #[arg(long, conflicts_with = "dump")]
     pub(crate) selftest: bool,
+    /// Tell in the head of the files what one step costs, from a table of `cargo assure cost`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "acsl"])]
+    pub(crate) cost: Option<PathBuf>,
     /// Print the program after PASS instead of any source (lower: before the first)
     #[arg(long, value_name = "PASS", value_parser = pass_names())]
     pub(crate) dump: Option<String>,

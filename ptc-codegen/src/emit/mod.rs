@@ -12,6 +12,7 @@ pub mod fmu;
 mod frame;
 mod header;
 mod matlab;
+pub mod measured;
 mod plan;
 mod print;
 mod project;
@@ -147,6 +148,8 @@ pub struct Controller<'a> {
     pub law: &'a Law,
     /// The optimised program.
     pub program: &'a Program,
+    /// What a step was measured to cost, for the head of the emitted files.
+    pub measured: &'a [measured::Measured],
 }
 
 impl<'a> Controller<'a> {
