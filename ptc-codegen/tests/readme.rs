@@ -12,8 +12,9 @@ const README: &str = include_str!("../../README.md");
 const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 7] = [
+const PAGES: [(&str, &str); 8] = [
     ("expressions.md", EXPRESSIONS),
+    ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
     ("checks/README.md", include_str!("../../docs/checks/README.md")),
     ("checks/membership.md", include_str!("../../docs/checks/membership.md")),
     ("checks/growth.md", include_str!("../../docs/checks/growth.md")),

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, bail};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::spec::{Parameter, Precision, Spec};
 
 use self::log::Log;
 use crate::context::Context;
@@ -44,7 +44,8 @@ const MODES: [(&str, Option<&str>, &str); 2] =
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("eva");
     let mut names = BTreeSet::new();
-    let mut specs = [context.goldens(), context.families(6), context.random(RANDOM)].concat();
+    let random = context.random(RANDOM).into_iter().map(within_range).collect();
+    let mut specs = [context.goldens(), context.families(6), random].concat();
     // The goldens are families of the orders 1 to 5.
     specs.retain(|spec| names.insert(spec.name()));
     // The iterated ones take longest: first, so that none is waited for at the end.
@@ -60,12 +61,17 @@ fn run(context: &Context) -> Result<Finding> {
     let mut finding = Finding::default();
     let mut sums = [[0; 3]; 2];
     let mut trusted = BTreeSet::new();
-    for ((index, (_, mode)), log) in work.iter().zip(told) {
-        let log = log?;
+    let mut open = Vec::new();
+    for ((index, (batch, mode)), log) in work.iter().zip(told) {
+        let mut log = log?;
         let sum = &mut sums[usize::from(mode.1.is_some())];
         sum[0] += log.proved;
         sum[1] += log.unproved;
         sum[2] += log.alarms.len();
+        if mode.1.is_some() && is_open(&batch[0]) && !log.alarms.is_empty() {
+            open.push(vec![batch[0].name(), log.alarms.len().to_string(), log.alarms[0].clone()]);
+            log.forgive();
+        }
         let named = |fault: &String| format!("run {index}, {}: {fault}", mode.0);
         finding.failures.extend(log.faults().iter().map(named));
         trusted.extend(log.trusted);
@@ -86,6 +92,12 @@ fn run(context: &Context) -> Result<Finding> {
         head: vec!["mode", "controllers", "properties proved", "not proved", "alarms"],
         rows: MODES.iter().zip(&sums).map(row).collect(),
     });
+    if !open.is_empty() {
+        let title = "Not proved in finite mode: the root of a mapping of the user's own, whose \
+                     bracket is too wide to be split";
+        let head = vec!["controller", "alarms", "the first"];
+        finding.tables.push(Table { title: title.to_owned(), head, rows: open });
+    }
     let trusted: Vec<_> = trusted.into_iter().collect();
     finding.notes.push(format!(
         "Taken from Frama-C's own contracts of the C library: {}.",
@@ -93,6 +105,22 @@ fn run(context: &Context) -> Result<Finding> {
     ));
     seeds::seeded(&folder, context, &mut finding)?;
     Ok(finding)
+}
+
+/// Whether finite mode is known not to be proved: a mapping without a closed inverse has a bracket
+/// from the start to far beyond the deadline, in which the iteration may end anywhere for all that
+/// Eva sees.
+fn is_open(spec: &Spec) -> bool {
+    spec.custom().is_some() && spec.is_iterated()
+}
+
+/// Without an eps that is fixed where the gains of order 6 then honestly overflow f32: the harness
+/// takes a greater one.
+fn within_range(mut spec: Spec) -> Spec {
+    if spec.precision == Precision::F32 {
+        spec.fixed.remove(&Parameter::Eps);
+    }
+    spec
 }
 
 /// Runs Eva over the controllers in one of the modes.
