@@ -1,6 +1,7 @@
 //! What a layer works on: the controllers of the goldens, those of every family, and random ones.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use ptc_codegen::mapping::Family;
 use ptc_codegen::spec::{Precision, Spec};
@@ -15,17 +16,24 @@ pub struct Context {
     root: PathBuf,
     /// The seed of random specs and records.
     pub seed: u64,
+    /// How long random controllers are drawn.
+    pub time: Duration,
 }
 
 impl Context {
     /// The context that works below `root`.
     pub fn new(root: PathBuf, seed: u64) -> Self {
-        Self { root, seed }
+        Self { root, seed, time: Duration::from_secs(20) }
     }
 
     /// An empty folder of a layer's own.
     pub fn scratch(&self, name: &str) -> PathBuf {
         empty(&self.root.join(name))
+    }
+
+    /// A folder whose contents one run leaves to the next, for builds.
+    pub fn shared(&self, name: &str) -> PathBuf {
+        self.root.join("builds").join(name)
     }
 
     /// The root of the workspace.

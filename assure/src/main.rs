@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use anyhow::{Context as _, Result, bail};
 use clap::Parser;
@@ -27,6 +28,9 @@ struct CommandLine {
     /// Seed of the random controllers and records
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Minutes for which the layer `fuzz` draws controllers; a third of one without it
+    #[arg(long, value_name = "MINUTES")]
+    minutes: Option<f64>,
     /// Install nothing: a layer that lacks a tool is not run
     #[arg(long)]
     no_install: bool,
@@ -62,7 +66,11 @@ fn execute(line: &CommandLine) -> Result<bool> {
     let here = Context::new(PathBuf::new(), line.seed);
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let target = std::path::absolute(target.unwrap_or_else(|| here.workspace().join("target")))?;
-    let context = Context::new(target.join("assure"), line.seed);
+    let mut context = Context::new(target.join("assure"), line.seed);
+    if let Some(minutes) = line.minutes {
+        context.time = Duration::try_from_secs_f64(60.0 * minutes)
+            .with_context(|| format!("--minutes {minutes}: give a number from 0 on"))?;
+    }
     let mut outcomes: Vec<(&Layer, Outcome)> = Vec::new();
     for layer in chosen {
         eprintln!("{} ...", layer.name);

@@ -20,11 +20,13 @@ pub mod law;
 pub mod lower;
 pub mod mapping;
 pub mod program;
+pub mod reference;
+pub mod selftest;
 pub mod spec;
 
 use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
-use emit::{Controller, File, Language};
+use emit::{Controller, File, Language, Project};
 use law::Law;
 use program::{Op, Program, number, passes};
 use spec::{Precision, Spec};
@@ -32,9 +34,32 @@ use spec::{Precision, Spec};
 /// Generates the source files of one controller.
 ///
 /// # Errors
-/// Everything in the spec that cannot be generated, and every check that refuses it.
+/// Everything in the spec that cannot be generated, in this language or at all, and every check that
+/// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, |controller| emit::emit(controller, language))
+    emitted(spec, |controller| emit::emit(controller, language))?
+}
+
+/// Generates the files of a small project around one controller, by their paths in it.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
+pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+    project.accepts(spec)?;
+    emitted(spec, |controller| project.files(controller))
+}
+
+/// The self-test of one controller in C: the source that a target compiles beside the controller,
+/// and its header.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, every check that refuses it, and what has no
+/// self-test.
+pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, |controller| {
+        let test = selftest::SelfTest::new(controller)?;
+        Ok(emit::emit_selftest(controller, &test))
+    })?
 }
 
 /// Generates the C files of one controller for a proof that they have no error at run time: header

@@ -491,3 +491,32 @@ fn dump_shows_the_program_after_a_pass() {
     assert!(lowered.contains(" power v") && !chained.contains(" power v"), "{lowered}{chained}");
     assert!(stderr(&args("chain"), 2).contains("chains"), "a near miss is suggested");
 }
+
+#[test]
+fn a_self_test_stands_beside_its_controller() {
+    let folder = folder("selftest");
+    let out = folder.to_str().expect("UTF-8");
+    let emit = ["emit", "--lang=c", "--n=2", "--mu=exp", "--name=roll", "--selftest", "-o", out];
+    let told = stdout(&emit);
+    let files = ["roll.c", "roll.h", "roll_selftest.c", "roll_selftest.h"];
+    assert_eq!(names(&folder), files);
+    assert!(files.iter().all(|file| told.contains(file)), "{told}");
+    let again = [&emit[..], &["--check"]].concat();
+    assert_eq!(stdout(&again).matches("up to date").count(), 4);
+    // The controller is the same with and without.
+    let alone = stdout(&["emit", "--lang=c", "--n=2", "--mu=exp", "--name=roll", "-o", "-"]);
+    let source = fs::read_to_string(folder.join("roll.c")).expect("there");
+    assert!(alone.ends_with(&source));
+}
+
+#[test]
+fn what_has_no_self_test_is_told_before_anything_is_written() {
+    let folder = folder("no_selftest");
+    let out = folder.to_str().expect("UTF-8");
+    let design = ["--n=1", "--mu=exp", "--selftest", "-o", out];
+    let told = stderr(&[&["emit", "--lang=rust"][..], &design].concat(), 2);
+    assert!(told.contains("C only") && told.contains("--lang c"), "{told}");
+    let told = stderr(&[&["emit", "--lang=c", "--what=associated"][..], &design].concat(), 2);
+    assert!(told.contains("the associated system has no self-test"), "{told}");
+    assert!(names(&folder).is_empty());
+}

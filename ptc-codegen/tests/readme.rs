@@ -11,10 +11,13 @@ const README: &str = include_str!("../../README.md");
 
 const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
+const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
+
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 8] = [
+const PAGES: [(&str, &str); 9] = [
     ("expressions.md", EXPRESSIONS),
     ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
+    ("assurance/selftest.md", SELFTEST),
     ("checks/README.md", include_str!("../../docs/checks/README.md")),
     ("checks/membership.md", include_str!("../../docs/checks/membership.md")),
     ("checks/growth.md", include_str!("../../docs/checks/growth.md")),
@@ -147,6 +150,20 @@ fn programs_on_expressions_in_c() {
             "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
         shell(&format!("{strict} -o demo main.c out/{source} -lm && ./demo"), &folder);
     }
+}
+
+#[test]
+fn a_self_test_before_the_start() {
+    let folder = folder("selftest");
+    for command in blocks_of(SELFTEST, "sh") {
+        printed(command.trim_end(), &folder);
+    }
+    let [program] = &blocks_of(SELFTEST, "c")[..] else { panic!("one program") };
+    fs::write(folder.join("main.c"), program).expect("writable");
+    let strict =
+        "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
+    let sources = "main.c out/stage.c out/stage_selftest.c";
+    shell(&format!("{strict} -o demo {sources} -lm && ./demo"), &folder);
 }
 
 #[test]

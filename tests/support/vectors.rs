@@ -52,9 +52,18 @@ impl Vector {
 
 /// All vectors of a file in tests/data.
 pub(crate) fn read(file: &str) -> Vec<Vector> {
+    lines(file).into_iter().map(|(vector, _)| vector).collect()
+}
+
+/// The same, each with all digits of its u.
+pub(crate) fn lines(file: &str) -> Vec<(Vector, String)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(file);
     let text = fs::read_to_string(&path).expect("a file of vectors");
-    let vectors: Vec<_> = text.lines().map(vector).collect();
+    let digits = |line: &str| {
+        let line: Value = serde_json::from_str(line).expect("JSON");
+        line["u"].as_str().expect("u as a string").to_owned()
+    };
+    let vectors: Vec<_> = text.lines().map(|line| (vector(line), digits(line))).collect();
     assert!(vectors.len() > 300, "{} holds {} vectors", path.display(), vectors.len());
     vectors
 }

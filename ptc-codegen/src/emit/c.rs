@@ -5,9 +5,19 @@ use askama::Template;
 use super::acsl::{self, Contracts};
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, eva, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, eva, header, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec};
+
+pub(super) const TARGET: Target = Target {
+    language: Language::C,
+    name: "c",
+    about: "a header and a source file, C99",
+    comment: ("/* ", " */"),
+    is_word: |_| false,
+    refuse: |_, _| {},
+    files,
+};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
@@ -22,8 +32,7 @@ pub(super) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
 fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let real = real(spec.precision);
-    let frame = Frame::new(controller, real, &C { spec, name: &name, real, annotated });
+    let frame = Frame::new(controller, real(spec), &C { annotated, ..C::new(spec) });
     let head = header::lines(controller, Language::C);
     let contracts = match annotated {
         true => Contracts::new(controller, &frame),
@@ -72,8 +81,8 @@ pub(super) fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
 }
 
 /// The type of numbers.
-pub(super) fn real(precision: Precision) -> &'static str {
-    match precision {
+pub(super) fn real(spec: &Spec) -> &'static str {
+    match spec.precision {
         Precision::F32 => "float",
         Precision::F64 => "double",
     }
@@ -87,12 +96,18 @@ pub(super) fn number(text: &str, precision: Precision) -> String {
     }
 }
 
-struct C<'a> {
+pub(super) struct C<'a> {
     spec: &'a Spec,
-    name: &'a str,
+    name: String,
     real: &'static str,
     /// Whether cases are split for Eva, in comments.
     annotated: bool,
+}
+
+impl<'a> C<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        Self { spec, name: spec.name(), real: real(spec), annotated: false }
+    }
 }
 
 impl Syntax for C<'_> {
@@ -130,11 +145,8 @@ impl Syntax for C<'_> {
         format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})")
     }
 
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
-        format!(
-            "(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : ({})NAN",
-            self.real
-        )
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
+        format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : ({})NAN", self.real)
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {
@@ -173,7 +185,7 @@ impl Syntax for C<'_> {
 
     /// All names in it are reserved, so that none hides a controller's type.
     fn rows_function(&self, weights: usize) -> Vec<String> {
-        let (name, real, tail) = (self.name, self.real, weights - 1);
+        let (name, real, tail) = (&self.name, self.real, weights - 1);
         let lines = [
             &format!("static void {name}_rows({real} row[{weights}], const {real} p[{tail}])"),
             "{",
@@ -199,6 +211,10 @@ impl Syntax for C<'_> {
             "}",
         ];
         lines.map(str::to_owned).to_vec()
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
     }
 
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {

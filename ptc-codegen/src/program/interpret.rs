@@ -1,6 +1,6 @@
 //! The interpreter: the same operations in the same order and precision as the emitted code.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Input, Op, Program, Root, Value, number, rows};
 use crate::expression::Function;
@@ -9,6 +9,9 @@ use crate::spec::Precision;
 /// The user's own law of xi_1..xi_n and stretched time.
 pub type UserLaw<'a> = &'a dyn Fn(&[f64]) -> f64;
 
+/// A way that a value took where its operation has several: see [`Interpreter::decisions`].
+pub type Decision = (Value, &'static str);
+
 /// The values of a program for given inputs.
 pub struct Interpreter<'a> {
     program: &'a Program,
@@ -16,6 +19,7 @@ pub struct Interpreter<'a> {
     law: Option<UserLaw<'a>>,
     known: Vec<Option<f64>>,
     arrays: BTreeMap<Value, Vec<f64>>,
+    decisions: BTreeSet<Decision>,
 }
 
 impl<'a> Interpreter<'a> {
@@ -27,7 +31,14 @@ impl<'a> Interpreter<'a> {
             law: None,
             known: vec![None; program.values.len()],
             arrays: BTreeMap::new(),
+            decisions: BTreeSet::new(),
         }
+    }
+
+    /// The ways that the emitted code took so far where it has a branch: which operand is the
+    /// lesser or the greater one, which sign a number has, and how an iteration went.
+    pub fn decisions(&self) -> &BTreeSet<Decision> {
+        &self.decisions
     }
 
     /// The same with the user's own law, of xi_1..xi_n and stretched time; without one it is NaN.
@@ -38,13 +49,18 @@ impl<'a> Interpreter<'a> {
 
     /// The number that `value` takes.
     pub fn value(&mut self, value: Value) -> f64 {
-        for needed in self.program.needed(&[value]) {
+        self.values(&[value])[0]
+    }
+
+    /// The numbers that several values take, each operation done once.
+    pub fn values(&mut self, values: &[Value]) -> Vec<f64> {
+        for needed in self.program.needed(values) {
             if self.known[needed.0].is_none() && !self.program.get(needed).looped {
                 let result = self.compute(needed);
                 self.known[needed.0] = Some(result);
             }
         }
-        self.at(value)
+        values.iter().map(|value| self.at(*value)).collect()
     }
 
     fn at(&self, value: Value) -> f64 {
@@ -54,7 +70,7 @@ impl<'a> Interpreter<'a> {
     fn compute(&mut self, value: Value) -> f64 {
         match &self.program.get(value).op {
             Op::Input(input) => (self.input)(*input),
-            Op::Root(root) => self.root(root),
+            Op::Root(root) => self.root(value, root),
             Op::Law(arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|v| self.at(*v)).collect();
                 self.law.map_or(f64::NAN, |law| law(&arguments))
@@ -72,12 +88,13 @@ impl<'a> Interpreter<'a> {
             Op::Element(array, index) => self.arrays[array][*index],
             op => {
                 let operands: Vec<_> = op.operands().iter().map(|v| self.at(*v)).collect();
+                self.decisions.extend(way(op, &operands).map(|way| (value, way)));
                 apply(op, &operands, self.program.precision).unwrap_or(f64::NAN)
             }
         }
     }
 
-    fn root(&mut self, root: &Root) -> f64 {
+    fn root(&mut self, value: Value, root: &Root) -> f64 {
         let precision = self.program.precision;
         let targets = [root.residual, root.next, root.size];
         let body: Vec<_> = self
@@ -88,28 +105,52 @@ impl<'a> Interpreter<'a> {
             .collect();
         let (mut low, mut high, mut y) =
             (self.at(root.low), self.at(root.high), self.at(root.start));
+        let mut ended = "exhausted";
         for _ in 0..root.rounds {
             self.known[root.unknown.0] = Some(y);
             for value in &body {
                 let result = self.compute(*value);
                 self.known[value.0] = Some(result);
             }
-            if self.at(root.residual) > 0.0 {
+            let right = self.at(root.residual) > 0.0;
+            if right {
                 low = y;
             } else {
                 high = y;
             }
             let next = self.at(root.next);
+            let proposal = match () {
+                () if next >= low && next <= high => "inside",
+                () if next >= low => "beyond",
+                () => "before",
+            };
+            self.decisions
+                .extend([(value, if right { "right" } else { "left" }), (value, proposal)]);
             y = if next >= low && next <= high {
                 next
             } else {
                 settle_mul(0.5, number::settle(low + high, precision), precision)
             };
             if self.at(root.size) <= self.at(root.tolerance) {
+                ended = "ended";
                 break;
             }
         }
+        self.decisions.insert((value, ended));
         y
+    }
+}
+
+/// The way of an operation that is emitted with a branch.
+fn way(op: &Op, operands: &[f64]) -> Option<&'static str> {
+    match (op, operands) {
+        (Op::Min(..) | Op::Max(..), [a, b]) => Some(if a < b { "less" } else { "not less" }),
+        (Op::Call(Function::Sign, _), [a]) | (Op::Quotient(..), [_, a]) => Some(match () {
+            () if *a > 0.0 => "positive",
+            () if *a < 0.0 => "negative",
+            () => "zero",
+        }),
+        _ => None,
     }
 }
 

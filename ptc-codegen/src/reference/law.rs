@@ -1,0 +1,143 @@
+//! Expressions of the state with a bound of what rounding may do to them.
+
+use astro_float_num::BigFloat;
+
+use super::long::{Arithmetic, below};
+use crate::expression::{Expression, Function, Variable};
+use crate::spec::Parameter;
+
+/// A value, and the size of the terms that it consists of: what one relative error of each term
+/// adds up to, to first order.
+#[derive(Clone)]
+pub(super) struct Term {
+    pub(super) value: BigFloat,
+    pub(super) size: BigFloat,
+}
+
+impl Term {
+    /// A number that is given: its own size is its only term's.
+    pub(super) fn given(value: BigFloat) -> Self {
+        Self { size: value.abs(), value }
+    }
+}
+
+/// What the leaves of an expression stand for.
+pub(super) struct Leaves<'a> {
+    pub(super) parameter: &'a dyn Fn(Parameter) -> BigFloat,
+    pub(super) variable: &'a dyn Fn(Variable) -> Term,
+}
+
+impl Arithmetic {
+    /// The value of an expression. Constants and parameters are exact; each operation is as wrong
+    /// as its operands make it, and by one unit of its own.
+    pub(super) fn term(&mut self, expression: &Expression, leaves: &Leaves<'_>) -> Term {
+        let mut inner = |e: &Expression| self.term(e, leaves);
+        let exact = |own: &Self, value| Term { value, size: own.integer(0) };
+        let (value, size) = match expression {
+            Expression::Number(number) => return exact(self, self.exact(number)),
+            Expression::Pi => {
+                let pi = self.pi();
+                return exact(self, pi);
+            }
+            Expression::Parameter(p) => return exact(self, (leaves.parameter)(*p)),
+            Expression::Variable(v) => return (leaves.variable)(*v),
+            Expression::Neg(a) => {
+                let a = inner(a);
+                return Term { value: a.value.neg(), size: a.size };
+            }
+            Expression::Add(a, b) | Expression::Sub(a, b) => {
+                let (a, b) = (inner(a), inner(b));
+                let minus = matches!(expression, Expression::Sub(..));
+                let value =
+                    if minus { self.sub(&a.value, &b.value) } else { self.add(&a.value, &b.value) };
+                // Terms of which each is exact, as one of a sum of numbers, still count.
+                let size = |term: &Term| larger(&term.size, &term.value);
+                (value, self.add(&size(&a), &size(&b)))
+            }
+            Expression::Mul(a, b) => {
+                let (a, b) = (inner(a), inner(b));
+                let sizes = [self.mul(&a.value, &b.size), self.mul(&b.value, &a.size)];
+                (self.mul(&a.value, &b.value), self.add(&sizes[0].abs(), &sizes[1].abs()))
+            }
+            Expression::Div(a, b) => {
+                let (a, b) = (inner(a), inner(b));
+                let value = self.div(&a.value, &b.value);
+                let sizes = [a.size.clone(), self.mul(&value, &b.size)];
+                let size = self.add(&sizes[0], &sizes[1].abs());
+                (value, self.div(&size, &b.value.abs()))
+            }
+            Expression::Power(a, b) => return self.power_term(a, b, leaves),
+            Expression::Min(a, b) | Expression::Max(a, b) => {
+                let (a, b) = (inner(a), inner(b));
+                let least = matches!(expression, Expression::Min(..));
+                return if below(&a.value, &b.value) == least { a } else { b };
+            }
+            Expression::Call(function, a) => {
+                let a = inner(a);
+                let slope = self.slope(*function, &a.value);
+                (self.call(*function, &a.value), self.mul(&slope, &a.size).abs())
+            }
+        };
+        Term { size: larger(&size, &value), value }
+    }
+
+    fn power_term(&mut self, a: &Expression, b: &Expression, leaves: &Leaves<'_>) -> Term {
+        let (base, exponent) = (self.term(a, leaves), self.term(b, leaves));
+        let value = match b.small_integer() {
+            Some(k) => {
+                let one = self.integer(1);
+                let power =
+                    (0..k.unsigned_abs()).fold(one.clone(), |p, _| self.mul(&p, &base.value));
+                if k < 0 { self.div(&one, &power) } else { power }
+            }
+            None => self.power(&base.value, &exponent.value),
+        };
+        // Relative: b da/a + ln a db.
+        let relative = self.div(&self.mul(&exponent.value, &base.size), &base.value).abs();
+        let mut size = self.mul(&relative, &value);
+        if !exponent.size.is_zero() {
+            let logarithm = self.ln(&base.value);
+            let by_exponent = self.mul(&self.mul(&logarithm, &exponent.size), &value);
+            size = self.add(&size.abs(), &by_exponent.abs());
+        }
+        // 0^k is 0, whatever 0/0 gives.
+        let size = if base.value.is_zero() { value.abs() } else { size };
+        Term { size: larger(&size.abs(), &value), value }
+    }
+
+    /// The derivative of a function.
+    fn slope(&mut self, function: Function, a: &BigFloat) -> BigFloat {
+        let (one, two) = (self.integer(1), self.integer(2));
+        let square = self.mul(a, a);
+        match function {
+            Function::Abs => one,
+            Function::Sign => self.integer(0),
+            Function::Sqrt => {
+                let root = self.sqrt(a);
+                self.div(&one, &self.mul(&two, &root))
+            }
+            Function::Exp => self.exp(a),
+            Function::Ln => self.div(&one, a),
+            Function::Sin => self.call(Function::Cos, a),
+            Function::Cos => self.call(Function::Sin, a),
+            Function::Tan => {
+                let tan = self.call(Function::Tan, a);
+                self.add(&one, &self.mul(&tan, &tan))
+            }
+            Function::Atan => self.div(&one, &self.add(&one, &square)),
+            Function::Sinh => self.call(Function::Cosh, a),
+            Function::Cosh => self.call(Function::Sinh, a),
+            Function::Tanh => {
+                let tanh = self.call(Function::Tanh, a);
+                self.sub(&one, &self.mul(&tanh, &tanh))
+            }
+            Function::Atanh => self.div(&one, &self.sub(&one, &square)),
+        }
+    }
+}
+
+/// The greater of a size and |value|.
+fn larger(size: &BigFloat, value: &BigFloat) -> BigFloat {
+    let value = value.abs();
+    if below(size, &value) { value } else { size.clone() }
+}

@@ -1,0 +1,250 @@
+//! Long floating-point numbers of one working precision.
+
+use astro_float_num::{BigFloat, Consts, INF_POS, NAN, RoundingMode};
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use crate::algebra::{BigInt, BigRational};
+use crate::expression::Function;
+
+/// How the library rounds: the error of one operation is below one unit of the last place either
+/// way, and two precisions that agree tell what it adds up to.
+const NEAREST: RoundingMode = RoundingMode::ToEven;
+const ANY: RoundingMode = RoundingMode::None;
+/// Arguments beyond 2^MAX_EXPONENT give no exponential, sine or cosine.
+const MAX_EXPONENT: i32 = 26;
+
+/// Arithmetic with a fixed number of bits.
+pub(super) struct Arithmetic {
+    bits: usize,
+    constants: Consts,
+}
+
+impl Arithmetic {
+    /// Arithmetic with `bits` bits; `None` where there is no memory for its constants.
+    pub(super) fn new(bits: usize) -> Option<Self> {
+        Some(Self { bits, constants: Consts::new().ok()? })
+    }
+
+    /// Bits of a number.
+    pub(super) fn bits(&self) -> usize {
+        self.bits
+    }
+
+    /// A small integer.
+    pub(super) fn integer(&self, value: i64) -> BigFloat {
+        BigFloat::from_i64(value, self.bits)
+    }
+
+    /// A double; NaN and infinities stay.
+    pub(super) fn double(&self, value: f64) -> BigFloat {
+        double(value, self.bits)
+    }
+
+    /// An exact number, rounded.
+    pub(super) fn exact(&self, value: &BigRational) -> BigFloat {
+        let (numerator, denominator) = (self.whole(value.numer()), self.whole(value.denom()));
+        self.div(&numerator, &denominator)
+    }
+
+    fn whole(&self, value: &BigInt) -> BigFloat {
+        let digits = value.magnitude().to_u64_digits();
+        let scale = self.double(2f64.powi(64));
+        let sum = digits.iter().rev().fold(self.integer(0), |sum, digit| {
+            // A digit is a word of 64 bits, taken as two halves that an i64 holds.
+            let (high, low) = (digit >> 32, digit & 0xffff_ffff);
+            let half = |half: u64| self.integer(half.to_i64().unwrap_or(i64::MAX));
+            let digit = self.add(&self.mul(&half(high), &self.double(2f64.powi(32))), &half(low));
+            self.add(&self.mul(&sum, &scale), &digit)
+        });
+        if value.is_negative() { sum.neg() } else { sum }
+    }
+
+    /// The circle constant.
+    pub(super) fn pi(&mut self) -> BigFloat {
+        self.constants.pi(self.bits, ANY)
+    }
+
+    /// a + b.
+    pub(super) fn add(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.add(b, self.bits, NEAREST)
+    }
+
+    /// a - b.
+    pub(super) fn sub(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.sub(b, self.bits, NEAREST)
+    }
+
+    /// a * b.
+    pub(super) fn mul(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.mul(b, self.bits, NEAREST)
+    }
+
+    /// a / b.
+    pub(super) fn div(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        a.div(b, self.bits, NEAREST)
+    }
+
+    /// 2^exponent, a long way from the ends of the range.
+    pub(super) fn two_to(&self, exponent: i32) -> BigFloat {
+        let mut one = self.integer(1);
+        one.set_exponent(exponent + 1);
+        one
+    }
+
+    /// Square root.
+    pub(super) fn sqrt(&self, a: &BigFloat) -> BigFloat {
+        a.sqrt(self.bits, ANY)
+    }
+
+    /// e^a, 0 and infinity where it leaves the range.
+    pub(super) fn exp(&mut self, a: &BigFloat) -> BigFloat {
+        match a.exponent() {
+            Some(e) if e > MAX_EXPONENT && a.is_negative() => self.integer(0),
+            Some(e) if e > MAX_EXPONENT => INF_POS,
+            _ if self.is_negligible(a) => self.add(&self.integer(1), a),
+            _ => a.exp(self.bits, ANY, &mut self.constants),
+        }
+    }
+
+    /// ln a.
+    pub(super) fn ln(&mut self, a: &BigFloat) -> BigFloat {
+        a.ln(self.bits, ANY, &mut self.constants)
+    }
+
+    /// a^b for positive a.
+    pub(super) fn power(&mut self, a: &BigFloat, b: &BigFloat) -> BigFloat {
+        let logarithm = self.ln(a);
+        let exponent = self.mul(b, &logarithm);
+        self.exp(&exponent)
+    }
+
+    /// Sine and cosine.
+    pub(super) fn sin_cos(&mut self, a: &BigFloat) -> [BigFloat; 2] {
+        match a.exponent() {
+            Some(e) if e > MAX_EXPONENT => [NAN, NAN],
+            _ if self.is_negligible(a) => [a.clone(), self.integer(1)],
+            _ => [
+                a.sin(self.bits, ANY, &mut self.constants),
+                a.cos(self.bits, ANY, &mut self.constants),
+            ],
+        }
+    }
+
+    /// atan a.
+    pub(super) fn atan(&mut self, a: &BigFloat) -> BigFloat {
+        if self.is_negligible(a) { a.clone() } else { a.atan(self.bits, ANY, &mut self.constants) }
+    }
+
+    /// Whether a is 0, or so small that its square is below the last place of 1: there sin a and
+    /// atan a are a, and the library would take time with the size of its exponent.
+    fn is_negligible(&self, a: &BigFloat) -> bool {
+        let places = i32::try_from(self.bits).unwrap_or(i32::MAX);
+        a.is_zero() || a.exponent().is_some_and(|e| e < -places)
+    }
+
+    /// A function of one number, its value alone.
+    pub(super) fn call(&mut self, function: Function, a: &BigFloat) -> BigFloat {
+        let (one, two) = (self.integer(1), self.integer(2));
+        match function {
+            Function::Abs => a.abs(),
+            Function::Sign if a.is_zero() => a.clone(),
+            Function::Sign => a.signum(),
+            Function::Sqrt => self.sqrt(a),
+            Function::Exp => self.exp(a),
+            Function::Ln => self.ln(a),
+            Function::Sin => self.sin_cos(a)[0].clone(),
+            Function::Cos => self.sin_cos(a)[1].clone(),
+            Function::Tan => {
+                let [sin, cos] = self.sin_cos(a);
+                self.div(&sin, &cos)
+            }
+            Function::Atan => self.atan(a),
+            Function::Sinh | Function::Cosh => {
+                let (up, down) = (self.exp(a), self.exp(&a.neg()));
+                let twice = if function == Function::Sinh {
+                    self.sub(&up, &down)
+                } else {
+                    self.add(&up, &down)
+                };
+                self.div(&twice, &two)
+            }
+            Function::Tanh => {
+                let e = self.exp(&self.mul(&two, a));
+                self.sub(&one, &self.div(&two, &self.add(&e, &one)))
+            }
+            Function::Atanh => {
+                let ratio = self.div(&self.add(&one, a), &self.sub(&one, a));
+                let twice = self.ln(&ratio);
+                self.div(&twice, &two)
+            }
+        }
+    }
+}
+
+/// A double in at least `bits` bits; NaN and infinities stay.
+pub(super) fn double(value: f64, bits: usize) -> BigFloat {
+    if !value.is_subnormal() {
+        return BigFloat::from_f64(value, bits);
+    }
+    // The library takes half of a subnormal one.
+    let mut lifted = BigFloat::from_f64(value * 2f64.powi(64), bits);
+    if let Some(exponent) = lifted.exponent() {
+        lifted.set_exponent(exponent - 64);
+    }
+    lifted
+}
+
+/// Whether a < b; false where either is no number.
+pub(super) fn below(a: &BigFloat, b: &BigFloat) -> bool {
+    a.cmp(b).is_some_and(|order| order < 0)
+}
+
+/// Whether a is a finite number.
+pub(super) fn is_finite(a: &BigFloat) -> bool {
+    !a.is_nan() && !a.is_inf()
+}
+
+/// The double nearest to a long number, but for ties that its 65th bit on would decide.
+pub(super) fn nearest(a: &BigFloat) -> f64 {
+    let sign = if a.is_negative() { -1.0 } else { 1.0 };
+    if a.is_inf() {
+        return sign * f64::INFINITY;
+    }
+    let Some((words, _, _, exponent, _)) = a.as_raw_parts() else { return f64::NAN };
+    let Some(top) = words.last().filter(|top| !top.is_zero()) else { return sign * 0.0 };
+    // The top word w stands for w 2^-64, between 1/2 and 1; two factors keep 2^exponent in range.
+    let fraction = top.to_f64().unwrap_or(f64::NAN) * 2f64.powi(-64);
+    let exponent = exponent.clamp(-2200, 2200);
+    let half = exponent / 2;
+    sign * (fraction * 2f64.powi(half)) * 2f64.powi(exponent - half)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubles_come_back() {
+        let arithmetic = Arithmetic::new(256).expect("memory");
+        for value in [0.0, 1.0, -0.1, 1e308, f64::MAX, -1e-308, 5e-324, 6.02e23, f64::INFINITY] {
+            assert_eq!(nearest(&arithmetic.double(value)), value);
+        }
+        let huge = arithmetic.mul(&arithmetic.double(f64::MAX), &arithmetic.integer(2));
+        assert_eq!(nearest(&huge), f64::INFINITY);
+    }
+
+    #[test]
+    fn exact_numbers_keep_all_digits() {
+        let arithmetic = Arithmetic::new(256).expect("memory");
+        for text in ["-12345678901234567890123456789", "1/3", "0", "7/340282366920938463463374607"]
+        {
+            let value: BigRational = text.parse().expect("a number");
+            let got = arithmetic.exact(&value);
+            let back = arithmetic.mul(&got, &arithmetic.whole(value.denom()));
+            let off = arithmetic.sub(&back, &arithmetic.whole(value.numer())).abs();
+            let allowed =
+                arithmetic.mul(&arithmetic.two_to(-250), &arithmetic.whole(value.numer()));
+            assert!(!below(&allowed.abs(), &off), "{text}");
+        }
+    }
+}

@@ -1,0 +1,335 @@
+//! The controller by its definition, in long arithmetic: what the emitted code should have given.
+//!
+//! Nothing here is shared with the way from a spec to code. The mapping is evaluated as it is
+//! defined, its derivatives are Taylor coefficients in long arithmetic, the Bell polynomials come
+//! from their recurrence, and the law is Theorem 1 as it stands. Every result is computed at two
+//! precisions, and again with more digits until both agree far beyond a double.
+
+mod law;
+mod long;
+mod mapping;
+mod series;
+pub mod tolerance;
+
+use astro_float_num::BigFloat;
+
+use crate::expression::{Expression, Variable};
+use crate::spec::{After, Domain, Feedback, Fixed, Parameter, Precision, Spec};
+use law::{Leaves, Term};
+use long::{Arithmetic, below, double, is_finite, nearest};
+use mapping::Point;
+
+/// Bits of the first of the precisions, each of which has twice those of the one before.
+const FIRST_BITS: usize = 192;
+/// Bits beyond which no agreement is sought.
+const MAX_BITS: usize = 16384;
+/// Two results agree where they differ by less than 2^-AGREED of the scale.
+const AGREED: i32 = 140;
+/// Decimal digits that agree at least: 140 bits.
+pub const DIGITS: usize = 42;
+
+/// Outcome of a call, by the names and numbers of the emitted C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// u is not finite.
+    Range = -3,
+    /// Time or state is not finite, or t before t0.
+    Input = -2,
+    /// A parameter is outside its domain.
+    Param = -1,
+    /// Tracking.
+    Ok = 0,
+    /// Time-to-go is held at eps.
+    Hold = 1,
+    /// u is clipped.
+    Saturated = 2,
+    /// The deadline is over, and another law than the controller's gives u.
+    After = 3,
+}
+
+impl Status {
+    /// Its name in C.
+    pub fn c_name(self) -> &'static str {
+        match self {
+            Self::Range => "PTC_E_RANGE",
+            Self::Input => "PTC_E_INPUT",
+            Self::Param => "PTC_E_PARAM",
+            Self::Ok => "PTC_OK",
+            Self::Hold => "PTC_HOLD",
+            Self::Saturated => "PTC_SATURATED",
+            Self::After => "PTC_AFTER",
+        }
+    }
+
+    /// Its number in C.
+    pub fn code(self) -> i32 {
+        self as i32
+    }
+}
+
+/// One call of `init` and `step`. Every number is exact in the precision of the spec.
+pub struct Call<'a> {
+    /// The value of each parameter that is left to run time.
+    pub parameter: &'a dyn Fn(Parameter) -> f64,
+    /// The latched state `x_1..x_n` at the start; empty where none is latched.
+    pub x0: &'a [f64],
+    /// Time, s.
+    pub t: f64,
+    /// State `x_1..x_n`.
+    pub x: &'a [f64],
+    /// The law of the infinite-time system where it is a function of the user's program.
+    pub law: Option<&'a Expression>,
+    /// What the user's own function gives after the deadline.
+    pub after: f64,
+}
+
+/// u before it is clipped, known far beyond the precision of any controller.
+#[derive(Clone, Debug)]
+pub struct Control {
+    value: BigFloat,
+    scale: BigFloat,
+}
+
+impl Control {
+    /// The double nearest to u.
+    pub fn u(&self) -> f64 {
+        nearest(&self.value)
+    }
+
+    /// The sum of the absolute values of the terms of u, by which errors are measured.
+    pub fn scale(&self) -> f64 {
+        nearest(&self.scale)
+    }
+
+    /// |u - reference|/scale of a u that is a decimal number, to as many digits as it has.
+    pub fn error_of_text(&self, u: &str) -> Option<f64> {
+        let (mantissa, exponent) = u.split_once('e').unwrap_or((u, "0"));
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits: crate::algebra::BigInt = format!("{whole}{part}").parse().ok()?;
+        let places: i32 = exponent.parse::<i32>().ok()? - i32::try_from(part.len()).ok()?;
+        let ten = num_traits::pow(crate::algebra::integer(10), usize::try_from(places.abs()).ok()?);
+        let exact = crate::algebra::integer(1) * digits;
+        let exact = if places < 0 { exact / ten } else { exact * ten };
+        let arithmetic = Arithmetic::new(2 * FIRST_BITS)?;
+        Some(self.scaled(&arithmetic.exact(&exact), &arithmetic))
+    }
+
+    /// |u - reference|/scale.
+    pub fn error(&self, u: f64) -> f64 {
+        match Arithmetic::new(2 * FIRST_BITS) {
+            Some(arithmetic) => self.scaled(&arithmetic.double(u), &arithmetic),
+            None => f64::NAN,
+        }
+    }
+
+    fn scaled(&self, u: &BigFloat, arithmetic: &Arithmetic) -> f64 {
+        let off = arithmetic.sub(u, &self.value).abs();
+        if off.is_zero() { 0.0 } else { nearest(&arithmetic.div(&off, &self.scale)) }
+    }
+}
+
+/// What a call should give.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The status.
+    pub status: Status,
+    /// u as it is returned; 0 for a negative status.
+    pub u: f64,
+    /// The law's own u, where the law was asked.
+    pub control: Option<Control>,
+    /// Time-to-go before it is held, s.
+    pub time_to_go: f64,
+}
+
+impl Outcome {
+    fn refused(status: Status) -> Self {
+        Self { status, u: 0.0, control: None, time_to_go: f64::NAN }
+    }
+}
+
+/// What a call of the controller of `spec` should give; `None` where more digits than any decide.
+pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
+    let parameter = |p| value_of(spec, p, call.parameter);
+    if spec.run_time_parameters().any(|p| !admitted(spec, p, &parameter)) {
+        return Some(Outcome::refused(Status::Param));
+    }
+    let [tau, start, eps] = [Parameter::Tau, Parameter::StartTime, Parameter::Eps].map(parameter);
+    let finite = call.t.is_finite() && call.x.iter().all(|x| x.is_finite());
+    if !finite || call.t < start {
+        return Some(Outcome::refused(Status::Input));
+    }
+    // Exact: no sum of three doubles needs more bits than this.
+    let exact = Arithmetic::new(4352)?;
+    let deadline = exact.add(&exact.double(start), &exact.double(tau));
+    let to_go = exact.sub(&deadline, &exact.double(call.t));
+    let over = !to_go.is_positive() || to_go.is_zero();
+    let tracking = below(&exact.double(eps), &to_go);
+    let held = if tracking { to_go.clone() } else { exact.double(eps) };
+    let time_to_go = nearest(&to_go);
+    if over && spec.after != After::Hold {
+        let u = if spec.after == After::Extern { call.after } else { 0.0 };
+        return Some(clipped(
+            spec,
+            Outcome { status: Status::After, u, control: None, time_to_go },
+            &parameter,
+        ));
+    }
+    let control = agreed(spec, call, &held, &parameter)?;
+    let status = if tracking { Status::Ok } else { Status::Hold };
+    let u = control.u();
+    let outcome = Outcome { status, u, control: Some(control), time_to_go };
+    Some(clipped(spec, outcome, &parameter))
+}
+
+/// The value of a parameter: as it is fixed, rounded, or as the call gives it.
+fn value_of(spec: &Spec, parameter: Parameter, given: &dyn Fn(Parameter) -> f64) -> f64 {
+    match spec.fixed.get(&parameter) {
+        Some(Fixed::Infinite) => f64::INFINITY,
+        Some(Fixed::Number { value, .. }) => crate::program::number::round(value, spec.precision),
+        None => given(parameter),
+    }
+}
+
+fn admitted(spec: &Spec, parameter: Parameter, value: &dyn Fn(Parameter) -> f64) -> bool {
+    let own = value(parameter);
+    match spec.domain(parameter) {
+        Domain::Finite => own.is_finite(),
+        Domain::Positive => own.is_finite() && own > 0.0,
+        Domain::PositiveOrInfinite => own > 0.0,
+        Domain::BelowTau => own > 0.0 && own < value(Parameter::Tau),
+        Domain::Within => spec.bounds.get(&parameter).is_some_and(|(least, greatest)| {
+            let bound = |bound: &Fixed| {
+                bound.number().map(|n| crate::program::number::round(n, spec.precision))
+            };
+            bound(least).is_none_or(|b| own >= b) && bound(greatest).is_none_or(|b| own <= b)
+        }),
+    }
+}
+
+/// The outcome within u_max and the range of the precision.
+fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) -> Outcome {
+    let u_max = parameter(Parameter::UMax);
+    let greatest = match spec.precision {
+        Precision::F64 => f64::MAX,
+        Precision::F32 => f64::from(f32::MAX),
+    };
+    match outcome.u {
+        u if u > u_max => Outcome { status: Status::Saturated, u: u_max, ..outcome },
+        u if u < -u_max => Outcome { status: Status::Saturated, u: -u_max, ..outcome },
+        u if !(u.abs() <= greatest) => Outcome { status: Status::Range, u: 0.0, ..outcome },
+        _ => outcome,
+    }
+}
+
+/// u at two precisions that agree.
+fn agreed(
+    spec: &Spec,
+    call: &Call<'_>,
+    to_go: &BigFloat,
+    parameter: &dyn Fn(Parameter) -> f64,
+) -> Option<Control> {
+    let mut last: Option<Term> = None;
+    let mut bits = FIRST_BITS;
+    while bits <= MAX_BITS {
+        let mut arithmetic = Arithmetic::new(bits)?;
+        let next = arithmetic.control(spec, call, to_go, parameter);
+        if let (Some(last), Some(next)) = (&last, &next) {
+            let off = arithmetic.sub(&last.value, &next.value).abs();
+            let allowed = arithmetic.mul(&next.size, &arithmetic.two_to(-AGREED));
+            let same = is_finite(&next.value) && !below(&allowed, &off);
+            // A division by 0 stays one with any number of digits.
+            let without = !is_finite(&next.value) && !is_finite(&last.value);
+            if same || without {
+                return Some(Control { value: next.value.clone(), scale: next.size.clone() });
+            }
+        }
+        last = next;
+        bits *= 2;
+    }
+    None
+}
+
+impl Arithmetic {
+    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x).
+    fn control(
+        &mut self,
+        spec: &Spec,
+        call: &Call<'_>,
+        to_go: &BigFloat,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<Term> {
+        let n = spec.n;
+        let point = self.point(spec, &self.add(to_go, &self.integer(0)), parameter)?;
+        let xi = self.stretched_state(&point, call.x);
+        let starts = if call.x0.is_empty() {
+            Vec::new()
+        } else {
+            let tau = self.double(parameter(Parameter::Tau));
+            let start = self.point(spec, &tau, parameter)?;
+            self.stretched_state(&start, call.x0)
+        };
+        let start = self.double(parameter(Parameter::StartTime));
+        let stretched = Term {
+            value: self.add(&point.stretched, &start),
+            size: self.add(&point.stretched.abs(), &start.abs()),
+        };
+        let time = self.double(call.t);
+        let elapsed = self.sub(&time, &start);
+        let bits = self.bits();
+        let states = |x: &[f64], j: usize| double(x[j - 1], bits);
+        let number = |p| double(parameter(p), bits);
+        let variable = |v: Variable| match v {
+            Variable::SinceStart => Term::given(point.stretched.clone()),
+            Variable::StretchedTime => stretched.clone(),
+            Variable::Time => Term::given(time.clone()),
+            Variable::Elapsed => Term::given(elapsed.clone()),
+            Variable::TimeToGo => Term::given(to_go.clone()),
+            Variable::State(j) => Term::given(states(call.x, j)),
+            Variable::StateAtStart(j) => Term::given(states(call.x0, j)),
+            Variable::Xi(j) => xi[j - 1].clone(),
+            Variable::XiAtStart(j) => starts[j - 1].clone(),
+        };
+        let leaves = Leaves { parameter: &number, variable: &variable };
+        let law = match (&spec.feedback, call.law) {
+            (Feedback::Linear, _) => linear(n),
+            (Feedback::Expression(law), _) => law.clone(),
+            (Feedback::Extern, law) => law?.clone(),
+        };
+        let mut u = self.term(&law, &leaves);
+        let drift = (1..=n).map(|j| self.mul(&point.bell[n][j - 1], &self.double(call.x[j - 1])));
+        let drift: Vec<_> = drift.collect();
+        for term in &drift {
+            u.value = self.sub(&u.value, term);
+            u.size = self.add(&u.size, &term.abs());
+        }
+        let factor = (0..n).fold(self.integer(1), |power, _| self.mul(&power, &point.slope));
+        u = Term { value: self.mul(&factor, &u.value), size: self.mul(&factor, &u.size).abs() };
+        if let Some(gain) = &spec.input_gain {
+            let gain = self.term(gain, &leaves);
+            let value = self.div(&u.value, &gain.value);
+            let by_gain = self.mul(&value, &gain.size).abs();
+            let size = self.div(&self.add(&u.size, &by_gain), &gain.value.abs());
+            u = Term { value, size };
+        }
+        Some(u)
+    }
+
+    /// xi = BB_n x.
+    fn stretched_state(&self, point: &Point, x: &[f64]) -> Vec<Term> {
+        let entry = |i: usize, j: usize| self.mul(&point.bell[i][j], &self.double(x[j]));
+        let zero = || Term { value: self.integer(0), size: self.integer(0) };
+        let row = |i: usize| {
+            (0..=i).map(|j| entry(i, j)).fold(zero(), |sum, term| Term {
+                value: self.add(&sum.value, &term),
+                size: self.add(&sum.size, &term.abs()),
+            })
+        };
+        (0..x.len()).map(row).collect()
+    }
+}
+
+/// pi0 = -(k_1 xi_1 + ... + k_n xi_n).
+fn linear(n: usize) -> Expression {
+    let term = |i| Expression::from(Parameter::Gain(i)).mul(Variable::Xi(i).into());
+    (1..=n).map(term).reduce(Expression::add).unwrap_or(Expression::integer(0)).neg()
+}

@@ -1,0 +1,164 @@
+//! What a self-test of a controller asks: parameters, calls, and what each must give.
+//!
+//! What must come is computed in long arithmetic from the definition ([`crate::reference`]). The
+//! program decides nothing but which calls are worth asking: those that take a branch of the emitted
+//! code the other way, and those whose numbers leave the range on the way to u.
+
+mod calls;
+mod overflow;
+mod parameters;
+mod refused;
+mod trial;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::emit::Controller;
+use crate::expression::{Expression, Variable};
+use crate::reference::Status;
+use crate::spec::{Spec, What};
+
+/// A call of `step`, and of `tick` and `axis` where there are gains.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Call {
+    /// Time, s.
+    pub t: f64,
+    /// State.
+    pub x: Vec<f64>,
+    /// The status that it must give.
+    pub status: Status,
+    /// The u that it must give.
+    pub u: f64,
+    /// What u may be wrong by.
+    pub tolerance: f64,
+    /// The status of `axis` after `tick`; none where they are not to be asked.
+    pub axis: Option<Status>,
+}
+
+/// Parameters that `init` takes, and calls with them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session {
+    /// Run-time parameters in the order of the emitted struct.
+    pub parameters: Vec<f64>,
+    /// The state at the start; empty where none is latched.
+    pub x0: Vec<f64>,
+    /// The time at which the controller is armed again before the calls.
+    pub again: Option<f64>,
+    /// The calls, at least one.
+    pub calls: Vec<Call>,
+}
+
+/// A condition of the emitted code that no input makes false, and the reason.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreachable {
+    /// The condition as it is emitted in C.
+    pub condition: String,
+    /// Why it holds always.
+    pub reason: String,
+}
+
+/// A self-test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SelfTest {
+    /// What must work, the first of them an undisturbed approach to the deadline.
+    pub sessions: Vec<Session>,
+    /// Parameters that `init` must refuse.
+    pub refused: Vec<Vec<f64>>,
+    /// Starts with states that `arm` must refuse to latch; with the first of them so must `init`.
+    pub refused_states: Vec<(f64, Vec<f64>)>,
+    /// Whether a start time can make the deadline overflow with the parameters alone.
+    pub tau_is_kept: bool,
+    /// What is checked and cannot fail.
+    pub unreachable: Vec<Unreachable>,
+}
+
+impl SelfTest {
+    /// The self-test of a controller.
+    ///
+    /// # Errors
+    /// The associated system has none; neither has a design whose reference values are not found.
+    pub fn new(controller: &Controller<'_>) -> Result<Self, Vec<Diagnostic>> {
+        let spec = controller.spec();
+        if spec.what == What::Associated {
+            return Err(refusal(
+                "what",
+                "the associated system has no self-test: it is not what runs on a target",
+                "leave out `--selftest`, or `what = associated`",
+            ));
+        }
+        let chosen = parameters::Chosen::new(controller);
+        let (sessions, never) = calls::sessions(controller, &chosen);
+        if sessions.first().is_none_or(|session| session.calls.is_empty()) {
+            return Err(refusal(
+                "selftest",
+                "no call of this controller has a value that is known for certain",
+                "fix the parameters of the mapping to values with which it is one, or test it by hand",
+            ));
+        }
+        let overflow = overflow::find(controller, &chosen);
+        let mut refused = refused::parameters(controller, &chosen);
+        refused.extend(overflow.parameters);
+        let mut refused_states =
+            refused::states(spec, chosen.value(crate::spec::Parameter::StartTime, 0.0));
+        refused_states.extend(overflow.states);
+        Ok(Self {
+            sessions,
+            refused,
+            refused_states,
+            tau_is_kept: spec.run_time_parameters().any(|p| p == crate::spec::Parameter::Tau),
+            unreachable: [overflow.unreachable, never].concat(),
+        })
+    }
+}
+
+fn refusal(key: &str, message: &str, help: &str) -> Vec<Diagnostic> {
+    let mut found = Diagnostics::default();
+    found.push("selftest", key, None, message.to_owned(), help);
+    found.finish::<()>(None).err().unwrap_or_default()
+}
+
+/// The law that a self-test gives in place of the user's own: t/8 - 3/2 (xi_1 + ... + xi_n).
+pub fn own_law(n: usize) -> Expression {
+    let weight = Expression::integer(3).div(Expression::integer(2));
+    let time = Expression::from(Variable::StretchedTime).div(Expression::integer(8));
+    (1..=n).fold(time, |sum, i| sum.sub(weight.clone().mul(Variable::Xi(i).into())))
+}
+
+/// What it gives after the deadline in place of the user's own: t/8 - x_1.
+pub fn own_rest(t: f64, x: &[f64]) -> f64 {
+    t / 8.0 - x[0]
+}
+
+/// Pseudo-random numbers, the same for every spec and machine.
+struct Draw(u64);
+
+impl Draw {
+    /// A number from `low` to `high`: SplitMix64, its upper 53 bits.
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        #[allow(clippy::cast_precision_loss)]
+        let unit = (z >> 11) as f64 / (1u64 << 53) as f64;
+        low + (high - low) * unit
+    }
+
+    /// One of several.
+    fn of<T: Copy>(&mut self, choices: &[T]) -> T {
+        #[allow(
+            clippy::cast_precision_loss,
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss
+        )]
+        let index = self.between(0.0, choices.len() as f64) as usize;
+        choices[index.min(choices.len() - 1)]
+    }
+}
+
+/// The greatest finite number of the spec's precision.
+fn greatest(spec: &Spec) -> f64 {
+    match spec.precision {
+        crate::spec::Precision::F64 => f64::MAX,
+        crate::spec::Precision::F32 => f64::from(f32::MAX),
+    }
+}

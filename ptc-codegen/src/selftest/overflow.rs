@@ -1,0 +1,173 @@
+//! Legal parameters with which a coefficient overflows: `init` must refuse them, one set for each
+//! coefficient that can be the first of the checks to fail.
+
+use super::parameters::Chosen;
+use super::trial::Trial;
+use super::{Draw, Unreachable, greatest};
+use crate::emit::{Controller, checked_fields};
+use crate::program::number::settle;
+use crate::program::{Op, Program, Value};
+use crate::spec::{Domain, Parameter, Precision, Spec};
+
+/// Sets that are tried.
+const TRIALS: usize = 3000;
+
+/// What was found.
+#[derive(Default)]
+pub(super) struct Found {
+    pub(super) parameters: Vec<Vec<f64>>,
+    /// A start and a state each.
+    pub(super) states: Vec<(f64, Vec<f64>)>,
+    pub(super) unreachable: Vec<Unreachable>,
+}
+
+/// Looks for the sets.
+pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
+    let (spec, program) = (controller.spec(), controller.program);
+    let mut draw = Draw(1);
+    let [fields, armed] = checked_fields(program);
+    let mut found = Found::default();
+    let usual = chosen.run_time(0.0625);
+    let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.n]);
+    let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
+    for round in 0..if usual.is_empty() { 0 } else { TRIALS } {
+        let set = extreme(spec, chosen, &usual, round, &mut draw);
+        let trial = Trial { controller, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+        if let Some(index) = trial.first_excess(&fields) {
+            first[index].get_or_insert(set);
+        }
+        if first.iter().all(Option::is_some) {
+            break;
+        }
+    }
+    for (at, set) in first.into_iter().enumerate() {
+        match set {
+            Some(set) => found.parameters.push(set),
+            None => found.unreachable.push(Unreachable {
+                condition: format!("isfinite(built.{})", fields[at].1),
+                reason: reason(program, &fields, at),
+            }),
+        }
+    }
+    found.parameters.extend(beyond(controller, chosen, &fields));
+    // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
+    let keeps_tau = spec.run_time_parameters().any(|p| p == Parameter::Tau);
+    if !keeps_tau {
+        found.unreachable.push(Unreachable {
+            condition: "isfinite(deadline)".to_owned(),
+            reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
+        });
+    }
+    if found.parameters.is_empty() && !spec.latches() {
+        found.unreachable.push(Unreachable {
+            condition: "(status == PTC_OK)".to_owned(),
+            reason: "neither a coefficient nor the deadline overflows".to_owned(),
+        });
+    }
+    let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];
+    for round in 0..if armed.is_empty() { 0 } else { TRIALS } {
+        let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
+        let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
+        let trial = Trial { controller, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
+        if let Some(index) = trial.first_excess(&armed) {
+            first[index].get_or_insert((start, x0));
+        }
+    }
+    for (at, x0) in first.into_iter().enumerate() {
+        match x0 {
+            Some(x0) => found.states.push(x0),
+            None => found.unreachable.push(Unreachable {
+                condition: format!("isfinite({})", armed[at].1),
+                reason: reason(program, &armed, at),
+            }),
+        }
+    }
+    found
+}
+
+/// A start and a tau whose sum overflows where nothing else does.
+fn beyond(
+    controller: &Controller<'_>,
+    chosen: &Chosen<'_>,
+    fields: &[(Value, String)],
+) -> Option<Vec<f64>> {
+    let spec = controller.spec();
+    let mut set = chosen.run_time(0.0625);
+    for wanted in [Parameter::Tau, Parameter::StartTime] {
+        let at = spec.run_time_parameters().position(|p| p == wanted)?;
+        set[at] = chosen.legal(wanted, greatest(spec));
+    }
+    let start = greatest(spec);
+    let zeros = vec![0.0; spec.n];
+    let trial = Trial { controller, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+    let tau = chosen.legal(Parameter::Tau, start);
+    let overflows = !settle(start + tau, spec.precision).is_finite();
+    (overflows && trial.first_excess(fields).is_none()).then_some(set)
+}
+
+/// Why a value is never the first that is not finite, as far as it is known.
+fn reason(program: &Program, fields: &[(Value, String)], at: usize) -> String {
+    let value = fields[at].0;
+    let of_input = |v: Value| matches!(program.get(v).op, Op::Input(_) | Op::Number(_));
+    match program.get(value).op {
+        Op::Neg(a) if of_input(a) => "the negative of a parameter that is finite".to_owned(),
+        _ if at > 0 => format!(
+            "among {TRIALS} sets of parameters, drawn up to the ends of the range, what overflows it \
+             overflows one of the {at} before it"
+        ),
+        _ => format!(
+            "none of {TRIALS} sets of parameters, drawn up to the ends of the range, overflows it"
+        ),
+    }
+}
+
+/// A set with some parameters anywhere in their domains.
+fn extreme(
+    spec: &Spec,
+    chosen: &Chosen<'_>,
+    usual: &[f64],
+    round: usize,
+    draw: &mut Draw,
+) -> Vec<f64> {
+    let all: Vec<_> = spec.run_time_parameters().collect();
+    // First each alone at its ends, then all of them anywhere.
+    let ends = [greatest(spec), greatest(spec) / 4.0, 2.0 * least(spec), 64.0 / greatest(spec)];
+    let alone = (round < 4 * all.len()).then(|| (round / 4, ends[round % 4]));
+    let share = draw.of(&[0.2, 0.5, 0.9]);
+    let mut set: Vec<f64> = Vec::with_capacity(all.len());
+    for (at, parameter) in all.iter().enumerate() {
+        let value = match alone {
+            Some((which, value)) if which == at => value,
+            Some(_) => usual[at],
+            None if draw.between(0.0, 1.0) < share => any(spec, draw),
+            None => usual[at],
+        };
+        let value = if spec.domain(*parameter) == Domain::Finite { value } else { value.abs() };
+        set.push(if value == 0.0 { usual[at] } else { chosen.legal(*parameter, value) });
+    }
+    // eps stays below tau.
+    let place = |wanted| all.iter().position(|p| *p == wanted);
+    if let Some(eps) = place(Parameter::Eps) {
+        let tau = place(Parameter::Tau).map_or(chosen.value(Parameter::Tau, 0.0625), |at| set[at]);
+        if set[eps] >= tau {
+            set[eps] = settle(tau / 16.0, spec.precision).max(least(spec));
+        }
+    }
+    set
+}
+
+/// The least number > 0.
+pub(super) fn least(spec: &Spec) -> f64 {
+    match spec.precision {
+        Precision::F64 => f64::from_bits(1),
+        Precision::F32 => f64::from(f32::from_bits(1)),
+    }
+}
+
+/// A number of any size and sign, sometimes one of the ends of the range or 0.
+fn any(spec: &Spec, draw: &mut Draw) -> f64 {
+    let range = greatest(spec).log10();
+    let exponent = draw.between(-range, range);
+    let end = draw.of(&[10f64.powf(exponent), 10f64.powf(exponent), greatest(spec), 0.0, 3.0]);
+    settle(draw.of(&[-1.0, 1.0]) * end, spec.precision)
+}

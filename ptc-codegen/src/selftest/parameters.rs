@@ -1,0 +1,99 @@
+//! Values for the parameters that are left to run time, within their domains and bounds.
+
+use crate::emit::Controller;
+use crate::program::number::{round, settle};
+use crate::spec::{Fixed, Parameter, Precision, Spec};
+
+/// Values of every parameter, fixed or chosen.
+pub(super) struct Chosen<'a> {
+    spec: &'a Spec,
+    /// The greatest a with which the design holds, beyond which `init` refuses.
+    greatest: Option<(Parameter, f64)>,
+}
+
+impl<'a> Chosen<'a> {
+    pub(super) fn new(controller: &Controller<'a>) -> Self {
+        let spec = controller.spec();
+        let bound = controller.report.greatest.as_ref();
+        let greatest = bound.and_then(|(parameter, bound)| {
+            Some((*parameter, round(bound.number()?, spec.precision)))
+        });
+        Self { spec, greatest }
+    }
+
+    /// The greatest value that a check allows a parameter.
+    pub(super) fn greatest(&self, parameter: Parameter) -> Option<f64> {
+        self.greatest.filter(|(own, _)| *own == parameter).map(|(_, bound)| bound)
+    }
+
+    /// The value that is fixed.
+    pub(super) fn fixed(&self, parameter: Parameter) -> Option<f64> {
+        self.spec.fixed.get(&parameter).map(|fixed| match fixed {
+            Fixed::Infinite => f64::INFINITY,
+            Fixed::Number { value, .. } => round(value, self.spec.precision),
+        })
+    }
+
+    /// The bounds that the user gave.
+    pub(super) fn bounds(&self, parameter: Parameter) -> Option<(f64, f64)> {
+        let (least, greatest) = self.spec.bounds.get(&parameter)?;
+        let number = |fixed: &Fixed, infinite| {
+            fixed.number().map_or(infinite, |value| round(value, self.spec.precision))
+        };
+        Some((number(least, f64::NEG_INFINITY), number(greatest, f64::INFINITY)))
+    }
+
+    /// `wanted` in the precision, as near as the domain of the parameter lets it be.
+    pub(super) fn legal(&self, parameter: Parameter, wanted: f64) -> f64 {
+        let mut value = settle(wanted, self.spec.precision);
+        if let Some((least, greatest)) = self.bounds(parameter) {
+            value = value.max(least).min(greatest);
+        }
+        self.greatest(parameter).map_or(value, |bound| value.min(bound))
+    }
+
+    /// What is chosen for an undisturbed run; eps as a part of tau.
+    fn usual(&self, parameter: Parameter, eps: f64) -> f64 {
+        #[allow(clippy::cast_precision_loss)]
+        let number = |i: usize| i as f64;
+        let n = self.spec.n;
+        match parameter {
+            Parameter::Tau => 2.0,
+            // The sum with tau has to be rounded, so that what is left out of it matters.
+            Parameter::StartTime => 0.3,
+            Parameter::Eps => eps * self.value(Parameter::Tau, eps),
+            Parameter::UMax => f64::INFINITY,
+            Parameter::A => 0.75,
+            Parameter::M => 1.5,
+            Parameter::Rate(i) => 0.375 * number(i) + 0.125,
+            // Those of the poles -1.5, ..., -1.5: k_i = C(n, i-1) 1.5^(n+1-i).
+            Parameter::Gain(i) => (1..i)
+                .fold(1.5f64.powi(i32::try_from(n).unwrap_or(1)), |k, j| {
+                    k * number(n + 1 - j) / (number(j) * 1.5)
+                }),
+            Parameter::Named(_) => {
+                let all = self.spec.parameters();
+                let index = all.iter().position(|p| *p == parameter).unwrap_or(0);
+                0.5 + 0.125 * number(index)
+            }
+        }
+    }
+
+    /// The value of any parameter in an undisturbed run.
+    pub(super) fn value(&self, parameter: Parameter, eps: f64) -> f64 {
+        self.fixed(parameter).unwrap_or_else(|| self.legal(parameter, self.usual(parameter, eps)))
+    }
+
+    /// All run-time parameters in an undisturbed run, in the order of the emitted struct.
+    pub(super) fn run_time(&self, eps: f64) -> Vec<f64> {
+        self.spec.run_time_parameters().map(|p| self.value(p, eps)).collect()
+    }
+
+    /// eps as a part of tau with which time-to-go is tracked all the way.
+    pub(super) fn least_eps(&self) -> f64 {
+        match self.spec.precision {
+            Precision::F64 => 1e-13,
+            Precision::F32 => 1e-7,
+        }
+    }
+}

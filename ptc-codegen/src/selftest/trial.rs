@@ -1,0 +1,101 @@
+//! Trial runs of the program: which branches a call takes, and whether a number leaves the range.
+
+use std::collections::BTreeSet;
+
+use crate::emit::Controller;
+use crate::program::interpret::{Decision, Interpreter};
+use crate::program::{Input, Program, Value};
+use crate::reference::Status;
+use crate::spec::{Guard, Parameter, Spec};
+
+/// The inputs of a trial.
+pub(super) struct Trial<'a> {
+    pub(super) controller: &'a Controller<'a>,
+    /// Run-time parameters in the order of the struct.
+    pub(super) parameters: &'a [f64],
+    pub(super) x0: &'a [f64],
+    /// Start time.
+    pub(super) start: f64,
+    pub(super) t: f64,
+    pub(super) x: &'a [f64],
+}
+
+/// What came of it: as the emitted code behind a guard that lets everything pass.
+pub(super) struct Seen {
+    /// Status of `step`, and its u before it is clipped.
+    pub(super) step: (Status, f64),
+    /// Status of `axis`, where there is one.
+    pub(super) axis: Option<Status>,
+    pub(super) decisions: BTreeSet<Decision>,
+}
+
+impl Trial<'_> {
+    fn spec(&self) -> &Spec {
+        self.controller.spec()
+    }
+
+    fn program(&self) -> &Program {
+        self.controller.program
+    }
+
+    fn input(&self, input: Input, gains: &[f64]) -> f64 {
+        match input {
+            Input::Parameter(parameter) => self.parameter(parameter),
+            Input::StartTime => self.start,
+            Input::Time => self.t,
+            Input::State(j) => self.x[j - 1],
+            Input::StateAtStart(j) => self.x0[j - 1],
+            Input::Gain(j) => gains[j - 1],
+            Input::Drift => f64::NAN,
+        }
+    }
+
+    fn parameter(&self, wanted: Parameter) -> f64 {
+        let at = self.spec().run_time_parameters().position(|p| p == wanted);
+        at.map_or(f64::NAN, |at| self.parameters[at])
+    }
+
+    /// The first of some values that is not finite, by its index.
+    pub(super) fn first_excess(&self, values: &[(Value, String)]) -> Option<usize> {
+        let input = |input| self.input(input, &[]);
+        let mut interpreter = Interpreter::new(self.program(), &input);
+        let wanted: Vec<_> = values.iter().map(|(value, _)| *value).collect();
+        interpreter.values(&wanted).into_iter().position(|number| !number.is_finite())
+    }
+
+    /// Runs `step`, and `tick` with `axis` where there are gains.
+    pub(super) fn run(&self) -> Seen {
+        let law = |arguments: &[f64]| {
+            let (t, xi) = arguments.split_last().unwrap_or((&0.0, &[]));
+            xi.iter().fold(t / 8.0, |sum, xi| sum - 1.5 * xi)
+        };
+        let input = |input| self.input(input, &[]);
+        let program = self.program();
+        let mut step = Interpreter::new(program, &input).with_law(&law);
+        let limits = program.limits;
+        let over = limits.past.is_some_and(|past| step.value(past) >= 0.0);
+        let mut u = step.value(program.step);
+        if over {
+            u = 0.0;
+        }
+        if self.spec().guard == Guard::Result && !self.t.is_finite() {
+            u = f64::NAN;
+        }
+        let held = step.value(limits.late) >= step.value(limits.hold_from);
+        let u_max = limits.u_max.map_or(f64::INFINITY, |limit| step.value(limit));
+        let status = |u: f64| match () {
+            () if u > u_max || u < -u_max => Status::Saturated,
+            () if !u.is_finite() => Status::Range,
+            () if over => Status::After,
+            () if held => Status::Hold,
+            () => Status::Ok,
+        };
+        let axis = program.axis.map(|axis| {
+            let gains = step.values(&program.gains);
+            let input = |input| self.input(input, &gains);
+            let mut own = Interpreter::new(program, &input);
+            status(own.value(axis))
+        });
+        Seen { step: (status(u), u), axis, decisions: step.decisions().clone() }
+    }
+}

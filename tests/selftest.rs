@@ -1,0 +1,135 @@
+//! Self-tests compile without a warning, pass, and fail where the controller is altered.
+
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::generate_selftest;
+use ptc_codegen::reference::Status;
+use ptc_codegen::spec::Spec;
+use support::specs::spec;
+use support::{STRICT, c_compiler, folder, in_pairs, run, write};
+
+/// The self-test of `spec` in `folder`, linked with the controller that stands there.
+fn program(folder: &Path, spec: &Spec) -> PathBuf {
+    let name = spec.name();
+    for file in generate_selftest(spec).expect("a self-test") {
+        fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    let main = format!(
+        "#include \"{name}_selftest.h\"\n#include <stdio.h>\nint main(void)\n{{\n    const uint32_t \
+         failures = {name}_selftest();\n    printf(\"%lu\", (unsigned long)failures);\n    return 0;\n}}\n"
+    );
+    fs::write(folder.join("main.c"), main).expect("a main program");
+    let path = folder.join("program");
+    let sources = ["main.c".to_owned(), format!("{name}.c"), format!("{name}_selftest.c")];
+    run(c_compiler()
+        .args(STRICT)
+        .args(sources.map(|source| folder.join(source)))
+        .arg("-o")
+        .arg(&path)
+        .arg("-lm"));
+    path
+}
+
+fn failures(folder: &Path, spec: &Spec) -> u32 {
+    let path = program(folder, spec);
+    let told = run(&mut std::process::Command::new(path));
+    String::from_utf8(told).expect("UTF-8").parse().expect("a number")
+}
+
+/// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
+fn kinds() -> Vec<Spec> {
+    let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
+    let kinds: [&[(&str, &str)]; 11] = [
+        &[("n", "3"), ("mu", "exp")],
+        &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
+        &[("n", "2"), ("mu", "exp_sum")],
+        &[("n", "3"), ("mu", "tan"), ("guard", "result")],
+        &[("n", "3"), ("mu", "power"), ("guard", "none"), ("u_max", "inf")],
+        &[
+            ("n", "1"),
+            ("mu", "exp(a=1)"),
+            ("pi0", own),
+            ("params.psi", "[1,20]"),
+            ("params.phi", "1.1"),
+        ],
+        &[("n", "2"), ("mu", "algebraic"), ("pi0", "extern"), ("after", "extern")],
+        &[("n", "3"), ("kappa", "dt/(a*(tau - dt)) + dt"), ("g", "-0.5"), ("after", "zero")],
+        &[("n", "2"), ("mu", "tanh"), ("g", "x1"), ("precision", "f32"), ("after", "extern")],
+        &[
+            ("n", "2"),
+            ("mu", "exp(a=1)"),
+            ("gains", "12,7"),
+            ("tau", "0.8"),
+            ("eps", "0.01"),
+            ("u_max", "4"),
+        ],
+        &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
+    ];
+    let named = |(index, keys): (usize, &&[(&str, &str)])| {
+        let name = format!("kind{index}");
+        let mut keys = keys.to_vec();
+        keys.push(("name", &name));
+        spec(&keys)
+    };
+    kinds.iter().enumerate().map(named).collect()
+}
+
+#[test]
+fn self_tests_pass() {
+    let (home, kinds) = (folder("selftest"), kinds());
+    let counts = in_pairs(&kinds, |spec| {
+        let folder = home.join(spec.name());
+        fs::create_dir_all(&folder).expect("a folder");
+        write(&folder, spec, Language::C);
+        failures(&folder, spec)
+    });
+    for (spec, count) in kinds.iter().zip(counts) {
+        assert_eq!(count, 0, "{}", spec.command());
+    }
+}
+
+#[test]
+fn an_altered_controller_fails() {
+    let home = folder("selftest_altered");
+    let altered = [
+        (&[("n", "2"), ("mu", "rational")][..], "= -K2;", "= K2;"),
+        (&[("n", "2"), ("mu", "exp")], "&& isfinite(x2)", ""),
+        (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
+        (&[("n", "2"), ("mu", "exp")], "v = self->u_max;", "v = 2.0 * self->u_max;"),
+        (&[("n", "2"), ("mu", "exp")], "&& (eps < tau)", ""),
+        (&[("n", "2"), ("mu", "tan")], "const double c2_1 =", "const double c2_1 = 1e-12 + "),
+        (&[("n", "2"), ("mu", "exp"), ("pi0", "extern")], "pi0(context, xi", "pi0(NULL, xi"),
+        (
+            &[("n", "1"), ("mu", "exp"), ("after", "zero")],
+            "(past >= 0.0) ? PTC_AFTER",
+            "(past >= 1.0) ? PTC_AFTER",
+        ),
+    ];
+    for (index, (keys, good, bad)) in altered.into_iter().enumerate() {
+        let (spec, folder) = (spec(keys), home.join(index.to_string()));
+        fs::create_dir_all(&folder).expect("a folder");
+        write(&folder, &spec, Language::C);
+        let source = folder.join(format!("{}.c", spec.name()));
+        let text = fs::read_to_string(&source).expect("the source");
+        assert!(text.contains(good), "{good} in {}", spec.name());
+        fs::write(&source, text.replacen(good, bad, 1)).expect("an altered source");
+        assert!(failures(&folder, &spec) > 0, "{good} -> {bad}");
+    }
+}
+
+#[test]
+fn every_status_is_asked_for() {
+    let text = generate_selftest(&spec(&[("n", "2"), ("mu", "exp"), ("after", "zero")]))
+        .expect("a self-test")[1]
+        .text
+        .clone();
+    use Status::{After, Hold, Input, Ok, Param, Range, Saturated};
+    for status in [Ok, Hold, Saturated, After, Input, Param, Range] {
+        let asked = [format!(".status = {}", status.c_name()), format!("!= {}", status.c_name())];
+        assert!(asked.iter().any(|asked| text.contains(asked)), "{status:?}");
+    }
+}
