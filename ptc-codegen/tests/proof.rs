@@ -116,7 +116,7 @@ fn a_proof_is_of_c_alone() {
     for (flags, named) in [
         (&["--lang=rust"][..], "`--lang rust`"),
         (&["--lang=c", "--dump=lower"], "`--dump`"),
-        (&["--lang=rust", "--dump=lower"], "`--lang rust`"),
+        (&["--lang=rust", "--dump=lower"], "`--dump`"),
     ] {
         let folder = folder("refused");
         let place = folder.to_str().expect("UTF-8");
