@@ -3,13 +3,13 @@
 mod log;
 mod seeds;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, bail};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::spec::{Parameter, Precision, Spec};
 
 use self::log::Log;
 use crate::context::Context;
@@ -44,7 +44,8 @@ const MODES: [(&str, Option<&str>, &str); 2] =
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("eva");
     let mut names = BTreeSet::new();
-    let mut specs = [context.goldens(), context.families(6), context.random(RANDOM)].concat();
+    let random = context.random(RANDOM).into_iter().map(within_range).collect();
+    let mut specs = [context.goldens(), context.families(6), random].concat();
     // The goldens are families of the orders 1 to 5.
     specs.retain(|spec| names.insert(spec.name()));
     // The iterated ones take longest: first, so that none is waited for at the end.
@@ -60,18 +61,34 @@ fn run(context: &Context) -> Result<Finding> {
     let mut finding = Finding::default();
     let mut sums = [[0; 3]; 2];
     let mut trusted = BTreeSet::new();
-    for ((index, (_, mode)), log) in work.iter().zip(told) {
-        let log = log?;
+    let mut open = Vec::new();
+    let mut expected = 0;
+    let mut groups = BTreeMap::<(&str, &str), [usize; 3]>::new();
+    for ((index, (batch, mode)), log) in work.iter().zip(told) {
+        let mut log = log?;
         let sum = &mut sums[usize::from(mode.1.is_some())];
         sum[0] += log.proved;
         sum[1] += log.unproved;
         sum[2] += log.alarms.len();
+        for spec in *batch {
+            let own = [format!(" {}.", spec.name()), format!("{}_eva.c", spec.name())];
+            let counts = groups.entry((spec.mapping_name(), precision(spec))).or_default();
+            let alarms =
+                log.alarms.iter().filter(|alarm| own.iter().any(|file| alarm.contains(file)));
+            counts[1 + usize::from(mode.1.is_some())] += alarms.count();
+            counts[0] += usize::from(mode.1.is_some());
+        }
+        if mode.1.is_some() && is_open(&batch[0]) && !log.alarms.is_empty() {
+            open.push(vec![batch[0].name(), log.alarms.len().to_string(), log.alarms[0].clone()]);
+            expected += log.alarms.len();
+            log.forgive();
+        }
         let named = |fault: &String| format!("run {index}, {}: {fault}", mode.0);
         finding.failures.extend(log.faults().iter().map(named));
         trusted.extend(log.trusted);
     }
     finding.summary = format!(
-        "{} controllers, {} properties proved, {} not, {} alarms",
+        "{} controllers, {} properties proved, {} not, {} alarms, {expected} of them expected",
         specs.len(),
         sums[0][0] + sums[1][0],
         sums[0][1] + sums[1][1],
@@ -86,6 +103,21 @@ fn run(context: &Context) -> Result<Finding> {
         head: vec!["mode", "controllers", "properties proved", "not proved", "alarms"],
         rows: MODES.iter().zip(&sums).map(row).collect(),
     });
+    let row = |((mapping, precision), counts): (&(&str, &str), &[usize; 3])| {
+        let counts = counts.iter().map(usize::to_string);
+        [*mapping, *precision].map(str::to_owned).into_iter().chain(counts).collect()
+    };
+    finding.tables.push(Table {
+        title: "Alarms".to_owned(),
+        head: vec!["mapping", "precision", "controllers", "any inputs", "finite inputs"],
+        rows: groups.iter().map(row).collect(),
+    });
+    if !open.is_empty() {
+        let title = "Not proved in finite mode: the root of a mapping of the user's own, whose \
+                     bracket is too wide to be split";
+        let head = vec!["controller", "alarms", "the first"];
+        finding.tables.push(Table { title: title.to_owned(), head, rows: open });
+    }
     let trusted: Vec<_> = trusted.into_iter().collect();
     finding.notes.push(format!(
         "Taken from Frama-C's own contracts of the C library: {}.",
@@ -93,6 +125,26 @@ fn run(context: &Context) -> Result<Finding> {
     ));
     seeds::seeded(&folder, context, &mut finding)?;
     Ok(finding)
+}
+
+fn precision(spec: &Spec) -> &'static str {
+    if spec.precision == Precision::F32 { "f32" } else { "f64" }
+}
+
+/// Whether finite mode is known not to be proved: a mapping without a closed inverse has a bracket
+/// from the start to far beyond the deadline, in which the iteration may end anywhere for all that
+/// Eva sees.
+fn is_open(spec: &Spec) -> bool {
+    spec.custom().is_some() && spec.is_iterated()
+}
+
+/// Without an eps that is fixed where the gains of order 6 then honestly overflow f32: the harness
+/// takes a greater one.
+fn within_range(mut spec: Spec) -> Spec {
+    if spec.precision == Precision::F32 {
+        spec.fixed.remove(&Parameter::Eps);
+    }
+    spec
 }
 
 /// Runs Eva over the controllers in one of the modes.
@@ -109,19 +161,25 @@ fn analyse(
     files: &[PathBuf],
     (_, define, special): (&str, Option<&str>, &str),
 ) -> Result<Log> {
-    let main = folder.join("all.c");
     let declared: String = names.iter().map(|name| format!("void {name}_eva(void);\n")).collect();
     let called: String = names.iter().map(|name| format!("    {name}_eva();\n")).collect();
-    fs::write(&main, format!("{declared}int main(void)\n{{\n{called}    return 0;\n}}\n"))?;
+    fs::write(
+        folder.join("all.c"),
+        format!("{declared}int main(void)\n{{\n{called}    return 0;\n}}\n"),
+    )?;
     let defines = ["-DPTC_EVA_PART"].into_iter().chain(define).collect::<Vec<_>>().join(" ");
+    // By names without folders, which then stand in alarms: a report is the same on every machine.
     let sources = files.iter().filter(|file| file.extension().is_some_and(|e| e == "c"));
+    let sources = sources.filter_map(|file| file.file_name());
     let output = Command::new("frama-c")
         .current_dir(folder)
+        // Frama-C looks for files from there, not from the folder in which it runs.
+        .env("PWD", fs::canonicalize(folder)?)
         .arg(format!("-cpp-extra-args={defines}"))
         .args(options(files)?)
         .args(["-warn-special-float", special])
         .args(sources)
-        .arg(&main)
+        .arg("all.c")
         .output()?;
     let text = String::from_utf8_lossy(&output.stdout);
     fs::write(folder.join("frama-c.log"), text.as_bytes())?;

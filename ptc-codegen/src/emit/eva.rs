@@ -72,13 +72,12 @@ pub(super) fn harness(
             .iter()
             .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))
             .collect(),
+        without_contract: without_contract(frame, spec.precision),
         state_calls: with("x"),
         timed_calls: with("t"),
         all_places: spec.run_time_parameters().map(|p| place("params.", p)).collect(),
         sees_all: spec.guard == Guard::Full || frame.associated,
         compared: spec.run_time_parameters().any(compared),
-        compared_tau: compared(Parameter::Tau),
-        compared_t0: compared(Parameter::StartTime),
         options: OPTIONS,
         ranges,
         drawn,
@@ -162,6 +161,23 @@ fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
     externs.iter().map(one).collect()
 }
 
+/// Functions of the C library that the code calls and Frama-C has no contract for.
+fn without_contract(frame: &Frame, precision: Precision) -> Vec<String> {
+    let lines = [&frame.functions, &frame.init, &frame.arm, &frame.step, &frame.tick, &frame.axis];
+    let results = [&frame.step_u, &frame.axis_u].into_iter().chain(&frame.gains);
+    let text: Vec<_> = lines.into_iter().flatten().chain(results).map(String::as_str).collect();
+    let text = text.join("\n");
+    let suffix = if precision == Precision::F32 { "f" } else { "" };
+    let called = |name: &&str| {
+        let call = format!("{name}{suffix}(");
+        let mut calls = text.match_indices(&call);
+        // Not the end of another name, as tanh is of atanh.
+        calls.any(|(at, _)| !text[..at].ends_with(|c: char| c.is_alphanumeric()))
+    };
+    let all = ["sinh", "cosh", "tanh", "atanh"].into_iter().filter(called);
+    all.map(|name| format!("{name}{suffix}")).collect()
+}
+
 /// A function of the controller: what it is called with, and which of that are pointers.
 struct Call {
     function: &'static str,
@@ -227,6 +243,8 @@ struct Harness<'a> {
     fixed_limit: Option<String>,
     /// Arguments between state and u.
     handed: String,
+    /// Functions of the C library that lack a contract.
+    without_contract: Vec<String>,
     /// Calls in which one pointer is NULL, for each that is checked.
     null_calls: Vec<String>,
     /// Calls that take the state, and those that take time.
@@ -234,10 +252,8 @@ struct Harness<'a> {
     timed_calls: Vec<String>,
     /// Places of all run-time parameters.
     all_places: Vec<String>,
-    /// Whether the domain of any parameter is told by comparisons alone, and of tau and t0.
+    /// Whether the domain of any parameter is told by comparisons alone.
     compared: bool,
-    compared_tau: bool,
-    compared_t0: bool,
     options: &'static str,
     /// Whether Eva sees that u is finite with any inputs: what a trusting guard asks of v - v takes
     /// NaN to the right side of a comparison, which Eva does not.
