@@ -266,6 +266,29 @@ fn the_example_arrives() {
     }
 }
 
+/// What the page shows of a run; the firmware prints the same (`cargo assure projects`).
+#[test]
+fn the_page_shows_what_the_default_design_prints() {
+    let home = folder("projects_page").join("stage");
+    made("cmake", &DESIGN, &home);
+    let mut compiler = Command::new("cc");
+    compiler.arg("-std=c99").args(STRICT).current_dir(&home);
+    run(compiler.args([
+        "-Iinclude",
+        "-Iexample",
+        "example/main.c",
+        "src/stage.c",
+        "-lm",
+        "-o",
+        "run",
+    ]));
+    let printed = run(&mut Command::new(home.join("run")));
+    let page = include_str!("../../docs/targets.md");
+    let (_, rest) = page.split_once("```text\n").expect("a block");
+    let (shown, _) = rest.split_once("```").expect("its end");
+    assert!(printed.ends_with(shown), "{printed}");
+}
+
 /// There is no Arduino compiler to be had here: the sketch is compiled by g++ against a header in
 /// place of Arduino's, with its loop called until it stops.
 #[test]

@@ -16,9 +16,10 @@ use crate::context::Context;
 use crate::harness::program::{Outcome, Program, Record, in_c};
 use crate::harness::random::Random;
 use crate::harness::records::records;
+use crate::harness::runtime;
 use crate::harness::{empty, in_pairs, write};
 use crate::layer::{Finding, Layer, Table};
-use crate::tool::{GCC, ShownBy, Source, Tool};
+use crate::tool::{GCC, PYTHON};
 
 const RECORDS: usize = 1000;
 
@@ -27,21 +28,14 @@ const ARRIVED: f64 = 0.01;
 
 const SCRIPT: &str = include_str!("fmu.py");
 
-const FMPY: Tool = Tool {
-    name: "fmpy",
-    shown_by: ShownBy::Command(&[
-        "python3",
-        "-c",
-        "import fmpy, importlib.metadata as m; print('fmpy', m.version('fmpy'))",
-    ]),
-    source: Source::Pip(&["fmpy==0.3.32"]),
-};
+/// What is installed for the layer alone.
+const FMPY: &str = "fmpy==0.3.32";
 
 pub(super) const LAYER: Layer = Layer {
     name: "fmu",
     claim: "An FMU of FMI 2.0 and 3.0 is valid, gives the bits of the emitted C, arrives in closed \
             loop, and refuses what is not legal with a message that names it.",
-    tools: &[GCC, CMAKE, FMPY],
+    tools: &[GCC, CMAKE, PYTHON],
     run,
 };
 
@@ -65,6 +59,7 @@ struct Compared {
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("fmu");
+    let python = python(context)?;
     let generator = generator(context)?;
     let specs = context.families(4);
     let programs = in_c(&folder, &specs);
@@ -91,7 +86,7 @@ fn run(context: &Context) -> Result<Finding> {
             })
             .collect();
         let mut all = Compared::default();
-        for compared in exercise(&home, &trials)? {
+        for compared in exercise(&python, &home, &trials)? {
             all.calls += compared.calls;
             all.refused += compared.refused;
             all.steps += compared.steps;
@@ -127,6 +122,7 @@ fn run(context: &Context) -> Result<Finding> {
         ],
         rows,
     });
+    finding.notes.push(format!("Simulated and validated by {FMPY}."));
     finding.notes.push(
         "A call is one of random parameters, time and state, among them what C refuses: the FMU has \
          to return an error with a message. Every other one is made of an instance that runs, whose \
@@ -134,12 +130,12 @@ fn run(context: &Context) -> Result<Finding> {
          compared by its bits, the status by its value."
             .to_owned(),
     );
-    seed(context, &mut finding)?;
+    seed(context, &python, &mut finding)?;
     Ok(finding)
 }
 
 /// Runs the trials, all in one process.
-fn exercise(home: &Path, trials: &[Trial<'_>]) -> Result<Vec<Compared>> {
+fn exercise(python: &Path, home: &Path, trials: &[Trial<'_>]) -> Result<Vec<Compared>> {
     let file = |trial: &Trial<'_>, suffix: &str| trial.fmu.with_extension(suffix);
     let mut list = String::new();
     for trial in trials {
@@ -156,7 +152,7 @@ fn exercise(home: &Path, trials: &[Trial<'_>]) -> Result<Vec<Compared>> {
     }
     let listed = home.join("list");
     fs::write(&listed, list)?;
-    script(home, &["run".as_ref(), &listed])?;
+    script(python, home, &["run".as_ref(), &listed])?;
     trials
         .iter()
         .map(|trial| {
@@ -173,11 +169,16 @@ fn exercise(home: &Path, trials: &[Trial<'_>]) -> Result<Vec<Compared>> {
         .collect()
 }
 
+/// The interpreter that has fmpy.
+fn python(context: &Context) -> Result<PathBuf> {
+    runtime::python(&context.shared("fmpy"), &[FMPY])
+}
+
 /// Runs fmu.py.
-fn script(home: &Path, arguments: &[&Path]) -> Result<()> {
+fn script(python: &Path, home: &Path, arguments: &[&Path]) -> Result<()> {
     let path = home.join("fmu.py");
     fs::write(&path, SCRIPT)?;
-    succeed(Command::new("python3").arg(&path).args(arguments)).map(|_| ())
+    succeed(Command::new(python).arg(&path).args(arguments)).map(|_| ())
 }
 
 /// Compares the calls; of equal faults of an FMU the first is told.
@@ -282,7 +283,7 @@ const DEFECTS: [Defect; 7] = [
 ];
 
 /// Sources as an importer compiles them: as they are emitted, and with defects.
-fn seed(context: &Context, finding: &mut Finding) -> Result<()> {
+fn seed(context: &Context, python: &Path, finding: &mut Finding) -> Result<()> {
     let home = context.scratch("fmu_seeded");
     let spec = context.example();
     let programs = in_c(&home, std::slice::from_ref(&spec));
@@ -290,9 +291,9 @@ fn seed(context: &Context, finding: &mut Finding) -> Result<()> {
     let faults = |name: &str| -> Result<Vec<String>> {
         let folder = home.join(name);
         let fmu = home.join(format!("{name}.fmu"));
-        script(&home, &["pack".as_ref(), &folder, &fmu])?;
+        script(python, &home, &["pack".as_ref(), &folder, &fmu])?;
         let trial = Trial { spec: &spec, fmu, records: &records, program: &programs[0] };
-        Ok(exercise(&home, &[trial])?.remove(0).faults)
+        Ok(exercise(python, &home, &[trial])?.remove(0).faults)
     };
     for (name, language) in [("sources2", Language::Fmu2), ("sources3", Language::Fmu3)] {
         write(&empty(&home.join(name)), &spec, language);

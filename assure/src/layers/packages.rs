@@ -8,22 +8,18 @@ use anyhow::{Context as _, Result, ensure};
 
 use super::command::{succeed, text};
 use crate::context::Context;
-use crate::harness::empty;
+use crate::harness::{empty, runtime};
 use crate::layer::{Finding, Layer, Table};
-use crate::tool::{GCC, RUSTC, ShownBy, Source, Tool};
+use crate::tool::{GCC, PYTHON, RUSTC};
 
-/// What `pip install .` builds a wheel with.
-const MATURIN: Tool = Tool {
-    name: "maturin",
-    shown_by: ShownBy::Command(&["python3", "-m", "maturin", "--version"]),
-    source: Source::Pip(&["maturin>=1.9,<2"]),
-};
+/// What `pip install .` builds a wheel with, installed for the layer alone.
+const MATURIN: &str = "maturin>=1.9,<2";
 
 pub(super) const LAYER: Layer = Layer {
     name: "packages",
     claim: "The packaged crates build from what is in them, and the wheel installs a command that \
             emits.",
-    tools: &[GCC, RUSTC, MATURIN],
+    tools: &[GCC, RUSTC, PYTHON],
     run,
 };
 
@@ -31,6 +27,7 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("packages");
     let target = folder.join("target");
     let mut finding = Finding::default();
+    let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
     let crates = package(context.workspace(), &target)?;
     let mut rows = Vec::new();
     for package in &crates {
@@ -58,7 +55,7 @@ fn run(context: &Context) -> Result<Finding> {
             .env("CARGO_TARGET_DIR", &target),
     )?;
     emits(&installed.join("bin/ptc-codegen"), &folder)?;
-    let (wheel, size, command) = wheel(context.workspace(), &folder, &target)?;
+    let (wheel, size, command) = wheel(&python, context.workspace(), &folder, &target)?;
     emits(&command, &folder)?;
     rows.push(vec![
         wheel,
@@ -125,10 +122,15 @@ fn unpack(package: &Path, folder: &Path) -> Result<PathBuf> {
 }
 
 /// Builds the wheel and installs it in a fresh environment: its name, its size, its command.
-fn wheel(workspace: &Path, folder: &Path, target: &Path) -> Result<(String, u64, PathBuf)> {
+fn wheel(
+    python: &Path,
+    workspace: &Path,
+    folder: &Path,
+    target: &Path,
+) -> Result<(String, u64, PathBuf)> {
     let wheels = empty(&folder.join("wheels"));
     succeed(
-        Command::new("python3")
+        Command::new(python)
             .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
             .arg(&wheels)
             .current_dir(workspace)
@@ -136,7 +138,7 @@ fn wheel(workspace: &Path, folder: &Path, target: &Path) -> Result<(String, u64,
     )?;
     let wheel = fs::read_dir(&wheels)?.next().context("a wheel")??.path();
     let environment = empty(&folder.join("environment"));
-    succeed(Command::new("python3").args(["-m", "venv"]).arg(&environment))?;
+    succeed(Command::new(python).args(["-m", "venv"]).arg(&environment))?;
     let pip = environment.join("bin/pip");
     succeed(Command::new(pip).args(["install", "--quiet", "--no-index"]).arg(&wheel))?;
     let name = wheel.file_name().map(|name| name.to_string_lossy().into_owned());
