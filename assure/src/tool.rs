@@ -33,6 +33,8 @@ pub enum Source {
     Rustup(&'static [&'static str]),
     /// `cargo install` with these arguments.
     Cargo(&'static [&'static str]),
+    /// `pip install` with these arguments.
+    Pip(&'static [&'static str]),
     /// Whoever builds this project has it.
     Given,
 }
@@ -64,6 +66,7 @@ impl Tool {
             Source::Apt(packages) => format!("apt-get install {}", packages.join(" ")),
             Source::Rustup(arguments) => format!("rustup {}", arguments.join(" ")),
             Source::Cargo(arguments) => format!("cargo install {}", arguments.join(" ")),
+            Source::Pip(arguments) => format!("pip install {}", arguments.join(" ")),
             Source::Given => "it comes with what builds this project".to_owned(),
         };
         format!("{} is not installed ({bring})", self.name)
@@ -95,6 +98,9 @@ pub fn install(tools: &[Tool]) {
             }
             Source::Cargo(arguments) => {
                 commands.insert([&["cargo", "install", "--locked"], arguments].concat());
+            }
+            Source::Pip(arguments) => {
+                commands.insert([&["python3", "-m", "pip", "install", "-q"], arguments].concat());
             }
             Source::Given => {}
         }

@@ -24,7 +24,7 @@ pub mod spec;
 
 use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
-use emit::{Controller, File, Language};
+use emit::{Controller, File, Language, Project};
 use law::Law;
 use program::{Op, Program, number, passes};
 use spec::{Precision, Spec};
@@ -39,6 +39,18 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
     emit::emit(&Controller { report: &report, law: &law, program: &program }, language)
+}
+
+/// Generates the files of a small project around one controller, by their paths in it.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
+pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+    project.accepts(spec)?;
+    let report = examine(spec).accepted()?;
+    let law = Law::of(&report.spec);
+    let program = optimised(&report.spec, &law)?;
+    Ok(project.files(&Controller { report: &report, law: &law, program: &program }))
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the

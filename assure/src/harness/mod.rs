@@ -52,6 +52,7 @@ pub fn write(folder: &Path, spec: &Spec, language: Language) -> Vec<PathBuf> {
     let files = ptc_codegen::generate(spec, language).expect("a legal spec");
     let write = |file: ptc_codegen::emit::File| {
         let path = folder.join(file.name);
+        fs::create_dir_all(path.parent().unwrap_or(folder)).expect("a folder");
         fs::write(&path, file.text).expect("a generated file");
         path
     };

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
-use ptc_codegen::emit::Language;
+use ptc_codegen::emit::{Language, Project};
 use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
 
@@ -39,7 +39,8 @@ pub(crate) enum Command {
     #[command(
         after_help = EMIT_EXAMPLES,
         override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]\n       \
-                          ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]"
+                          ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]\n       \
+                          ptc-codegen emit <DESIGN> --project <PROJECT> [-o <DIR>] [OPTIONS]"
     )]
     Emit(Emit),
     /// Check a design: its mapping, its gains at the deadline, sampling, final error and overflow
@@ -77,6 +78,8 @@ Examples:
       one module on NumPy, for simulation; writes out/ptc_exp3.py
   ptc-codegen emit roll.toml --lang c --param tau=2 -o out
       what the file roll.toml says, but for tau
+  ptc-codegen emit --project cortex-m --n 2 --mu exp --name stage
+      the folder stage: firmware for a Cortex-M4F, with the controller in a closed loop
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check
       writes nothing; exit code 1 if the files in out are not what would be written";
 
@@ -117,12 +120,22 @@ pub(crate) struct Emit {
     #[command(flatten)]
     pub(crate) design: Design,
     #[arg(long, value_parser = languages(), value_name = "LANGUAGE", help = languages_told())]
-    pub(crate) lang: Language,
+    pub(crate) lang: Option<Language>,
+    #[arg(
+        long,
+        value_parser = projects(),
+        value_name = "PROJECT",
+        conflicts_with = "lang",
+        required_unless_present = "lang",
+        help = projects_told()
+    )]
+    pub(crate) project: Option<Project>,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// Folder to write to, made if it is missing; `-` prints to the standard output
-    #[arg(short, long, value_name = "DIR", default_value = ".")]
-    pub(crate) out: PathBuf,
+    /// Folder to write to, made if it is missing; `-` prints to the standard output [default: .;
+    /// for a project, which takes a new or an empty one, the controller's name]
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,
@@ -145,6 +158,17 @@ fn languages() -> impl TypedValueParser<Value = Language> {
 fn languages_told() -> String {
     let told = Language::ALL.map(|language| format!("{} is {}", language.name(), language.about()));
     format!("Language of the source: {}", told.join("; "))
+}
+
+/// The kinds of projects by name.
+fn projects() -> impl TypedValueParser<Value = Project> {
+    let names = Project::ALL.map(|project| PossibleValue::new(project.name()));
+    PossibleValuesParser::new(names).try_map(|name| Project::named(&name).ok_or("no project"))
+}
+
+fn projects_told() -> String {
+    let told = Project::ALL.map(|project| format!("{} is {}", project.name(), project.about()));
+    format!("A project that builds as it is, in place of a language: {}", told.join("; "))
 }
 
 /// The flag of parameters by name.

@@ -19,7 +19,7 @@ pub(super) const TARGET: Target = Target {
 };
 
 /// The header and the source of a controller.
-fn files(controller: &Controller<'_>) -> Vec<File> {
+pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
     let frame = Frame::new(controller, real(spec), &C::new(spec));
@@ -63,7 +63,7 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
-fn real(spec: &Spec) -> &'static str {
+pub(super) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "float",
         Precision::F64 => "double",

@@ -16,13 +16,13 @@ pub(super) struct Assignment {
 
 /// A condition on a parameter; as text it is the test.
 pub(super) struct Requirement {
-    test: String,
+    pub(super) test: String,
     /// The parameter's local value.
     local: String,
     /// The parameter's place among the parameters.
-    parameter: String,
+    pub(super) parameter: String,
     /// Its legal values, in words.
-    legal: String,
+    pub(super) legal: String,
 }
 
 impl fmt::Display for Requirement {
@@ -218,13 +218,13 @@ impl Frame {
 }
 
 /// A number as an expression in the language.
-fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
+pub(super) fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
     let text = syntax.literal(&number::literal(value.abs(), precision));
     if value.is_sign_negative() { format!("-{text}") } else { text }
 }
 
 /// A parameter in `init`: its literal where it is fixed, else its local name.
-fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
+pub(super) fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
     match spec.fixed.get(&parameter).and_then(Fixed::number) {
         Some(number) => literal(number::round(number, spec.precision), spec.precision, syntax),
         None => local_name(parameter, syntax),
@@ -237,7 +237,7 @@ fn local_name(parameter: Parameter, syntax: &dyn Syntax) -> String {
 }
 
 /// Where a parameter stands among the parameters that `init` is given.
-fn place(parameter: Parameter, syntax: &dyn Syntax) -> String {
+pub(super) fn place(parameter: Parameter, syntax: &dyn Syntax) -> String {
     match parameter.index() {
         Some(index) => syntax.element(parameter.key(), index),
         None => parameter.key().to_owned(),

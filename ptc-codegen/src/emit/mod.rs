@@ -5,22 +5,27 @@
 
 mod c;
 mod cpp;
+mod example;
+pub mod fmu;
 mod frame;
 mod header;
 mod matlab;
 mod plan;
 mod print;
+mod project;
 mod python;
 mod rust;
 mod st;
 #[cfg(test)]
 mod table;
 
+pub use project::Project;
+
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::program::Program;
-use crate::spec::{Parameter, Spec};
+use crate::spec::{After, Feedback, Parameter, Spec, What};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -37,11 +42,23 @@ pub enum Language {
     Python,
     /// IEC 61131-3 Structured Text: a function block.
     StructuredText,
+    /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
+    Fmu2,
+    /// An FMU after FMI 3.0, likewise.
+    Fmu3,
 }
 
 /// The back ends, in the order of [`Language`].
-const TARGETS: [Target; 6] =
-    [c::TARGET, rust::TARGET, cpp::TARGET, matlab::TARGET, python::TARGET, st::TARGET];
+const TARGETS: [Target; 8] = [
+    c::TARGET,
+    rust::TARGET,
+    cpp::TARGET,
+    matlab::TARGET,
+    python::TARGET,
+    st::TARGET,
+    fmu::TARGET_2,
+    fmu::TARGET_3,
+];
 
 impl Language {
     /// Every language.
@@ -75,6 +92,15 @@ impl Language {
         self.target().about
     }
 
+    /// The version of FMI, of an FMU.
+    pub fn fmi(self) -> Option<fmu::Version> {
+        match self {
+            Self::Fmu2 => Some(fmu::Version::Two),
+            Self::Fmu3 => Some(fmu::Version::Three),
+            _ => None,
+        }
+    }
+
     /// What opens and what closes a comment line.
     pub fn comment(self) -> (&'static str, &'static str) {
         self.target().comment
@@ -101,7 +127,7 @@ struct Target {
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// File name, without a folder.
+    /// File name; in an FMU or a project the path, its folders separated by `/`.
     pub name: String,
     /// Contents.
     pub text: String,
@@ -122,6 +148,26 @@ impl<'a> Controller<'a> {
     /// What was asked for.
     pub fn spec(&self) -> &'a Spec {
         &self.report.spec
+    }
+}
+
+/// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
+/// function of the user's, and needs a controller.
+fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
+    let mut against = |key: &str, message: String, help: &str| {
+        found.push("not-alone", key, None, message, help);
+    };
+    let own = "emit C or Rust instead, and call the controller from a program of yours";
+    if spec.what == What::Associated {
+        let message = format!("{what} holds a controller, not the infinite-time system");
+        against("what", message, "leave `what` out, or emit C or Rust");
+    }
+    if spec.feedback == Feedback::Extern {
+        against("pi0", format!("{what} has no function of yours to call for pi0"), own);
+    }
+    if spec.after == After::Extern {
+        let message = format!("{what} has no function of yours to call after the deadline");
+        against("after", message, own);
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) const TARGET: Target = Target {
 };
 
 /// The file of a controller, which stands alone.
-fn file(controller: &Controller<'_>) -> File {
+pub(super) fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec().name();
     let real = real(controller.spec());
     let items = render(controller, "");
@@ -56,7 +56,7 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     Items { type_name, runtime, parameters, hold, frame }.render().unwrap_or_default()
 }
 
-fn real(spec: &Spec) -> &'static str {
+pub(super) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "f32",
         Precision::F64 => "f64",
