@@ -15,7 +15,7 @@ use astro_float_num::BigFloat;
 
 use crate::expression::{Expression, Variable};
 use crate::spec::{After, Domain, Feedback, Fixed, Parameter, Precision, Spec};
-use law::{Leaves, Term};
+use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
 use mapping::Point;
 
@@ -296,6 +296,8 @@ impl Arithmetic {
             (Feedback::Extern, law) => law?.clone(),
         };
         let mut u = self.term(&law, &leaves);
+        // A law that is a number alone is still a term of u.
+        u.size = larger(&u.size, &u.value);
         let drift = (1..=n).map(|j| self.mul(&point.bell[n][j - 1], &self.double(call.x[j - 1])));
         let drift: Vec<_> = drift.collect();
         for term in &drift {
