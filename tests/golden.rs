@@ -9,12 +9,29 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::Spec;
 use support::goldens::controllers;
 use support::program::{Record, in_c, in_rust};
 use support::specs::Values;
 use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
+
+/// The languages whose files are kept: those of every controller in C and Rust, and in the others
+/// those of an explicit family, an iterated one, and one in single precision.
+const LANGUAGES: [Language; 6] = [
+    Language::C,
+    Language::Rust,
+    Language::Cpp,
+    Language::Matlab,
+    Language::Python,
+    Language::StructuredText,
+];
+const FEW: [&str; 3] = ["ptc_exp3", "ptc_exp_sum2", "ptc_exp3_f32"];
+
+fn is_kept(language: Language, spec: &Spec) -> bool {
+    matches!(language, Language::C | Language::Rust) || FEW.contains(&spec.name().as_str())
+}
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("generated")
@@ -24,7 +41,8 @@ fn root() -> PathBuf {
 fn wanted() -> BTreeMap<PathBuf, String> {
     let mut wanted = BTreeMap::new();
     for spec in controllers() {
-        for (language, folder) in [(Language::C, "c"), (Language::Rust, "rust")] {
+        for language in LANGUAGES.into_iter().filter(|language| is_kept(*language, &spec)) {
+            let folder = language.name();
             for file in ptc_codegen::generate(&spec, language).expect("a legal spec") {
                 let path = Path::new(folder).join(file.name);
                 let before = wanted.insert(path, file.text);
@@ -38,7 +56,7 @@ fn wanted() -> BTreeMap<PathBuf, String> {
 /// Every file in generated/ by its path there.
 fn kept() -> BTreeMap<PathBuf, String> {
     let mut kept = BTreeMap::new();
-    for folder in ["c", "rust"] {
+    for folder in LANGUAGES.map(Language::name) {
         let Ok(entries) = fs::read_dir(root().join(folder)) else { continue };
         for entry in entries {
             let entry = entry.expect("an entry");

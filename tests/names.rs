@@ -2,6 +2,7 @@
 
 mod support;
 
+use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
 use ptc_codegen::spec::{Entry, parse, read};
@@ -76,7 +77,17 @@ fn refusals(name: &str) -> Vec<String> {
     let mut rust = rustc();
     rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);
     rust.arg(source("rs")).arg("-o").arg(source("rmeta"));
-    let outputs = [c, rust].map(|mut compiler| compiler.output().expect("a compiler"));
+    let mut commands = vec![c, rust];
+    // C++ refuses its own words, which C and Rust take for a name.
+    if let Ok(files) = ptc_codegen::generate(&spec, Language::Cpp) {
+        let header = folder.join(&files[0].name);
+        std::fs::write(&header, &files[0].text).expect("a header");
+        let mut cpp = cpp_compiler();
+        cpp.args(STRICT_CPP).args(["-fsyntax-only", "-x", "c++"]).arg(header);
+        commands.push(cpp);
+    }
+    let outputs: Vec<_> =
+        commands.iter_mut().map(|compiler| compiler.output().expect("a compiler")).collect();
     let refused = outputs.iter().filter(|output| !output.status.success());
     let first = |output: &std::process::Output| {
         let told = String::from_utf8_lossy(&output.stderr).into_owned();

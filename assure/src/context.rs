@@ -31,6 +31,11 @@ impl Context {
         empty(&self.root.join(name))
     }
 
+    /// A folder whose contents one run leaves to the next, for builds.
+    pub fn shared(&self, name: &str) -> PathBuf {
+        self.root.join("builds").join(name)
+    }
+
     /// The root of the workspace.
     pub fn workspace(&self) -> &'static Path {
         let here = Path::new(env!("CARGO_MANIFEST_DIR"));

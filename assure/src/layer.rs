@@ -1,5 +1,6 @@
 //! A layer of assurance: a claim about emitted code, the tools that test it, and what they found.
 
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -65,6 +66,18 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
+/// The error of a layer that found, while it ran, that a tool cannot be had: it is then not run.
+#[derive(Debug)]
+pub struct Missing(pub String);
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Missing {}
+
 /// How a layer ended.
 #[derive(Clone, Debug)]
 pub enum Outcome {
@@ -116,7 +129,10 @@ impl Layer {
         let outcome = match result {
             Ok(Ok(finding)) if finding.failures.is_empty() => Outcome::Passed(finding),
             Ok(Ok(finding)) => Outcome::Failed(finding),
-            Ok(Err(error)) => broken(format!("{error:#}")),
+            Ok(Err(error)) => match error.downcast::<Missing>() {
+                Ok(missing) => Outcome::NotRun(missing.0),
+                Err(error) => broken(format!("{error:#}")),
+            },
             Err(panic) => broken(panic_text(panic.as_ref())),
         };
         (outcome, began.elapsed())

@@ -33,6 +33,8 @@ pub enum Source {
     Rustup(&'static [&'static str]),
     /// `cargo install` with these arguments.
     Cargo(&'static [&'static str]),
+    /// `pip install` with these arguments.
+    Pip(&'static [&'static str]),
     /// Whoever builds this project has it.
     Given,
 }
@@ -64,6 +66,7 @@ impl Tool {
             Source::Apt(packages) => format!("apt-get install {}", packages.join(" ")),
             Source::Rustup(arguments) => format!("rustup {}", arguments.join(" ")),
             Source::Cargo(arguments) => format!("cargo install {}", arguments.join(" ")),
+            Source::Pip(arguments) => format!("pip install {}", arguments.join(" ")),
             Source::Given => "it comes with what builds this project".to_owned(),
         };
         format!("{} is not installed ({bring})", self.name)
@@ -95,6 +98,9 @@ pub fn install(tools: &[Tool]) {
             }
             Source::Cargo(arguments) => {
                 commands.insert([&["cargo", "install", "--locked"], arguments].concat());
+            }
+            Source::Pip(arguments) => {
+                commands.insert([&["python3", "-m", "pip", "install", "-q"], arguments].concat());
             }
             Source::Given => {}
         }
@@ -145,6 +151,27 @@ pub const GXX: Tool = Tool {
     name: "g++",
     shown_by: ShownBy::Command(&["g++", "--version"]),
     source: Source::Apt(&["g++"]),
+};
+
+/// The interpreter of MATLAB functions.
+pub const OCTAVE: Tool = Tool {
+    name: "GNU Octave",
+    shown_by: ShownBy::Command(&["octave-cli", "--version"]),
+    source: Source::Apt(&["octave"]),
+};
+
+/// Python, with what makes an environment for packages.
+pub const PYTHON: Tool = Tool {
+    name: "python3",
+    shown_by: ShownBy::Command(&["python3", "-c", "import ensurepip, sys; print(sys.version)"]),
+    source: Source::Apt(&["python3", "python3-venv"]),
+};
+
+/// The C++ compiler for Arm.
+pub const ARM_GXX: Tool = Tool {
+    name: "arm-none-eabi-g++",
+    shown_by: ShownBy::Command(&["arm-none-eabi-g++", "--version"]),
+    source: Source::Apt(&["gcc-arm-none-eabi", "libstdc++-arm-none-eabi-newlib"]),
 };
 
 /// The other C compiler of this machine.

@@ -26,7 +26,7 @@ pub mod spec;
 
 use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
-use emit::{Controller, File, Language};
+use emit::{Controller, File, Language, Project};
 use law::Law;
 use program::{Op, Program, number, passes};
 use spec::{Precision, Spec};
@@ -34,12 +34,19 @@ use spec::{Precision, Spec};
 /// Generates the source files of one controller.
 ///
 /// # Errors
-/// Everything in the spec that cannot be generated, and every check that refuses it.
+/// Everything in the spec that cannot be generated, in this language or at all, and every check that
+/// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit(&Controller { report: &report, law: &law, program: &program }, language))
+    emitted(spec, |controller| emit::emit(controller, language))?
+}
+
+/// Generates the files of a small project around one controller, by their paths in it.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
+pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+    project.accepts(spec)?;
+    emitted(spec, |controller| project.files(controller))
 }
 
 /// The self-test of one controller in C: the source that a target compiles beside the controller,
@@ -49,12 +56,10 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// Everything in the spec that cannot be generated, every check that refuses it, and what has no
 /// self-test.
 pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    let controller = Controller { report: &report, law: &law, program: &program };
-    let test = selftest::SelfTest::new(&controller)?;
-    Ok(emit::emit_selftest(&controller, &test))
+    emitted(spec, |controller| {
+        let test = selftest::SelfTest::new(controller)?;
+        Ok(emit::emit_selftest(controller, &test))
+    })?
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -63,10 +68,15 @@ pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_items)
+}
+
+/// What `emit` makes of the controller that `spec` asks for.
+fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
-    Ok(emit::emit_items(&Controller { report: &report, law: &law, program: &program }))
+    Ok(emit(&Controller { report: &report, law: &law, program: &program }))
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

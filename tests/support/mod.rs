@@ -2,13 +2,13 @@
 // Each test file uses its own part of this module.
 #![allow(dead_code, unused_imports)]
 
-pub(crate) mod tolerance;
 pub(crate) mod vectors;
 
 use std::path::{Path, PathBuf};
 
 pub(crate) use ptc_assure::harness::{
-    STRICT, c_compiler, goldens, in_pairs, program, random, records, run, rustc, specs, write,
+    STRICT, c_compiler, goldens, in_pairs, program, random, records, run, rustc, specs, tolerance,
+    write,
 };
 
 /// An empty folder of a test's own.

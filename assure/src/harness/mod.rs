@@ -2,13 +2,18 @@
 //! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
+pub mod cpp;
 pub mod goldens;
 pub mod machine;
 pub mod program;
 pub mod random;
 pub mod records;
+pub mod runtime;
 mod rust;
 pub mod specs;
+pub mod tolerance;
+
+pub use rust::ieee_addition;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -47,6 +52,7 @@ pub fn write(folder: &Path, spec: &Spec, language: Language) -> Vec<PathBuf> {
     let files = ptc_codegen::generate(spec, language).expect("a legal spec");
     let write = |file: ptc_codegen::emit::File| {
         let path = folder.join(file.name);
+        fs::create_dir_all(path.parent().unwrap_or(folder)).expect("a folder");
         fs::write(&path, file.text).expect("a generated file");
         path
     };

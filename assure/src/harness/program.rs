@@ -71,19 +71,12 @@ impl Program {
             let own: &[Record] = if index == self.index { records } else { &[] };
             let count = u32::try_from(own.len()).expect("a number of records");
             bytes.extend(count.to_le_bytes());
-            for number in own.iter().flat_map(Record::numbers) {
-                #[allow(clippy::cast_possible_truncation)]
-                match self.precision {
-                    Precision::F64 => bytes.extend(number.to_le_bytes()),
-                    Precision::F32 => bytes.extend((number as f32).to_le_bytes()),
-                }
-            }
+            bytes.extend(as_bytes(own, self.precision));
         }
         fs::write(folder.join("records.bin"), bytes).expect("records");
         self.machine.run(&self.path, &folder);
         let output = fs::read(folder.join("outcomes.bin")).expect("outcomes");
-        let outcomes: Vec<_> =
-            output.chunks_exact(12 + 2 * size(self.precision)).map(outcome).collect();
+        let outcomes = as_outcomes(&output, self.precision);
         assert_eq!(outcomes.len(), records.len(), "{}", self.path.display());
         outcomes
     }
@@ -92,6 +85,21 @@ impl Program {
     pub fn path(&self) -> &Path {
         &self.path
     }
+}
+
+/// Records as a program reads them.
+pub(super) fn as_bytes(records: &[Record], precision: Precision) -> Vec<u8> {
+    let numbers = records.iter().flat_map(Record::numbers);
+    match precision {
+        Precision::F64 => numbers.flat_map(f64::to_le_bytes).collect(),
+        #[allow(clippy::cast_possible_truncation)]
+        Precision::F32 => numbers.flat_map(|number| (number as f32).to_le_bytes()).collect(),
+    }
+}
+
+/// Outcomes as a program leaves them.
+pub(super) fn as_outcomes(bytes: &[u8], precision: Precision) -> Vec<Outcome> {
+    bytes.chunks_exact(12 + 2 * size(precision)).map(outcome).collect()
 }
 
 fn outcome(bytes: &[u8]) -> Outcome {
@@ -124,7 +132,7 @@ pub(super) fn numbers(spec: &Spec) -> usize {
 }
 
 /// Whether `tick` and `axis` are emitted.
-pub(super) fn has_gains(spec: &Spec) -> bool {
+pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
         && spec.input_gain.is_none()
         && spec.after == After::Hold
@@ -141,12 +149,12 @@ pub fn real(precision: Precision) -> &'static str {
 
 /// The programs of `specs` in C for this machine, in `folder`.
 pub fn in_c(folder: &Path, specs: &[Spec]) -> Vec<Program> {
-    in_c_on(Machine::Host, folder, specs, &STRICT)
+    in_c_on(Machine::Host, folder, specs, &STRICT.map(str::to_owned))
 }
 
 /// The programs of `specs` in C for `machine`, in `folder`, one for each spec, compiled with
 /// `flags`.
-pub fn in_c_on(machine: Machine, folder: &Path, specs: &[Spec], flags: &[&str]) -> Vec<Program> {
+pub fn in_c_on(machine: Machine, folder: &Path, specs: &[Spec], flags: &[String]) -> Vec<Program> {
     let numbered: Vec<_> = specs.iter().enumerate().collect();
     in_pairs(&numbered, |(index, spec)| {
         let folder = empty(&folder.join(format!("{}_c{index}", machine.stem())));
@@ -163,22 +171,12 @@ pub fn in_c_from(
     folder: &Path,
     spec: &Spec,
     sources: &[PathBuf],
-    flags: &[&str],
+    flags: &[String],
 ) -> Program {
     let name = spec.name();
     let mut glue = machine.c_compiler();
-    let yes = |condition: bool| u8::from(condition);
-    let real = if spec.precision == Precision::F32 { "float" } else { "double" };
     glue.args(flags)
-        .arg(format!("-I{}", folder.display()))
-        .arg(format!("-DHEADER=\"{name}.h\""))
-        .arg(format!("-DNAME={name}"))
-        .args(["-DDRIVE=drive_0".to_owned(), format!("-DN={}", spec.n), format!("-DREAL={real}")])
-        .arg(format!("-DPARAMS={}", spec.run_time_parameters().count()))
-        .arg(format!("-DLATCHES={}", yes(spec.latches())))
-        .arg(format!("-DLAW={}", yes(spec.feedback == Feedback::Extern)))
-        .arg(format!("-DAFTER={}", yes(spec.after == After::Extern)))
-        .arg(format!("-DAXIS={}", yes(has_gains(spec))))
+        .args(glue_arguments(folder, spec, &name, &format!("{name}.h")))
         .arg(driver("glue.c"))
         .args(sources)
         .args(main_arguments(folder, &[spec]))
@@ -188,6 +186,33 @@ pub fn in_c_from(
     let path = folder.join("program");
     run(glue.arg(&path));
     Program { path, machine, index: 0, controllers: 1, precision: spec.precision }
+}
+
+/// What the glue has to know of a controller called `name` in the header `header`.
+pub(super) fn glue_arguments(folder: &Path, spec: &Spec, name: &str, header: &str) -> Vec<String> {
+    let yes = |condition: bool| u8::from(condition);
+    let real = if spec.precision == Precision::F32 { "float" } else { "double" };
+    vec![
+        format!("-I{}", folder.display()),
+        format!("-DHEADER=\"{header}\""),
+        format!("-DNAME={name}"),
+        "-DDRIVE=drive_0".to_owned(),
+        format!("-DN={}", spec.n),
+        format!("-DREAL={real}"),
+        format!("-DPARAMS={}", spec.run_time_parameters().count()),
+        format!("-DLATCHES={}", yes(spec.latches())),
+        format!("-DLAW={}", yes(spec.feedback == Feedback::Extern)),
+        format!("-DAFTER={}", yes(spec.after == After::Extern)),
+        format!("-DAXIS={}", yes(has_gains(spec))),
+        format!("-DRATE={}", yes(spec.what == What::Associated)),
+    ]
+}
+
+impl Program {
+    /// The program at `path` of one controller on this machine.
+    pub(super) fn of_one(path: PathBuf, precision: Precision) -> Self {
+        Self { path, machine: Machine::Host, index: 0, controllers: 1, precision }
+    }
 }
 
 /// The programs of `specs` in Rust for this machine, in `folder`.
@@ -234,13 +259,13 @@ pub fn in_rust_on(machine: Machine, folder: &Path, specs: &[Spec]) -> Vec<Progra
 }
 
 /// A file of the driver.
-fn driver(file: &str) -> PathBuf {
+pub(crate) fn driver(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src/harness/driver").join(file)
 }
 
 /// The arguments that compile the main program over the functions `drive_0`, `drive_1`, ... of
 /// `specs`; writes its table to `folder`.
-fn main_arguments(folder: &Path, specs: &[&Spec]) -> Vec<String> {
+pub(super) fn main_arguments(folder: &Path, specs: &[&Spec]) -> Vec<String> {
     let (mut declarations, mut entries) = (String::new(), String::new());
     for (index, spec) in specs.iter().enumerate() {
         let (numbers, size) = (numbers(spec), size(spec.precision));

@@ -68,14 +68,26 @@ fn cross_compiled(homes: &[PathBuf], target: &str, flags: &str) -> Vec<PathBuf> 
     homes.iter().map(|home| built.join(format!("lib{}.a", name(home)))).collect()
 }
 
+/// The head of a library without `std`.
+const BARE: &str = "#![no_std]\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo<'_>) -> ! {\n    loop {}\n}\n";
+
+/// Flags that link a C program for `machine` with the addition of doubles of Rust's
+/// compiler_builtins, which is that of IEEE 754, in place of libgcc's.
+pub fn ieee_addition(machine: Machine, folder: &Path) -> Vec<String> {
+    let Some((target, _)) = machine.rust_target() else { return Vec::new() };
+    let (source, library) = (folder.join("addition.rs"), folder.join("libaddition.a"));
+    fs::write(&source, BARE).expect("a library");
+    let flags = ["-O", "-Cpanic=abort", "--crate-type=staticlib", "--target", target];
+    run(rustc().args(flags).arg(&source).arg("-o").arg(&library));
+    let wanted = "-Wl,--undefined=__aeabi_dadd,--undefined=__aeabi_dsub,--no-warn-execstack";
+    vec![wanted.to_owned(), library.to_string_lossy().into_owned()]
+}
+
 /// The text of the library of the specs in `batch`, whose files go to `home`.
 fn library(home: &Path, batch: &[&Spec], machine: Machine) -> String {
     let mut text = String::new();
     if machine != Machine::Host {
-        text.push_str(
-            "#![no_std]\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo<'_>) -> ! {\n    \
-             loop {}\n}\n",
-        );
+        text.push_str(BARE);
     }
     for (index, spec) in batch.iter().enumerate() {
         let folder = home.join(format!("r{index}"));

@@ -145,7 +145,7 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
         let files = with_defect(&folder, &spec, Language::C, defect)?;
         let sources: Vec<_> =
             files.into_iter().filter(|file| file.extension().is_some_and(|e| e == "c")).collect();
-        let c = in_c_from(Machine::Host, &folder, &spec, &sources, &STRICT);
+        let c = in_c_from(Machine::Host, &folder, &spec, &sources, &STRICT.map(str::to_owned));
         let (_, told) = compare(&spec, &records, &c.run(&records), &rust[0].run(&records));
         finding.seed(defect.2, told.map(|difference| difference.kind().to_owned()));
     }

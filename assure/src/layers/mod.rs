@@ -1,14 +1,41 @@
 //! The layers, each in a file of its own.
 
+mod command;
+mod comparison;
 mod compilers;
+mod cpp;
+mod fmu;
 mod fuzz;
 mod identity;
+mod matlab;
+mod miri;
+mod packages;
+mod projects;
+mod python;
 mod rules;
+mod rust;
 mod seeded;
 mod selftest;
+mod st;
+mod supply;
 
 use crate::layer::Layer;
 
 /// Every layer, in the order in which they run: the cheap ones first.
-pub const LAYERS: &[Layer] =
-    &[compilers::LAYER, rules::LAYER, identity::LAYER, selftest::LAYER, fuzz::LAYER];
+pub const LAYERS: &[Layer] = &[
+    supply::LAYER,
+    compilers::LAYER,
+    rules::LAYER,
+    selftest::LAYER,
+    rust::LAYER,
+    miri::LAYER,
+    identity::LAYER,
+    fuzz::LAYER,
+    cpp::LAYER,
+    python::LAYER,
+    matlab::LAYER,
+    st::LAYER,
+    fmu::LAYER,
+    projects::LAYER,
+    packages::LAYER,
+];

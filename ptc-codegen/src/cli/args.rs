@@ -3,8 +3,9 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
-use ptc_codegen::emit::Language;
+use ptc_codegen::emit::{Language, Project};
 use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
 
@@ -12,7 +13,7 @@ use super::report::quoted;
 use super::source::{Source, flag};
 
 /// Generates prescribed-time controllers: closed forms for an order and a time mapping, as source
-/// code in C or Rust.
+/// code in C, Rust, C++, MATLAB, Python or Structured Text.
 #[derive(Debug, Parser)]
 #[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = EXAMPLES)]
 pub(crate) struct CommandLine {
@@ -38,7 +39,8 @@ pub(crate) enum Command {
     #[command(
         after_help = EMIT_EXAMPLES,
         override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]\n       \
-                          ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]"
+                          ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]\n       \
+                          ptc-codegen emit <DESIGN> --project <PROJECT> [-o <DIR>] [OPTIONS]"
     )]
     Emit(Emit),
     /// Check a design: its mapping, its gains at the deadline, sampling, final error and overflow
@@ -72,8 +74,12 @@ Examples:
       m, the gains and tau are fixed; writes src/roll.rs
   ptc-codegen emit --lang c --n 2 --mu \"exp_sum(rates=[0.5,1.5])\" --u-max inf -o -
       fixed rates, no clipping; prints header and source
+  ptc-codegen emit --lang python --n 3 --mu exp -o out
+      one module on NumPy, for simulation; writes out/ptc_exp3.py
   ptc-codegen emit roll.toml --lang c --param tau=2 -o out
       what the file roll.toml says, but for tau
+  ptc-codegen emit --project cortex-m --n 2 --mu exp --name stage
+      the folder stage: firmware for a Cortex-M4F, with the controller in a closed loop
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check
       writes nothing; exit code 1 if the files in out are not what would be written";
 
@@ -113,14 +119,23 @@ pub(crate) struct Design {
 pub(crate) struct Emit {
     #[command(flatten)]
     pub(crate) design: Design,
-    /// Language of the source: c is a header and a source file (C99), rust is one no_std file
-    #[arg(long, value_enum, value_name = "LANGUAGE")]
-    pub(crate) lang: Lang,
+    #[arg(long, value_parser = languages(), value_name = "LANGUAGE", help = languages_told())]
+    pub(crate) lang: Option<Language>,
+    #[arg(
+        long,
+        value_parser = projects(),
+        value_name = "PROJECT",
+        conflicts_with = "lang",
+        required_unless_present = "lang",
+        help = projects_told()
+    )]
+    pub(crate) project: Option<Project>,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// Folder to write to, made if it is missing; `-` prints to the standard output
-    #[arg(short, long, value_name = "DIR", default_value = ".")]
-    pub(crate) out: PathBuf,
+    /// Folder to write to, made if it is missing; `-` prints to the standard output [default: .;
+    /// for a project, which takes a new or an empty one, the controller's name]
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,
@@ -137,19 +152,26 @@ fn pass_names() -> Vec<&'static str> {
     std::iter::once("lower").chain(PASSES.iter().map(|pass| pass.name)).collect()
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Lang {
-    C,
-    Rust,
+/// The languages by name, as the library lists them.
+fn languages() -> impl TypedValueParser<Value = Language> {
+    let names = Language::ALL.map(|language| PossibleValue::new(language.name()));
+    PossibleValuesParser::new(names).try_map(|name| Language::named(&name).ok_or("no language"))
 }
 
-impl From<Lang> for Language {
-    fn from(lang: Lang) -> Self {
-        match lang {
-            Lang::C => Self::C,
-            Lang::Rust => Self::Rust,
-        }
-    }
+fn languages_told() -> String {
+    let told = Language::ALL.map(|language| format!("{} is {}", language.name(), language.about()));
+    format!("Language of the source: {}", told.join("; "))
+}
+
+/// The kinds of projects by name.
+fn projects() -> impl TypedValueParser<Value = Project> {
+    let names = Project::ALL.map(|project| PossibleValue::new(project.name()));
+    PossibleValuesParser::new(names).try_map(|name| Project::named(&name).ok_or("no project"))
+}
+
+fn projects_told() -> String {
+    let told = Project::ALL.map(|project| format!("{} is {}", project.name(), project.about()));
+    format!("A project that builds as it is, in place of a language: {}", told.join("; "))
 }
 
 /// The flag of parameters by name.

@@ -1,67 +1,115 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
+use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::{generate, generate_selftest};
+use ptc_codegen::spec::Spec;
+use ptc_codegen::{generate, generate_selftest, project};
 
 use super::args::Emit;
+use super::fmu;
+use super::project as folder;
 use super::report::{Failure, Notice};
 use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
+    if request.selftest && request.lang != Some(Language::C) {
+        return Err(Failure::because(
+            "`--selftest` is written in C only".to_owned(),
+            "give --lang c with it; in Rust, the tests of your own crate run on the target",
+        ));
+    }
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = given.read()?;
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }
-    let language = request.lang.into();
-    if request.selftest && language != Language::C {
-        return Err(Failure::because(
-            "`--selftest` is written in C only".to_owned(),
-            "give --lang c with it; in Rust, the tests of your own crate run on the target",
-        ));
-    }
-    let mut files = match generate(&spec, language) {
-        Ok(files) => files,
-        Err(found) => return given.finish(None, found),
-    };
-    if request.selftest {
-        match generate_selftest(&spec) {
-            Ok(more) => files.extend(more),
-            Err(found) => return given.finish(None, found),
+    match request.project {
+        Some(kind) => match project(&spec, kind) {
+            Ok(files) => make(request, &spec.name(), &files),
+            Err(found) => given.finish(None, found),
+        },
+        None => {
+            // The grammar asks for one of the two.
+            let language = request.lang.unwrap_or(Language::C);
+            match sources(request, &spec, language) {
+                Ok(files) => place(request, &spec.name(), language, &files),
+                Err(found) => given.finish(None, found),
+            }
         }
     }
-    match (request.out.as_os_str() == "-", request.check) {
-        (true, true) => Err(Failure::because(
+}
+
+/// The files of a language, and what goes with them by flags.
+fn sources(request: &Emit, spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let mut files = generate(spec, language)?;
+    if request.selftest {
+        files.extend(generate_selftest(spec)?);
+    }
+    Ok(files)
+}
+
+/// Prints, compares or writes the files of a language.
+fn place(request: &Emit, name: &str, language: Language, files: &[File]) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new("."));
+    match (out.as_os_str() == "-", request.check, language.fmi()) {
+        (true, true, _) => Err(Failure::because(
             "`--check` has no files to compare with where `--out` is `-`".to_owned(),
             "give the folder that holds them, for example -o out",
         )),
-        (true, false) => write::to_stdout(&joined(&files)),
-        (false, true) => check(&request.out, &files),
-        (false, false) => write::to_stdout(&write::files(&request.out, &files)?),
+        (true, false, Some(_)) => Err(unprintable("an FMU is an archive")),
+        (true, false, None) => write::to_stdout(&joined(files, language)),
+        (false, true, Some(_)) => fmu::check(out, name, files),
+        (false, true, None) => compare(out, files, &mut |name| fs::read(out.join(name))),
+        (false, false, Some(version)) => write::to_stdout(&fmu::write(out, name, version, files)?),
+        (false, false, None) => write::to_stdout(&write::files(out, files)?),
     }
+}
+
+/// Compares or writes the files of a project.
+fn make(request: &Emit, name: &str, files: &[File]) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new(name));
+    match (out.as_os_str() == "-", request.check) {
+        (true, _) => Err(unprintable("a project is a folder")),
+        (false, true) => compare(out, files, &mut |name| fs::read(out.join(name))),
+        (false, false) => folder::write(out, files),
+    }
+}
+
+fn unprintable(what: &str) -> Failure {
+    Failure::because(
+        format!("{what}, which is no text to print"),
+        "give the folder to write to, for example -o out",
+    )
 }
 
 /// All files in one text; a comment names each where there are several.
-fn joined(files: &[File]) -> String {
+fn joined(files: &[File], language: Language) -> String {
+    let (open, close) = language.comment();
     match files {
         [only] => only.text.clone(),
-        _ => files.iter().map(|f| format!("/* ---- {} ---- */\n{}", f.name, f.text)).collect(),
+        _ => {
+            files.iter().map(|f| format!("{open}---- {} ----{close}\n{}", f.name, f.text)).collect()
+        }
     }
 }
 
-/// Compares the files with what is in `folder`.
-fn check(folder: &Path, files: &[File]) -> Result<(), Failure> {
+/// Compares the files with what `read` gives for their names, which is in `folder`.
+pub(super) fn compare(
+    folder: &Path,
+    files: &[File],
+    read: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<(), Failure> {
     let mut notices = Vec::new();
     let mut same = String::new();
     for file in files {
         let path = folder.join(&file.name);
-        match fs::read(&path) {
+        match read(&file.name) {
             Ok(there) if there == file.text.as_bytes() => {
                 same.push_str(&format!("up to date: {}\n", path.display()));
             }
@@ -104,5 +152,5 @@ fn shown(line: Option<&str>) -> String {
 
 fn drift(title: String, notes: Vec<String>) -> Notice {
     let help = "run the same command without `--check` to write it".to_owned();
-    Notice { code: Some("drift"), title, quote: None, notes, help: Some(help) }
+    Notice { code: Some("drift"), title, quote: None, notes, help: Some(help), ..Notice::default() }
 }

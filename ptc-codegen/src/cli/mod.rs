@@ -6,8 +6,10 @@
 mod args;
 mod check;
 mod emit;
+mod fmu;
 mod list;
 mod new;
+mod project;
 mod report;
 mod show;
 mod source;

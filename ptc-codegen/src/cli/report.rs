@@ -49,6 +49,8 @@ pub(crate) struct Notice {
     pub(crate) notes: Vec<String>,
     /// What is legal, and the likely fix.
     pub(crate) help: Option<String>,
+    /// Whether the command goes on all the same.
+    pub(crate) warns: bool,
 }
 
 impl Notice {
@@ -85,7 +87,8 @@ pub(crate) fn print(notices: &[Notice]) {
 }
 
 fn group(notice: &Notice) -> Group<'_> {
-    let mut title = Level::ERROR.primary_title(notice.title.as_str());
+    let level = if notice.warns { Level::WARNING } else { Level::ERROR };
+    let mut title = level.primary_title(notice.title.as_str());
     if let Some(code) = notice.code {
         title = title.id(code);
     }

@@ -172,6 +172,7 @@ impl Parsed<'_> {
             quote: spot.and_then(|spot| self.quote(spot, label(diagnostic.code))),
             notes: Vec::new(),
             help: Some(help),
+            ..Notice::default()
         }
     }
 

@@ -22,13 +22,19 @@ pub(crate) fn to_stdout(text: &str) -> Result<(), Failure> {
 /// Writes the files into `folder` and tells what was done, one line a file. All of them are written
 /// in full beside the old ones before the first takes its place.
 pub(crate) fn files(folder: &Path, files: &[File]) -> Result<String, Failure> {
+    let files: Vec<_> = files.iter().map(|f| (f.name.as_str(), f.text.as_bytes())).collect();
+    bytes(folder, &files)
+}
+
+/// Writes files of any content, by their names, as [`files`] does.
+pub(crate) fn bytes(folder: &Path, files: &[(&str, &[u8])]) -> Result<String, Failure> {
     fs::create_dir_all(folder).map_err(|error| failed("cannot make the folder", folder, &error))?;
     let mut pending = Vec::new();
     let mut told = String::new();
-    for file in files {
-        let path = folder.join(&file.name);
+    for (name, content) in files {
+        let path = folder.join(name);
         // A file that keeps its time stamp is not built again.
-        if fs::read(&path).is_ok_and(|there| there == file.text.as_bytes()) {
+        if fs::read(&path).is_ok_and(|there| there == *content) {
             told.push_str(&format!("unchanged {}\n", path.display()));
             continue;
         }
@@ -37,8 +43,8 @@ pub(crate) fn files(folder: &Path, files: &[File]) -> Result<String, Failure> {
             let error = io::Error::from(ErrorKind::IsADirectory);
             return Err(failed("cannot write", &path, &error));
         }
-        let temporary =
-            Temporary::new(folder, file).map_err(|error| failed("cannot write", &path, &error))?;
+        let temporary = Temporary::new(folder, name, content)
+            .map_err(|error| failed("cannot write", &path, &error))?;
         told.push_str(&format!("wrote {}\n", path.display()));
         pending.push((temporary, path));
     }
@@ -52,11 +58,11 @@ pub(crate) fn files(folder: &Path, files: &[File]) -> Result<String, Failure> {
 struct Temporary(PathBuf);
 
 impl Temporary {
-    fn new(folder: &Path, file: &File) -> io::Result<Self> {
-        let path = folder.join(format!(".{}.{}.tmp", file.name, std::process::id()));
+    fn new(folder: &Path, name: &str, content: &[u8]) -> io::Result<Self> {
+        let path = folder.join(format!(".{name}.{}.tmp", std::process::id()));
         let temporary = Self(path);
         let mut writer = fs::OpenOptions::new().write(true).create_new(true).open(&temporary.0)?;
-        writer.write_all(file.text.as_bytes())?;
+        writer.write_all(content)?;
         writer.flush()?;
         Ok(temporary)
     }

@@ -4,15 +4,25 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec};
+
+pub(super) const TARGET: Target = Target {
+    language: Language::C,
+    name: "c",
+    about: "a header and a source file, C99",
+    comment: ("/* ", " */"),
+    is_word: |_| false,
+    refuse: |_, _| {},
+    files,
+};
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let frame = frame(controller, &name);
+    let frame = Frame::new(controller, real(spec), &C::new(spec));
     let head = header::lines(controller, Language::C);
     let externs = externs(spec, &name);
     let hold = match spec.after {
@@ -37,16 +47,6 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         .collect()
 }
 
-/// The parts of the functions.
-pub(super) fn frame(controller: &Controller<'_>, name: &str) -> Frame {
-    let spec = controller.spec();
-    let real = match spec.precision {
-        Precision::F32 => "float",
-        Precision::F64 => "double",
-    };
-    Frame::new(controller, real, &C { spec, name, real })
-}
-
 /// Type and name of what `step` takes beside time and state: the user's functions, and what is
 /// handed on to them.
 fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
@@ -63,10 +63,23 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
-struct C<'a> {
+pub(super) fn real(spec: &Spec) -> &'static str {
+    match spec.precision {
+        Precision::F32 => "float",
+        Precision::F64 => "double",
+    }
+}
+
+pub(super) struct C<'a> {
     spec: &'a Spec,
-    name: &'a str,
+    name: String,
     real: &'static str,
+}
+
+impl<'a> C<'a> {
+    pub(super) fn new(spec: &'a Spec) -> Self {
+        Self { spec, name: spec.name(), real: real(spec) }
+    }
 }
 
 impl Syntax for C<'_> {
@@ -107,11 +120,8 @@ impl Syntax for C<'_> {
         format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})")
     }
 
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
-        format!(
-            "(({divisor} < {zero}) || ({divisor} > {zero})) ? ({quotient}) : ({})NAN",
-            self.real
-        )
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
+        format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : ({})NAN", self.real)
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {
@@ -150,7 +160,7 @@ impl Syntax for C<'_> {
 
     /// All names in it are reserved, so that none hides a controller's type.
     fn rows_function(&self, weights: usize) -> Vec<String> {
-        let (name, real, tail) = (self.name, self.real, weights - 1);
+        let (name, real, tail) = (&self.name, self.real, weights - 1);
         let lines = [
             &format!("static void {name}_rows({real} row[{weights}], const {real} p[{tail}])"),
             "{",
@@ -176,6 +186,10 @@ impl Syntax for C<'_> {
             "}",
         ];
         lines.map(str::to_owned).to_vec()
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
     }
 
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {

@@ -1,5 +1,7 @@
 //! What the emitted functions consist of, as text that a template only has to place.
 
+use std::fmt;
+
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use super::{Controller, is_derived};
@@ -12,6 +14,32 @@ pub(super) struct Assignment {
     pub(super) value: String,
 }
 
+/// A condition on a parameter; as text it is the test.
+pub(super) struct Requirement {
+    pub(super) test: String,
+    /// The parameter's local value.
+    local: String,
+    /// The parameter's place among the parameters.
+    pub(super) parameter: String,
+    /// Its legal values, in words.
+    pub(super) legal: String,
+}
+
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.test)
+    }
+}
+
+/// The conditions on one parameter, for a language that tells which one is wrong.
+pub(super) struct Check<'a> {
+    pub(super) tests: Vec<&'a str>,
+    /// Its local value.
+    pub(super) local: &'a str,
+    pub(super) parameter: &'a str,
+    pub(super) legal: &'a str,
+}
+
 /// The parts of all functions of a controller in one language.
 pub(super) struct Frame {
     pub(super) n: usize,
@@ -21,7 +49,9 @@ pub(super) struct Frame {
     /// Run-time parameters: local name, and its place in the parameters.
     pub(super) locals: Vec<Assignment>,
     /// Conditions that the run-time parameters must meet.
-    pub(super) domain: Vec<String>,
+    pub(super) domain: Vec<Requirement>,
+    /// The functions that call one of the mathematical library.
+    pub(super) library: Vec<Routine>,
     /// Lines of the function of [`Op::Rows`], where there is one.
     pub(super) functions: Vec<String>,
     pub(super) init: Vec<String>,
@@ -35,7 +65,11 @@ pub(super) struct Frame {
     /// Conditions on the states x1..xn.
     pub(super) states: Vec<String>,
     pub(super) step: Vec<String>,
+    /// u before it is clipped, in one expression, and its parts: the law, and what takes its place
+    /// once the deadline is over.
     pub(super) step_u: String,
+    pub(super) law_u: String,
+    pub(super) next: Option<String>,
     pub(super) tick: Vec<String>,
     pub(super) gains: Vec<String>,
     pub(super) axis: Vec<String>,
@@ -69,7 +103,7 @@ impl Frame {
         syntax: &dyn Syntax,
     ) -> Self {
         let (spec, program) = (controller.spec(), controller.program);
-        let plan = Plan::new(program);
+        let plan = Plan::new(program, |name| syntax.name(name));
         let body = |function| print::print(&plan, function, syntax);
         let (init, arm) = (body(Routine::Init), body(Routine::Arm));
         let (step, tick, axis) = (body(Routine::Step), body(Routine::Tick), body(Routine::Axis));
@@ -89,11 +123,8 @@ impl Frame {
             };
         let limits = program.limits;
         let local = |parameter: Parameter| Assignment {
-            name: parameter_name(parameter),
-            value: match parameter.index() {
-                Some(index) => format!("{}[{index}]", parameter.key()),
-                None => parameter.key().to_owned(),
-            },
+            name: local_name(parameter, syntax),
+            value: place(parameter, syntax),
         };
         let latches = spec.latches();
         let armed = plan.fields.iter().filter(|field| field.armed).zip(&arm.roots);
@@ -121,6 +152,7 @@ impl Frame {
             zero: zero.clone(),
             locals: spec.run_time_parameters().map(local).collect(),
             domain: domain(controller, syntax),
+            library: Routine::ALL.into_iter().filter(|r| plan.calls_library(*r)).collect(),
             functions: functions.unwrap_or_default(),
             init: init.lines,
             init_fields: assign(init.roots, false),
@@ -133,6 +165,8 @@ impl Frame {
                 Some(past) => syntax.select(&format!("{past} >= {zero}"), &next, &step.roots[0]),
                 None => step.roots[0].clone(),
             },
+            law_u: step.roots[0].clone(),
+            next: past.is_some().then_some(next),
             step: step.lines,
             gains: tick.roots[..program.gains.len()].to_vec(),
             tick: tick.lines,
@@ -143,7 +177,7 @@ impl Frame {
             latches,
             associated: spec.what == What::Associated,
             latched: (1..=if latches { spec.n } else { 0 })
-                .map(|j| syntax.finite(&format!("x0[{}]", j - 1)))
+                .map(|j| syntax.finite(&syntax.element("x0", j - 1)))
                 .collect(),
             latched_states,
             latched_fields,
@@ -157,51 +191,105 @@ impl Frame {
             fields: plan.fields,
         }
     }
+
+    /// The conditions of each parameter, in the order of `domain`.
+    pub(super) fn checks(&self) -> Vec<Check<'_>> {
+        let mut checks: Vec<Check<'_>> = Vec::new();
+        for Requirement { test, local, parameter, legal } in &self.domain {
+            match checks.last_mut() {
+                Some(last) if last.parameter == parameter && last.legal == legal => {
+                    last.tests.push(test);
+                }
+                _ => checks.push(Check { tests: vec![test], local, parameter, legal }),
+            }
+        }
+        checks
+    }
 }
 
 /// A number as an expression in the language.
-fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
+pub(super) fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
     let text = syntax.literal(&number::literal(value.abs(), precision));
     if value.is_sign_negative() { format!("-{text}") } else { text }
 }
 
 /// A parameter in `init`: its literal where it is fixed, else its local name.
-fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
+pub(super) fn parameter_text(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> String {
     match spec.fixed.get(&parameter).and_then(Fixed::number) {
         Some(number) => literal(number::round(number, spec.precision), spec.precision, syntax),
-        None => parameter_name(parameter),
+        None => local_name(parameter, syntax),
+    }
+}
+
+/// A parameter as a local value in the language.
+fn local_name(parameter: Parameter, syntax: &dyn Syntax) -> String {
+    syntax.name(&parameter_name(parameter))
+}
+
+/// Where a parameter stands among the parameters that `init` is given.
+pub(super) fn place(parameter: Parameter, syntax: &dyn Syntax) -> String {
+    match parameter.index() {
+        Some(index) => syntax.element(parameter.key(), index),
+        None => parameter.key().to_owned(),
     }
 }
 
 /// The conditions of the run-time parameters' domains.
-fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<String> {
+fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<Requirement> {
     let spec = controller.spec();
     let zero = syntax.literal("0.0");
     let mut tests = Vec::new();
     for parameter in spec.run_time_parameters() {
-        let name = parameter_name(parameter);
+        let name = local_name(parameter, syntax);
         let positive = format!("({name} > {zero})");
-        match spec.domain(parameter) {
-            Domain::Finite => tests.push(syntax.finite(&name)),
-            Domain::Positive => tests.extend([syntax.finite(&name), positive]),
-            Domain::Within => tests.extend(within(spec, parameter, syntax)),
-            Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive),
-        }
+        let domain = spec.domain(parameter);
+        let own = match domain {
+            Domain::Finite => vec![syntax.finite(&name)],
+            Domain::Positive => vec![syntax.finite(&name), positive],
+            Domain::Within => within(spec, parameter, syntax),
+            Domain::PositiveOrInfinite | Domain::BelowTau => vec![positive],
+        };
+        let legal = match spec.bounds.get(&parameter) {
+            Some((least, greatest)) => format!("from {least} to {greatest}"),
+            None => domain.text().to_owned(),
+        };
+        let place = place(parameter, syntax);
+        let require = |test| Requirement {
+            test,
+            local: name.clone(),
+            parameter: place.clone(),
+            legal: legal.clone(),
+        };
+        tests.extend(own.into_iter().map(require));
     }
     if let Some((parameter, greatest)) = &controller.report.greatest
         && let Some(number) = greatest.number()
     {
         let bound = literal(number::round(number, spec.precision), spec.precision, syntax);
-        tests.push(format!("({} <= {bound})", parameter_name(*parameter)));
+        tests.push(Requirement {
+            test: format!("({} <= {bound})", local_name(*parameter, syntax)),
+            local: local_name(*parameter, syntax),
+            parameter: place(*parameter, syntax),
+            legal: format!("at most {greatest}"),
+        });
     }
     // eps below tau: both may be fixed, and then the spec has been checked.
     if spec.what == What::Associated {
         return tests;
     }
-    let both_fixed = [Parameter::Eps, Parameter::Tau].iter().all(|p| spec.fixed.contains_key(p));
-    if !both_fixed {
+    let given: Vec<_> = [Parameter::Eps, Parameter::Tau]
+        .into_iter()
+        .filter(|p| !spec.fixed.contains_key(p))
+        .collect();
+    if let Some(first) = given.first() {
         let text = |parameter| parameter_text(spec, parameter, syntax);
-        tests.push(format!("({} < {})", text(Parameter::Eps), text(Parameter::Tau)));
+        let (eps, tau) = (text(Parameter::Eps), text(Parameter::Tau));
+        tests.push(Requirement {
+            test: format!("({eps} < {tau})"),
+            local: local_name(*first, syntax),
+            parameter: place(*first, syntax),
+            legal: if *first == Parameter::Eps { "> 0, < tau" } else { "finite, > eps" }.to_owned(),
+        });
     }
     tests
 }
@@ -209,7 +297,7 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<String> {
 /// The conditions that keep a parameter within the bounds that the user gave.
 fn within(spec: &Spec, parameter: Parameter, syntax: &dyn Syntax) -> Vec<String> {
     let Some((least, greatest)) = spec.bounds.get(&parameter) else { return Vec::new() };
-    let name = parameter_name(parameter);
+    let name = local_name(parameter, syntax);
     let text = |bound: &Fixed| {
         bound.number().map(|n| literal(number::round(n, spec.precision), spec.precision, syntax))
     };

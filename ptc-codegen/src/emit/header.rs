@@ -17,10 +17,7 @@ const SHOWN: usize = 6;
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let spec = controller.spec();
-    let lang = match language {
-        Language::C => "c",
-        Language::Rust => "rust",
-    };
+    let lang = language.name();
     let associated = spec.what == What::Associated;
     let kind = if associated { "Infinite-time system of" } else { "Prescribed-time controller" };
     let (name, n, mapping_name) = (spec.name(), spec.n, spec.mapping_name());

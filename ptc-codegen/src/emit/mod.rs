@@ -4,18 +4,30 @@
 //! holds structure and API text, never arithmetic.
 
 mod c;
+mod cpp;
+mod example;
+pub mod fmu;
 mod frame;
 mod header;
+mod matlab;
 mod plan;
 mod print;
+mod project;
+mod python;
 mod rust;
 mod selftest;
+mod st;
+#[cfg(test)]
+mod table;
+
+pub use project::Project;
 
 use crate::check::examine::Report;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::law::Law;
 use crate::program::{Op, Program, Value};
 use crate::selftest::SelfTest;
-use crate::spec::Spec;
+use crate::spec::{After, Feedback, Parameter, Spec, What};
 use plan::{Field, Plan};
 
 /// A language to emit.
@@ -25,12 +37,100 @@ pub enum Language {
     C,
     /// Rust, `no_std`: one file that stands alone.
     Rust,
+    /// C++17: one header.
+    Cpp,
+    /// MATLAB and GNU Octave: a function file for each function.
+    Matlab,
+    /// Python on NumPy: one typed module.
+    Python,
+    /// IEC 61131-3 Structured Text: a function block.
+    StructuredText,
+    /// An FMU after FMI 2.0: its files by their paths in the archive, without a library.
+    Fmu2,
+    /// An FMU after FMI 3.0, likewise.
+    Fmu3,
+}
+
+/// The back ends, in the order of [`Language`].
+const TARGETS: [Target; 8] = [
+    c::TARGET,
+    rust::TARGET,
+    cpp::TARGET,
+    matlab::TARGET,
+    python::TARGET,
+    st::TARGET,
+    fmu::TARGET_2,
+    fmu::TARGET_3,
+];
+
+impl Language {
+    /// Every language.
+    pub const ALL: [Self; TARGETS.len()] = {
+        let mut all = [Self::C; TARGETS.len()];
+        let mut index = 0;
+        while index < TARGETS.len() {
+            all[index] = TARGETS[index].language;
+            index += 1;
+        }
+        all
+    };
+
+    fn target(self) -> &'static Target {
+        // A test holds the table in the order of the enum.
+        &TARGETS[self as usize]
+    }
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        self.target().name
+    }
+
+    /// The language of this name on the command line.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name)
+    }
+
+    /// What is emitted, in a few words.
+    pub fn about(self) -> &'static str {
+        self.target().about
+    }
+
+    /// The version of FMI, of an FMU.
+    pub fn fmi(self) -> Option<fmu::Version> {
+        match self {
+            Self::Fmu2 => Some(fmu::Version::Two),
+            Self::Fmu3 => Some(fmu::Version::Three),
+            _ => None,
+        }
+    }
+
+    /// What opens and what closes a comment line.
+    pub fn comment(self) -> (&'static str, &'static str) {
+        self.target().comment
+    }
+}
+
+/// A back end: what is known of it before there is a program, and its printer.
+struct Target {
+    language: Language,
+    /// Name on the command line.
+    name: &'static str,
+    /// What is emitted, in a few words.
+    about: &'static str,
+    /// What opens and closes a comment line.
+    comment: (&'static str, &'static str),
+    /// Whether a word that other languages leave free means something in this one.
+    is_word: fn(&str) -> bool,
+    /// Notes what it cannot express.
+    refuse: fn(&Controller<'_>, &mut Diagnostics),
+    /// The files of a controller.
+    files: fn(&Controller<'_>) -> Vec<File>,
 }
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// File name, without a folder.
+    /// File name; in an FMU or a project the path, its folders separated by `/`.
     pub name: String,
     /// Contents.
     pub text: String,
@@ -54,12 +154,57 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// The files of a controller in `language`.
-pub fn emit(controller: &Controller<'_>, language: Language) -> Vec<File> {
-    match language {
-        Language::C => c::files(controller),
-        Language::Rust => vec![rust::file(controller)],
+/// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
+/// function of the user's, and needs a controller.
+fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
+    let mut against = |key: &str, message: String, help: &str| {
+        found.push("not-alone", key, None, message, help);
+    };
+    let own = "emit C or Rust instead, and call the controller from a program of yours";
+    if spec.what == What::Associated {
+        let message = format!("{what} holds a controller, not the infinite-time system");
+        against("what", message, "leave `what` out, or emit C or Rust");
     }
+    if spec.feedback == Feedback::Extern {
+        against("pi0", format!("{what} has no function of yours to call for pi0"), own);
+    }
+    if spec.after == After::Extern {
+        let message = format!("{what} has no function of yours to call after the deadline");
+        against("after", message, own);
+    }
+}
+
+/// The files of a controller in `language`.
+///
+/// # Errors
+/// A name that is a word of the language, and each feature that it cannot express; there are none in
+/// C and Rust.
+pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let target = language.target();
+    let mut found = Diagnostics::default();
+    for (key, word) in names(controller.spec()) {
+        if (target.is_word)(&word) {
+            found.push(
+                "reserved-name",
+                key,
+                None,
+                format!("{word} has a meaning of its own in {}", target.name),
+                format!("give it another name, for example {word}_1"),
+            );
+        }
+    }
+    (target.refuse)(controller, &mut found);
+    found.finish(Some(()))?;
+    Ok((target.files)(controller))
+}
+
+/// The names that the user gave, or that were made for him, each by its key.
+fn names(spec: &Spec) -> Vec<(String, String)> {
+    let named = spec.parameters().into_iter().filter_map(|parameter| match parameter {
+        Parameter::Named(name) => Some((format!("params.{name}"), name.text().to_owned())),
+        _ => None,
+    });
+    named.chain([("name".to_owned(), spec.name())]).collect()
 }
 
 /// The C files of the self-test of a controller.
@@ -70,7 +215,7 @@ pub fn emit_selftest(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> 
 /// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
 /// name of its field.
 pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
-    let fields = Plan::new(program).fields;
+    let fields = Plan::new(program, str::to_owned).fields;
     let derived = |field: &&Field| is_derived(program, field);
     [false, true].map(|armed| {
         let own = fields.iter().filter(|field| field.armed == armed).filter(derived);
@@ -132,4 +277,17 @@ fn tidy(text: &str) -> String {
     let mut text = lines.join("\n");
     text.push('\n');
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Language, TARGETS};
+
+    #[test]
+    fn targets_are_in_the_order_of_the_languages() {
+        for (index, target) in TARGETS.iter().enumerate() {
+            assert_eq!(target.language as usize, index);
+            assert_eq!(Language::named(target.name), Some(target.language));
+        }
+    }
 }

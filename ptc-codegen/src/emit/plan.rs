@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::expression::Function;
 use crate::program::{Input, Op, Program, Stage, Value};
 use crate::spec::Parameter;
 
@@ -41,6 +42,11 @@ enum Phase {
     Call,
 }
 
+impl Routine {
+    /// Every one.
+    pub(super) const ALL: [Self; 5] = [Self::Init, Self::Arm, Self::Step, Self::Tick, Self::Axis];
+}
+
 impl Phase {
     fn of(stage: Stage) -> Self {
         match stage {
@@ -61,7 +67,8 @@ pub(super) struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
+    /// The plan of `program`, whose names `rename` makes those of the language.
+    pub(super) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
         let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
         for (index, definition) in program.values.iter().enumerate() {
             let name = match (&definition.name, &definition.op) {
@@ -69,7 +76,7 @@ impl<'a> Plan<'a> {
                 (None, Op::Input(input)) => input_name(*input),
                 _ => continue,
             };
-            plan.names.insert(Value(index), name);
+            plan.names.insert(Value(index), rename(&name));
         }
         let mut kept = BTreeSet::new();
         kept.extend(program.limits.start_time);
@@ -130,6 +137,27 @@ impl<'a> Plan<'a> {
             }
             Routine::Axis => self.program.axis.into_iter().collect(),
         }
+    }
+
+    /// The values that `function` computes itself, in order.
+    fn computed(&self, function: Routine) -> Vec<Value> {
+        let roots = self.roots(function);
+        let mut wanted: BTreeSet<Value> = roots.iter().copied().collect();
+        for value in self.program.needed(&roots).into_iter().rev() {
+            if wanted.contains(&value) && !self.is_field(function, value) {
+                wanted.extend(self.program.get(value).op.operands());
+            }
+        }
+        wanted.into_iter().filter(|value| !self.is_field(function, *value)).collect()
+    }
+
+    /// Whether `function` calls a function of the mathematical library.
+    pub(super) fn calls_library(&self, function: Routine) -> bool {
+        let own = |op: &Op| matches!(op, Op::Call(Function::Abs | Function::Sign, _));
+        self.computed(function).into_iter().any(|value| {
+            let op = &self.program.get(value).op;
+            matches!(op, Op::Call(..) | Op::Pow(..)) && !own(op)
+        })
     }
 
     /// Whether `function` reads `value` from a field instead of computing it.

@@ -1,4 +1,5 @@
-//! From the values of one function to statements, for languages with C's expressions.
+//! From the values of one function to statements. Every language writes sums, differences, products
+//! and quotients alike; all else stands in its [`Syntax`], one method for each operation.
 
 use std::collections::BTreeMap;
 
@@ -7,9 +8,14 @@ use crate::expression::Function;
 use crate::program::{Input, Op, Root, Stage, Value, number};
 use crate::spec::Precision;
 
-/// What differs between the languages.
+/// What differs between the languages: the names, the tests of the frame, and then the operations, one
+/// method for each. None has a default but the name, so that a new operation is written for all.
 pub(super) trait Syntax {
-    /// A literal.
+    /// The name under which a value is kept; two values never share one.
+    fn name(&self, name: &str) -> String {
+        name.to_owned()
+    }
+    /// A literal of the program's precision, without a sign, from its shortest decimal digits.
     fn literal(&self, text: &str) -> String;
     /// A field of the controller.
     fn field(&self, name: &str) -> String;
@@ -25,8 +31,8 @@ pub(super) trait Syntax {
     fn abs(&self, a: &str) -> String;
     /// 1 for a > 0, -1 for a < 0, else a.
     fn sign(&self, a: &str, zero: &str, one: &str) -> String;
-    /// `quotient`, and NaN where its divisor is 0.
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String;
+    /// a / b, and NaN where b is 0 or NaN; both are operands already.
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String;
     /// `yes` where the condition holds, else `no`.
     fn select(&self, condition: &str, yes: &str, no: &str) -> String;
     /// The call of the user's own law for the time after the deadline.
@@ -43,6 +49,8 @@ pub(super) trait Syntax {
     fn input(&self, input: Input, name: &str) -> String;
     /// The function of the loops of [`Op::Rows`], for so many weights.
     fn rows_function(&self, weights: usize) -> Vec<String>;
+    /// An element of an array of the program or of the user's, from 0.
+    fn element(&self, array: &str, index: usize) -> String;
     /// Its call: statements that leave the array in `name`.
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String>;
     /// The loop that finds a root; `body` computes one round.
@@ -63,6 +71,13 @@ pub(super) struct RootText<'a> {
     pub(super) half: &'a str,
     pub(super) zero: &'a str,
     pub(super) rounds: u32,
+}
+
+/// A literal of single precision for a language that reads all numbers as doubles: the same number in
+/// the digits of a double, so that it is rounded once.
+pub(super) fn through_double(text: &str) -> String {
+    let single: f32 = text.parse().unwrap_or(f32::NAN);
+    format!("{:?}", f64::from(single))
 }
 
 /// An expression under construction; a compound one needs parentheses as an operand.
@@ -200,7 +215,7 @@ impl Printer<'_> {
                 self.known.insert(value, Expression::atom(name));
             }
             Op::Element(array, index) => {
-                let element = format!("{}[{index}]", self.text(*array));
+                let element = self.syntax.element(&self.text(*array), *index);
                 self.known.insert(value, Expression::atom(element));
             }
             op => {
@@ -245,9 +260,8 @@ impl Printer<'_> {
             Op::Mul(a, b) => binary('*', a, b),
             Op::Div(a, b) => binary('/', a, b),
             Op::Quotient(a, b) => {
-                let (divisor, zero) = (operand(b), self.number(0.0).text);
-                let quotient = binary('/', a, b).text;
-                let text = self.syntax.quotient(&quotient, &divisor, &zero);
+                let zero = self.number(0.0).text;
+                let text = self.syntax.quotient(&operand(a), &operand(b), &zero);
                 Expression { text, operator: Some('?') }
             }
             Op::Max(a, b) => Expression {
@@ -292,7 +306,7 @@ impl Printer<'_> {
     }
 
     fn root(&mut self, value: Value, root: &Root) {
-        let unknown = self.plan.name(root.unknown).unwrap_or("y").to_owned();
+        let unknown = self.plan.name(root.unknown).unwrap_or_default().to_owned();
         self.known.insert(root.unknown, Expression::atom(unknown.clone()));
         let outside = std::mem::take(&mut self.lines);
         for inner in self.plan.program.needed(&[root.residual, root.next, root.size]) {

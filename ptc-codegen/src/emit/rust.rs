@@ -4,10 +4,20 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
 use crate::expression::Function;
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec};
+
+pub(super) const TARGET: Target = Target {
+    language: Language::Rust,
+    name: "rust",
+    about: "one no_std file that stands alone",
+    comment: ("/* ", " */"),
+    is_word: |_| false,
+    refuse: |_, _| {},
+    files: |controller| vec![file(controller)],
+};
 
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
@@ -35,7 +45,7 @@ pub(super) fn items(controller: &Controller<'_>) -> String {
 /// The items; `runtime` is the path of the types that they stand on.
 fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     let spec = controller.spec();
-    let frame = Frame::new(controller, real(spec), &Rust { spec, runtime });
+    let frame = Frame::new(controller, real(spec), &Rust::new(spec, runtime));
     let (type_name, parameters) = (spec.type_name(), declared(spec));
     let hold = match spec.after {
         After::Hold => format!("{runtime}Status::Hold"),
@@ -46,7 +56,7 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     Items { type_name, runtime, parameters, hold, frame }.render().unwrap_or_default()
 }
 
-fn real(spec: &Spec) -> &'static str {
+pub(super) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "f32",
         Precision::F64 => "f64",
@@ -81,9 +91,16 @@ impl MathFunction {
     }
 }
 
-struct Rust<'a> {
+pub(super) struct Rust<'a> {
     spec: &'a Spec,
     runtime: &'static str,
+}
+
+impl<'a> Rust<'a> {
+    /// `runtime` is the path of the types that the items stand on; none is their own module.
+    pub(super) fn new(spec: &'a Spec, runtime: &'static str) -> Self {
+        Self { spec, runtime }
+    }
 }
 
 impl Syntax for Rust<'_> {
@@ -124,9 +141,9 @@ impl Syntax for Rust<'_> {
         format!("if {a} > {zero} {{ {one} }} else if {a} < {zero} {{ -{one} }} else {{ {a} }}")
     }
 
-    fn quotient(&self, quotient: &str, divisor: &str, zero: &str) -> String {
+    fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
         let nan = format!("{}::NAN", real(self.spec));
-        format!("if {divisor} < {zero} || {divisor} > {zero} {{ {quotient} }} else {{ {nan} }}")
+        format!("if {b} < {zero} || {b} > {zero} {{ {a} / {b} }} else {{ {nan} }}")
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {
@@ -187,6 +204,10 @@ impl Syntax for Rust<'_> {
             "}",
         ];
         lines.map(str::to_owned).to_vec()
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{index}]")
     }
 
     fn rows(&self, name: &str, tail: &[String], weights: &[String]) -> Vec<String> {

@@ -14,7 +14,7 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
     let numbers = Numbers { spec };
-    let frame = c::frame(controller, &name);
+    let frame = Frame::new(controller, c::real(spec), &c::C::new(spec));
     let unreachable = wrapped(&test.unreachable);
     let header = Header {
         name: &name,

@@ -1,7 +1,8 @@
 /* One controller behind `drive`: a record of numbers in, an outcome out; see Record and Outcome in
  * program.rs. HEADER is its header, NAME its name, DRIVE the name of its function, N its order, REAL
  * its type, PARAMS its number of run-time parameters. LATCHES, LAW, AFTER and AXIS are 1 where the
- * controller latches x0, asks for pi0, asks for a law after the deadline, has tick and axis. */
+ * controller latches x0, asks for pi0, asks for a law after the deadline, has tick and axis. RATE is 1
+ * for the infinite-time system, with f = 1/4; u is then the last of its rates. */
 #include <stdint.h>
 #include <string.h>
 
@@ -79,7 +80,13 @@ void DRIVE(const void *bytes, int32_t status[3], void *out)
     status[2] = 0;
     status[0] = (int32_t)METHOD(NAME, _init)(&self, &params START);
     if (status[0] == 0) {
+#if RATE
+        REAL xi_dot[N] = { (REAL)0 };
+        status[1] = (int32_t)METHOD(NAME, _rate)(&self, t, x, (REAL)0.25 LAW_ARGUMENT CONTEXT_ARGUMENT, xi_dot);
+        u[0] = xi_dot[N - 1];
+#else
         status[1] = (int32_t)METHOD(NAME, _step)(&self, t, x LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[0]);
+#endif
 #if AXIS
         METHOD(NAME, _gains) gains;
         status[2] = (int32_t)METHOD(NAME, _tick)(&self, t, &gains);

@@ -32,7 +32,7 @@ fn greatest(spec: &Spec, parameter: Parameter) -> Option<BigRational> {
 }
 
 /// The greatest decay rate of mu', where it is known, and what a pole at a multiple of it does.
-pub(super) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
+pub(crate) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::Exp, .. } => {
             (greatest(spec, Parameter::A), Modes::Polynomial)

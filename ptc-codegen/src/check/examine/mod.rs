@@ -5,7 +5,8 @@ mod numbers;
 
 use std::collections::btree_map::Entry;
 
-use known::{decay_rate, fixed_gains, is_known};
+pub(crate) use known::decay_rate;
+use known::{fixed_gains, is_known};
 use numbers::Numbers;
 
 use super::envelope::{Interval, scan};

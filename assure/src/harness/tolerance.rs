@@ -2,16 +2,15 @@
 //! scale is the sum of the absolute values of the terms of u (tests/data/README.md). Those of a
 //! controller are in the library, which writes them into self-tests.
 
-#[allow(unused_imports)]
-pub(crate) use ptc_codegen::reference::tolerance::control;
+pub use ptc_codegen::reference::tolerance::control;
 
 /// Identities between sums of products of doubles, relative to the sum of their absolute values:
 /// the entries of BB_n hold up to n powers of atoms that are themselves a few roundings off.
-pub(crate) const IDENTITY: f64 = 1e-12;
+pub const IDENTITY: f64 = 1e-12;
 
 /// A control law on an exact trajectory, relative to the largest |u| of that trajectory.
-pub(crate) const TRAJECTORY: f64 = 1e-13;
+pub const TRAJECTORY: f64 = 1e-13;
 
 /// A trajectory of RK4 with a few thousand steps, relative to its largest |x_i|: the steps' own
 /// error, not that of the law.
-pub(crate) const SIMULATION: f64 = 1e-9;
+pub const SIMULATION: f64 = 1e-9;

@@ -1,0 +1,48 @@
+//! The command `ptc-codegen` of this workspace, as a user runs it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use anyhow::{Context as _, Result, ensure};
+use ptc_codegen::spec::Spec;
+
+use crate::context::Context;
+
+/// Builds the command and returns its path, which is beside this program's.
+pub(super) fn generator(context: &Context) -> Result<PathBuf> {
+    let own = std::env::current_exe()?;
+    let folder = own.parent().context("this program is in a folder")?;
+    let mut cargo = Command::new("cargo");
+    cargo.args(["build", "--quiet", "--package", "ptc-codegen"]).current_dir(context.workspace());
+    if folder.ends_with("release") {
+        cargo.arg("--release");
+    }
+    let target = folder.parent().context("a folder of cargo's")?;
+    succeed(cargo.env("CARGO_TARGET_DIR", target))?;
+    Ok(folder.join("ptc-codegen"))
+}
+
+/// Runs `emit` on a spec, by the words of its command line.
+pub(super) fn emit(generator: &Path, target: &str, spec: &Spec, out: &Path) -> Result<String> {
+    let line = format!(
+        "'{}' emit {target} {} -o '{}'",
+        generator.display(),
+        spec.command(),
+        out.display()
+    );
+    text(Command::new("sh").args(["-c", &line]))
+}
+
+/// What a command prints that must succeed.
+pub(super) fn text(command: &mut Command) -> Result<String> {
+    Ok(String::from_utf8_lossy(&succeed(command)?.stdout).into_owned())
+}
+
+/// Runs a command that must succeed.
+pub(super) fn succeed(command: &mut Command) -> Result<Output> {
+    let output = command.output().with_context(|| format!("{command:?}"))?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    let printed = String::from_utf8_lossy(&output.stdout);
+    ensure!(output.status.success(), "{command:?}: {}\n{printed}{told}", output.status);
+    Ok(output)
+}

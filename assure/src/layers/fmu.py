@@ -1,0 +1,170 @@
+"""FMUs in fmpy: validation, single calls and closed loops. Called by fmu.rs.
+
+run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
+pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
+"""
+
+import pathlib
+import shutil
+import struct
+import sys
+import tempfile
+
+import fmpy
+from fmpy.build import build_platform_binary
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.fmi3 import FMU3Slave
+from fmpy.validation import validate_fmu
+
+STEPS = 1000
+
+
+def hexed(number):
+    return struct.pack("<d", number).hex()
+
+
+class Instance:
+    """One interface for both versions of FMI."""
+
+    def __init__(self, path):
+        self.folder = tempfile.mkdtemp()
+        self.model = fmpy.read_model_description(path)
+        fmpy.extract(path, self.folder)
+        self.second = self.model.fmiVersion == "2.0"
+        self.messages = []
+        named = {v.name: v for v in self.model.modelVariables}
+        self.references = {name: v.valueReference for name, v in named.items()}
+        self.parameters = [
+            v.valueReference for v in self.model.modelVariables if v.causality == "parameter"
+        ]
+        self.states = [v.valueReference for v in self.model.modelVariables if v.causality == "input"]
+        single = named["u"].type == "Float32"
+        kind = FMU2Slave if self.second else FMU3Slave
+        self.fmu = kind(
+            guid=self.model.guid,
+            unzipDirectory=self.folder,
+            modelIdentifier=self.model.coSimulation.modelIdentifier,
+            instanceName="instance",
+        )
+        if self.second:
+            callbacks = fmi2CallbackFunctions()
+            callbacks.logger = fmi2CallbackLoggerTYPE(
+                lambda environment, instance, status, category, message: self.messages.append(
+                    message.decode()
+                )
+            )
+            self.fmu.instantiate(callbacks=callbacks)
+            self.get, self.set, self.integer = self.fmu.getReal, self.fmu.setReal, self.fmu.getInteger
+        else:
+            self.fmu.instantiate(
+                logMessage=lambda environment, status, category, message: self.messages.append(
+                    message.decode()
+                )
+            )
+            width = "32" if single else "64"
+            self.get = getattr(self.fmu, "getFloat" + width)
+            self.set = getattr(self.fmu, "setFloat" + width)
+            self.integer = self.fmu.getInt32
+
+    def start(self, time, parameters, x):
+        """Initializes the instance at a time."""
+        if self.second:
+            self.fmu.setupExperiment(startTime=time)
+            self.fmu.enterInitializationMode()
+        else:
+            self.fmu.enterInitializationMode(startTime=time)
+        if parameters:
+            self.set(self.parameters, parameters)
+        self.set(self.states, x)
+        self.fmu.exitInitializationMode()
+
+    def tune(self, time, parameters, x):
+        """Sets everything anew while the instance runs."""
+        if parameters:
+            self.set(self.parameters, parameters)
+        self.set(self.states, x)
+        self.step(time, 0.0)
+
+    def step(self, time, by):
+        self.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=by)
+
+    def outputs(self):
+        u, to_go = self.get([self.references["u"], self.references["time_to_go"]])
+        return u, to_go, self.integer([self.references["status"]])[0]
+
+    def close(self):
+        self.fmu.freeInstance()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def calls(instance, records, count, n):
+    """One line for each record: what it gives, or what is told of why it gives nothing."""
+    lines = []
+    for index, record in enumerate(struct.iter_unpack(f"<{count + 1 + n}d", records)):
+        instance.messages.clear()
+        parameters, time, x = list(record[:count]), record[count], list(record[count + 1 :])
+        try:
+            if index % 2 == 0:
+                instance.fmu.reset()
+                instance.start(time, parameters, x)
+            else:
+                instance.tune(time, parameters, x)
+            u, to_go, status = instance.outputs()
+            lines.append(f"ok {status} {hexed(u)} {hexed(to_go)}")
+        except FMICallException:
+            lines.append("error " + " | ".join(instance.messages))
+    return lines
+
+
+def loop(instance, n):
+    """The closed loop with the chain of integrators from x1 = 1, with the start values of the FMU."""
+    instance.fmu.reset()
+    start = instance.model.defaultExperiment
+    begin, end = float(start.startTime), float(start.stopTime)
+    h = (end - begin) / STEPS
+    x = [1.0] + [0.0] * (n - 1)
+    instance.start(begin, [], x)
+    lines = [" ".join(hexed(v) for v in instance.get(instance.parameters))]
+    time = begin
+    for index in range(STEPS + 1):
+        instance.set(instance.states, x)
+        u, to_go, status = instance.outputs()
+        lines.append(" ".join([str(status), *(hexed(v) for v in [time, *x, u])]))
+        if index == STEPS:
+            break
+        for i in range(n):
+            total = u
+            for k in range(n - i, 0, -1):
+                total = x[i + k - 1] + h * total / k
+            x[i] = total
+        instance.step(time, h)
+        time += h
+    return lines
+
+
+def run(listed):
+    for line in pathlib.Path(listed).read_text().splitlines():
+        fmu, records, outcomes, looped, count, n = line.split("\t")
+        problems = validate_fmu(fmu)
+        if problems:
+            pathlib.Path(outcomes).write_text("invalid " + " | ".join(problems).replace("\n", " "))
+            continue
+        instance = Instance(fmu)
+        data = pathlib.Path(records).read_bytes()
+        pathlib.Path(outcomes).write_text("\n".join(calls(instance, data, int(count), int(n))))
+        try:
+            lines = loop(instance, int(n))
+        except FMICallException as error:
+            lines = [f"error {error}: " + " | ".join(instance.messages)]
+        pathlib.Path(looped).write_text("\n".join(lines))
+        instance.close()
+
+
+def pack(folder, fmu):
+    build_platform_binary(folder)
+    shutil.move(shutil.make_archive(fmu, "zip", folder), fmu)
+
+
+if __name__ == "__main__":
+    {"run": run, "pack": pack}[sys.argv[1]](*sys.argv[2:])

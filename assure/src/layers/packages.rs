@@ -1,0 +1,165 @@
+//! What users install: the packaged crates, built as they are unpacked, and the wheel.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context as _, Result, ensure};
+
+use super::command::{succeed, text};
+use crate::context::Context;
+use crate::harness::empty;
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::{GCC, RUSTC, ShownBy, Source, Tool};
+
+/// What `pip install .` builds a wheel with.
+const MATURIN: Tool = Tool {
+    name: "maturin",
+    shown_by: ShownBy::Command(&["python3", "-m", "maturin", "--version"]),
+    source: Source::Pip(&["maturin>=1.9,<2"]),
+};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "packages",
+    claim: "The packaged crates build from what is in them, and the wheel installs a command that \
+            emits.",
+    tools: &[GCC, RUSTC, MATURIN],
+    run,
+};
+
+fn run(context: &Context) -> Result<Finding> {
+    let folder = context.scratch("packages");
+    let target = folder.join("target");
+    let mut finding = Finding::default();
+    let crates = package(context.workspace(), &target)?;
+    let mut rows = Vec::new();
+    for package in &crates {
+        let files = text(Command::new("tar").arg("-tzf").arg(package))?.lines().count();
+        let name = package.file_name().map(|name| name.to_string_lossy().into_owned());
+        rows.push(vec![
+            name.unwrap_or_default(),
+            files.to_string(),
+            fs::metadata(package)?.len().to_string(),
+            "built by cargo from what is in it".to_owned(),
+        ]);
+    }
+    let generator = crates
+        .iter()
+        .find(|path| path.to_string_lossy().contains("ptc-codegen-"))
+        .context("the crate of the command")?;
+    let source = unpack(generator, &folder)?;
+    let installed = empty(&folder.join("installed"));
+    succeed(
+        Command::new("cargo")
+            .args(["install", "--quiet", "--debug", "--path"])
+            .arg(&source)
+            .arg("--root")
+            .arg(&installed)
+            .env("CARGO_TARGET_DIR", &target),
+    )?;
+    emits(&installed.join("bin/ptc-codegen"), &folder)?;
+    let (wheel, size, command) = wheel(context.workspace(), &folder, &target)?;
+    emits(&command, &folder)?;
+    rows.push(vec![
+        wheel,
+        "1 command".to_owned(),
+        size.to_string(),
+        "installed by pip in a fresh environment, where `ptc-codegen emit` writes C, an FMU and a \
+         project"
+            .to_owned(),
+    ]);
+    finding.summary =
+        format!("{} crates packaged and built, 1 wheel built and installed", crates.len());
+    finding.tables.push(Table {
+        title: "Packages".to_owned(),
+        head: vec!["package", "files", "bytes", "tried"],
+        rows,
+    });
+    // What include_str! and the templates read is not there in such a package.
+    fs::remove_dir_all(source.join("templates"))?;
+    let built = succeed(
+        Command::new("cargo")
+            .args(["check", "--quiet"])
+            .current_dir(&source)
+            .env("CARGO_TARGET_DIR", &target),
+    );
+    let told = |error: anyhow::Error| {
+        let text = format!("{error:#}");
+        text.lines().find(|line| line.starts_with("error")).map(str::to_owned)
+    };
+    finding.seed("templates left out of the package", built.err().and_then(told));
+    Ok(finding)
+}
+
+/// The crates that are published, packaged together, as they depend on one another; cargo builds
+/// each of them from its package.
+fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
+    let excluded = ["--exclude", "ptc-bench", "--exclude", "ptc-assure"];
+    succeed(
+        Command::new("cargo")
+            .args(["package", "--quiet", "--workspace", "--allow-dirty"])
+            .args(excluded)
+            .current_dir(workspace)
+            .env("CARGO_TARGET_DIR", target),
+    )?;
+    let mut crates = Vec::new();
+    for entry in fs::read_dir(target.join("package"))? {
+        let path = entry?.path();
+        crates.extend(path.extension().is_some_and(|e| e == "crate").then_some(path));
+    }
+    crates.sort();
+    ensure!(crates.len() == 3, "ptc, ptc-codegen and ptc-macros are packaged: {crates:?}");
+    Ok(crates)
+}
+
+/// The folder of an unpacked crate.
+fn unpack(package: &Path, folder: &Path) -> Result<PathBuf> {
+    let home = empty(&folder.join("unpacked"));
+    succeed(Command::new("tar").arg("-xzf").arg(package).arg("-C").arg(&home))?;
+    let inner = fs::read_dir(&home)?.next().context("a folder in the crate")??;
+    // A workspace of its own, though it stands below another one.
+    let manifest = inner.path().join("Cargo.toml");
+    let text = fs::read_to_string(&manifest)?;
+    fs::write(&manifest, format!("{text}\n[workspace]\n"))?;
+    Ok(inner.path())
+}
+
+/// Builds the wheel and installs it in a fresh environment: its name, its size, its command.
+fn wheel(workspace: &Path, folder: &Path, target: &Path) -> Result<(String, u64, PathBuf)> {
+    let wheels = empty(&folder.join("wheels"));
+    succeed(
+        Command::new("python3")
+            .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
+            .arg(&wheels)
+            .current_dir(workspace)
+            .env("CARGO_TARGET_DIR", target),
+    )?;
+    let wheel = fs::read_dir(&wheels)?.next().context("a wheel")??.path();
+    let environment = empty(&folder.join("environment"));
+    succeed(Command::new("python3").args(["-m", "venv"]).arg(&environment))?;
+    let pip = environment.join("bin/pip");
+    succeed(Command::new(pip).args(["install", "--quiet", "--no-index"]).arg(&wheel))?;
+    let name = wheel.file_name().map(|name| name.to_string_lossy().into_owned());
+    let size = fs::metadata(&wheel)?.len();
+    Ok((name.unwrap_or_default(), size, environment.join("bin/ptc-codegen")))
+}
+
+/// Has an installed command tell its version and emit what needs each kind of template.
+fn emits(command: &Path, folder: &Path) -> Result<()> {
+    let version = text(Command::new(command).arg("--version"))?;
+    ensure!(version.contains(env!("CARGO_PKG_VERSION")), "{version}");
+    let out = empty(&folder.join("emitted"));
+    for (words, file) in [
+        (["--lang", "c"], "stage.c"),
+        (["--lang", "rust"], "stage.rs"),
+        (["--lang", "fmu3"], "stage.fmu"),
+    ] {
+        let design = ["--n=2", "--mu=exp", "--name=stage", "-o"];
+        succeed(Command::new(command).arg("emit").args(words).args(design).arg(&out))?;
+        ensure!(out.join(file).is_file(), "{file} is not there");
+    }
+    let project = ["emit", "--project=cortex-m", "--n=2", "--mu=exp", "--name=stage", "-o"];
+    succeed(Command::new(command).args(project).arg(out.join("firmware")))?;
+    ensure!(out.join("firmware/Makefile").is_file(), "the project is not there");
+    Ok(())
+}

@@ -1,0 +1,300 @@
+/*
+ * Prescribed-time controller ptc_exp3: order n = 3, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu exp
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ *   atoms: T = time-to-go
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ *   r_2 = -a^2*T
+ *   r_3 = a^3*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = a*T
+ *   B_{2,1} = -a^2*T
+ *   B_{2,2} = a^2*T^2
+ *   B_{3,1} = a^3*T
+ *   B_{3,2} = -3*a^3*T^2
+ *
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+ *   g   = 1
+ *   u = (sum_j gain_j x_j)/g
+ *   gain_j = inv_T^(n+1-j) row_j
+ *   K_i = k_i/(a)^(n+1-i)
+ *   row_1 = -K1
+ *   row_2 = -1 - K2 + K3
+ *   row_3 = 3 - K3
+ *   inv_T = 1/T
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Checks of the design (ptc-codegen check tells more):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
+ */
+#ifndef PTC_EXP3_HPP
+#define PTC_EXP3_HPP
+
+#include <array>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0,        ///< tracking
+    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3,     ///< the deadline is over, and what was chosen for then gives u
+    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Input = -2,    ///< x or t not finite, or t before t0
+    Range = -3     ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u;        ///< input of the plant
+    Status status; ///< how it came about
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot;  ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct PtcExp3Params {
+    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double t0{}; ///< start time [s], finite
+    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+    double a{}; ///< rate of stretched time [1/s], finite, > 0
+    std::array<double, 3> k{{}}; ///< gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+};
+
+/// Feedback gains at one time: u = gain[0]*x[0] + ... + gain[2]*x[2].
+struct [[nodiscard]] PtcExp3Gains {
+    std::array<double, 3> gain{{}};
+    double u_max{}; ///< bound of |u|
+    Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains
+
+    /// u of one axis; the status of the gains where that is negative.
+    constexpr Control<double> axis(const std::array<double, 3>& x) const noexcept
+    {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        if (status < Status::Ok) {
+            return {0.0, status};
+        }
+        if (!(finite(x1)
+            && finite(x2)
+            && finite(x3))) {
+            return {0.0, Status::Input};
+        }
+        const double v = (gain[0] * x1) + (gain[1] * x2) + (gain[2] * x3);
+        if (v > u_max) {
+            return {u_max, Status::Saturated};
+        }
+        if (v < -u_max) {
+            return {-u_max, Status::Saturated};
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        return {v, status};
+    }
+
+private:
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+};
+
+/// Controller: init or arm set it, all else reads it.
+class PtcExp3 {
+public:
+    using Params = PtcExp3Params;
+    using State = std::array<double, 3>;
+    using Gains = PtcExp3Gains;
+
+    /// Takes the parameters and arms at params.t0 (or the fixed t0).
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        const double tau = params.tau;
+        const double t0 = params.t0;
+        const double eps = params.eps;
+        const double u_max = params.u_max;
+        const double a = params.a;
+        const double k1 = params.k[0];
+        const double k2 = params.k[1];
+        const double k3 = params.k[2];
+        if (!(finite(tau)
+            && (tau > 0.0)
+            && finite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && finite(a)
+            && (a > 0.0)
+            && finite(k1)
+            && finite(k2)
+            && finite(k3)
+            && (eps < tau))) {
+            return Status::Param;
+        }
+        const double v1 = a * a;
+        const double K1 = k1 / (a * v1);
+        const double K2 = k2 / v1;
+        const double K3 = k3 / a;
+        const double c1 = -K1;
+        const double c2 = ((-K2) + K3) - 1.0;
+        const double c3 = (-K3) + 3.0;
+        const double hold_from = -eps;
+        PtcExp3 built{};
+        built.c1_ = c1;
+        built.c2_ = c2;
+        built.c3_ = c3;
+        built.tau_ = tau;
+        built.eps_ = eps;
+        built.hold_from_ = hold_from;
+        built.u_max_ = u_max;
+        if (!(finite(built.c1_)
+            && finite(built.c2_)
+            && finite(built.c3_)
+            && finite(built.hold_from_))) {
+            return Status::Param;
+        }
+        const Status status = built.arm(t0);
+        if (status == Status::Ok) {
+            *this = built;
+        }
+        return status;
+    }
+
+    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0) noexcept
+    {
+        if (!(finite(t0))) {
+            return Status::Param;
+        }
+        const double deadline = t0 + tau_;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
+        if (!(finite(deadline))) {
+            return Status::Param;
+        }
+        t0_ = t0;
+        deadline_ = deadline;
+        correction_ = correction;
+        return Status::Ok;
+    }
+
+    /// u at time t [s] and state x = (x1, x1', ...).
+    constexpr Control<double> step(double t, const State& x) const noexcept
+    {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        if (!(finite(t)
+            && (t >= t0_)
+            && finite(x1)
+            && finite(x2)
+            && finite(x3))) {
+            return {0.0, Status::Input};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < hold_from_) ? past : hold_from_;
+        const double inv_T = (-1.0) / late;
+        const double v1 = ((((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T) + (c3_ * x3)) * inv_T;
+        const double v = v1;
+        if (v > u_max_) {
+            return {u_max_, Status::Saturated};
+        }
+        if (v < -u_max_) {
+            return {-u_max_, Status::Saturated};
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        if (late < hold_from_) {
+            return {v, Status::Ok};
+        }
+        return {v, Status::Hold};
+    }
+
+    /// The gains at time t, for several axes that share one deadline: tick once, then axis for each.
+    /// tick and axis round otherwise than step does.
+    constexpr Gains tick(double t) const noexcept
+    {
+        if (!(finite(t) && (t >= t0_))) {
+            return {};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < hold_from_) ? past : hold_from_;
+        const double inv_T = (-1.0) / late;
+        Gains gains{};
+        gains.gain[0] = c1_ * (inv_T * inv_T) * inv_T;
+        gains.gain[1] = c2_ * inv_T * inv_T;
+        gains.gain[2] = c3_ * inv_T;
+        gains.u_max = u_max_;
+        gains.status = (late < hold_from_) ? Status::Ok : Status::Hold;
+        return gains;
+    }
+
+private:
+    /// std::isfinite is no constant in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    double c1_{}; // coefficient of x1
+    double c2_{}; // coefficient of x2
+    double c3_{}; // coefficient of x3
+    double t0_{}; // start time
+    double tau_{}; // prescribed settling time
+    double deadline_{}; // t0 + tau, rounded
+    double correction_{}; // what the rounding of t0 + tau left out
+    double eps_{}; // time-to-go at which the gains are held
+    double hold_from_{}; // -eps: later than this the gains are held
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

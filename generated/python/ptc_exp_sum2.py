@@ -1,0 +1,384 @@
+"""
+Prescribed-time controller ptc_exp_sum2: order n = 2, mapping exp_sum.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 2 --mu "exp_sum(2)"
+Version 0.1.0.
+
+It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+
+Parameters:
+  tau: prescribed settling time [s], finite, > 0
+  t0: start time [s], finite
+  eps: time-to-go at which the gains are held [s], > 0, < tau
+  u_max: bound of |u| [unit of u], > 0, infinity allowed
+  rates: rates a_i of stretched time [1/s], finite, > 0
+  k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+
+Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+  mu(t)     = tau*mean_i(1 - exp(-a_i*t))
+  kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
+  atoms: e_i = exp(-a_i*t)
+Derivatives r_k = mu^(k)(kappa(Dt)):
+  r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
+  r_1 = 1/2*tau*a1*e1 + 1/2*tau*a2*e2
+  r_2 = -1/2*tau*a1^2*e1 - 1/2*tau*a2^2*e2
+Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+  B_{0,0} = 1
+  B_{1,1} = r1
+  B_{2,1} = r2
+
+Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+  pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+  g   = 1
+  u = (sum_j gain_j x_j)/g
+  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
+  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
+  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+
+From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+|u| <= u_max always (status SATURATED where u was clipped).
+Guard full: every input and pointer is checked.
+Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+      (-ffp-contract=off).
+
+Checks of the design (ptc-codegen check tells more):
+  membership: sound: exp_sum is of class M for all its parameters.
+  growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+  sampling: not checked: `sample_time` is not given.
+  deadline: not checked: `error` is not given.
+  envelope: not checked: `x_max` is not given.
+
+Operations of one step: 34 + - or comparison, 50 *, 5 /, 0 sqrt, 5 calls, one round of the
+      iteration.
+Latencies added up: x86-64 about 706 cycles, Cortex-M4F about 904 cycles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Gains", "Params", "PtcExpSum2", "Status"]
+
+_R = np.float64
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """How u came about; u is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over, and what was chosen for then gives u."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives, for each time and state of the batch."""
+
+    u: Array
+    """Input of the plant."""
+    status: NDArray[np.int8]
+    """Its Status."""
+
+@dataclass(frozen=True)
+class Params:
+    """Run-time parameters."""
+
+    tau: float
+    """prescribed settling time [s], finite, > 0"""
+    t0: float
+    """start time [s], finite"""
+    eps: float
+    """time-to-go at which the gains are held [s], > 0, < tau"""
+    u_max: float
+    """bound of |u| [unit of u], > 0, infinity allowed"""
+    rates: Sequence[float]
+    """rates a_i of stretched time, 2 of them [1/s], finite, > 0"""
+    k: Sequence[float]
+    """gains k_i of pi0 = -sum k_i xi_i, 2 of them [s^(i-1-n)], finite"""
+
+def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
+    """The states along the last axis, one by one."""
+    states = np.asarray(x, dtype=_R)
+    if states.ndim == 0 or states.shape[-1] != 2:
+        raise ValueError(f"{name} has shape {states.shape}; legal: (..., 2), the states along the last axis")
+    return tuple(np.moveaxis(states, -1, 0))
+
+class Gains:
+    """Feedback gains at one or more times: u = gain[..., 0]*x[..., 0] + ..."""
+
+    def __init__(self, gain: Array, u_max: Array, status: NDArray[np.int8]) -> None:
+        self.gain = gain
+        """Shape (..., 2)."""
+        self.u_max = u_max
+        """Bound of |u|."""
+        self.status = status
+        """OK or HOLD, INPUT where the time was not legal."""
+
+    def axis(self, x: ArrayLike) -> Control:
+        """u of one axis from its states x, of shape (..., 2)."""
+        x1, x2 = _states(x, "x")
+        with np.errstate(all="ignore"):
+            v = np.asarray((self.gain[..., 0] * x1) + (self.gain[..., 1] * x2))
+            status = np.where(np.isfinite(v), self.status, Status.RANGE)
+            saturated = (v > self.u_max) | (v < -self.u_max)
+            v = np.where(v > self.u_max, self.u_max, np.where(v < -self.u_max, -self.u_max, v))
+            status = np.where(saturated, Status.SATURATED, status)
+
+            legal = np.isfinite(x1) & np.isfinite(x2)
+            status = np.where(legal, status, Status.INPUT)
+            status = np.where(self.status < 0, self.status, status)
+            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+
+class PtcExpSum2:
+    """The controller: takes the parameters and arms at params.t0, or the fixed t0.
+
+    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    """
+
+    def __init__(self, params: Params) -> None:
+        if len(params.rates) != 2:
+            raise ValueError(f"params.rates has {len(params.rates)} numbers; legal: 2 of them")
+        if len(params.k) != 2:
+            raise ValueError(f"params.k has {len(params.k)} numbers; legal: 2 of them")
+        with np.errstate(all="ignore"):
+            tau = np.asarray(params.tau, dtype=_R)
+            t0 = np.asarray(params.t0, dtype=_R)
+            eps = np.asarray(params.eps, dtype=_R)
+            u_max = np.asarray(params.u_max, dtype=_R)
+            a1 = np.asarray(params.rates[0], dtype=_R)
+            a2 = np.asarray(params.rates[1], dtype=_R)
+            k1 = np.asarray(params.k[0], dtype=_R)
+            k2 = np.asarray(params.k[1], dtype=_R)
+            if not (np.isfinite(tau) and (tau > 0.0)):
+                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not np.isfinite(t0):
+                raise ValueError(f"params.t0 is {t0}; legal: finite")
+            if not (eps > 0.0):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (u_max > 0.0):
+                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
+            if not (np.isfinite(a1) and (a1 > 0.0)):
+                raise ValueError(f"params.rates[0] is {a1}; legal: finite, > 0")
+            if not (np.isfinite(a2) and (a2 > 0.0)):
+                raise ValueError(f"params.rates[1] is {a2}; legal: finite, > 0")
+            if not np.isfinite(k1):
+                raise ValueError(f"params.k[0] is {k1}; legal: finite")
+            if not np.isfinite(k2):
+                raise ValueError(f"params.k[1] is {k2}; legal: finite")
+            if not (eps < tau):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            hold_from = -eps
+            target_rate = 2.0 / tau
+            v1 = 1.0 / a1
+            v2 = 1.0 / a2
+            slowest = np.where(v1 < v2, v2, v1)
+            mean_period = 2.0 / (a1 + a2)
+            tolerance = 0.03 / (np.where(a1 < a2, a2, a1))
+            b1_1 = 0.5 * a1 * tau
+            b1_2 = 0.5 * a2 * tau
+            b2_1 = (-0.25) * (a1 * a1) * tau
+            b2_2 = (-0.25) * (a2 * a2) * tau
+            w1 = -k1
+            w2 = -k2
+            self._a1 = np.asarray(a1)
+            self._a2 = np.asarray(a2)
+            self._tau = np.asarray(tau)
+            self._eps = np.asarray(eps)
+            self._hold_from = np.asarray(hold_from)
+            self._target_rate = np.asarray(target_rate)
+            self._slowest = np.asarray(slowest)
+            self._mean_period = np.asarray(mean_period)
+            self._tolerance = np.asarray(tolerance)
+            self._b1_1 = np.asarray(b1_1)
+            self._b1_2 = np.asarray(b1_2)
+            self._b2_1 = np.asarray(b2_1)
+            self._b2_2 = np.asarray(b2_2)
+            self._w1 = np.asarray(w1)
+            self._w2 = np.asarray(w2)
+            self._u_max = np.asarray(u_max)
+            self._t0 = np.asarray(0.0)
+            self._deadline = np.asarray(0.0)
+            self._correction = np.asarray(0.0)
+            if not (
+                np.isfinite(self._hold_from)
+                and np.isfinite(self._target_rate)
+                and np.isfinite(self._slowest)
+                and np.isfinite(self._mean_period)
+                and np.isfinite(self._tolerance)
+                and np.isfinite(self._b1_1)
+                and np.isfinite(self._b1_2)
+                and np.isfinite(self._b2_1)
+                and np.isfinite(self._b2_2)
+                and np.isfinite(self._w1)
+                and np.isfinite(self._w2)
+            ):
+                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+        self._arm(np.asarray(t0))
+
+    def arm(self, t0: float) -> None:
+        """Starts again at t0 [s].
+
+        ValueError where t0 or the deadline is not finite; the controller is left as it was.
+        """
+        self._arm(np.asarray(t0, dtype=_R))
+
+    def _arm(self, t0: Array) -> None:
+        if not np.isfinite(t0):
+            raise ValueError(f"t0 is {t0}; legal: finite")
+        with np.errstate(all="ignore"):
+            deadline = t0 + self._tau
+            v1 = deadline - t0
+            correction = (t0 - (deadline - v1)) + (self._tau - v1)
+            if not np.isfinite(deadline):
+                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
+            self._t0 = np.asarray(t0)
+            self._deadline = np.asarray(deadline)
+            self._correction = np.asarray(correction)
+
+    def step(self, t: ArrayLike, x: ArrayLike) -> Control:
+        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 2); t and x[..., 0] are broadcast.
+        """
+        return self._step(np.asarray(t, dtype=_R), _states(x, "x"))
+
+    def _step(self, t: Array, states: tuple[Array, ...]) -> Control:
+        x1, x2 = states
+        with np.errstate(all="ignore"):
+            past = (t - self._deadline) - self._correction
+            late = np.where(past < self._hold_from, past, self._hold_from)
+            T = -late
+            target = T * self._target_rate
+            v1 = -np.log(target / 2.0)
+            v2 = v1 * self._mean_period
+            v3 = (v1 - 0.6931467056274414) * self._slowest
+            y = np.asarray(np.where(v2 < v3, v3, v2))
+            y_low = np.asarray(v2)
+            y_high = np.asarray(v1 * self._slowest)
+            done = np.asarray(False)
+            for _ in range(12):
+                v4 = np.exp(-(self._a1 * y))
+                v5 = np.exp(-(self._a2 * y))
+                v6 = self._a1 * v4
+                v7 = v4 + v5
+                v8 = self._a2 * v5
+                v9 = (2.0 * (v7 - target)) / (v7 + target)
+                v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)))
+                v11 = 1.0 / (v6 + v8)
+                v12 = v7 * v11
+                v13 = 0.5 * v10 * ((((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0)
+                v14 = v10 * v12 * (1.0 + v13)
+                y_next = y + v14
+                y_size = np.abs(v14)
+                right = v10 > 0.0
+                y_low = np.where(right, y, y_low)
+                y_high = np.where(right, y_high, y)
+                inside = (y_next >= y_low) & (y_next <= y_high)
+                y_next = np.where(inside, y_next, 0.5 * (y_low + y_high))
+                y = np.where(done, y, y_next)
+                done = done | (y_size <= self._tolerance)
+                if done.all():
+                    break
+            v15 = np.exp(-(self._a1 * y))
+            v16 = np.exp(-(self._a2 * y))
+            v17 = self._a1 * v15
+            v18 = self._a2 * v16
+            v19 = 1.0 / (v17 + v18)
+            v20 = ((v15 + v16) - target) * v19
+            v21 = 1.0 + (0.5 * (((self._a1 * v17) + (self._a2 * v18)) * v19 * v20))
+            v22 = v20 * v21
+            v23 = self._a1 * v22
+            v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))))
+            v25 = self._a2 * v22
+            v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))))
+            inv_r1 = 1.0 / ((self._b1_1 * v24) + (self._b1_2 * v26))
+            p2 = ((self._b2_1 * v24) + (self._b2_2 * v26)) * inv_r1
+            v27 = ((self._w1 * x1 * inv_r1) + ((self._w2 + ((-2.0) * p2)) * x2)) * inv_r1
+            v = np.asarray(v27)
+            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
+            status = np.where(np.isfinite(v), status, Status.RANGE)
+            saturated = (v > self._u_max) | (v < -self._u_max)
+            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
+            status = np.where(saturated, Status.SATURATED, status)
+
+            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2)
+            status = np.where(legal, status, Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+
+    def tick(self, t: ArrayLike) -> Gains:
+        """The gains at times t [s], for several axes that share one deadline: tick once, then axis for each.
+
+        tick and axis round otherwise than step does.
+        """
+        return self._tick(np.asarray(t, dtype=_R))
+
+    def _tick(self, t: Array) -> Gains:
+        with np.errstate(all="ignore"):
+            past = (t - self._deadline) - self._correction
+            late = np.where(past < self._hold_from, past, self._hold_from)
+            T = -late
+            target = T * self._target_rate
+            v1 = -np.log(target / 2.0)
+            v2 = v1 * self._mean_period
+            v3 = (v1 - 0.6931467056274414) * self._slowest
+            y = np.asarray(np.where(v2 < v3, v3, v2))
+            y_low = np.asarray(v2)
+            y_high = np.asarray(v1 * self._slowest)
+            done = np.asarray(False)
+            for _ in range(12):
+                v4 = np.exp(-(self._a1 * y))
+                v5 = np.exp(-(self._a2 * y))
+                v6 = self._a1 * v4
+                v7 = v4 + v5
+                v8 = self._a2 * v5
+                v9 = (2.0 * (v7 - target)) / (v7 + target)
+                v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)))
+                v11 = 1.0 / (v6 + v8)
+                v12 = v7 * v11
+                v13 = 0.5 * v10 * ((((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0)
+                v14 = v10 * v12 * (1.0 + v13)
+                y_next = y + v14
+                y_size = np.abs(v14)
+                right = v10 > 0.0
+                y_low = np.where(right, y, y_low)
+                y_high = np.where(right, y_high, y)
+                inside = (y_next >= y_low) & (y_next <= y_high)
+                y_next = np.where(inside, y_next, 0.5 * (y_low + y_high))
+                y = np.where(done, y, y_next)
+                done = done | (y_size <= self._tolerance)
+                if done.all():
+                    break
+            v15 = np.exp(-(self._a1 * y))
+            v16 = np.exp(-(self._a2 * y))
+            v17 = self._a1 * v15
+            v18 = self._a2 * v16
+            v19 = 1.0 / (v17 + v18)
+            v20 = ((v15 + v16) - target) * v19
+            v21 = 1.0 + (0.5 * (((self._a1 * v17) + (self._a2 * v18)) * v19 * v20))
+            v22 = v20 * v21
+            v23 = self._a1 * v22
+            v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))))
+            v25 = self._a2 * v22
+            v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))))
+            inv_r1 = 1.0 / ((self._b1_1 * v24) + (self._b1_2 * v26))
+            p2 = ((self._b2_1 * v24) + (self._b2_2 * v26)) * inv_r1
+            gain = np.stack(np.broadcast_arrays(
+                self._w1 * inv_r1 * inv_r1,
+                (self._w2 + ((-2.0) * p2)) * inv_r1,
+            ), axis=-1)
+            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
+            legal = np.isfinite(t) & (t >= self._t0)
+            status = np.where(legal, status, Status.INPUT)
+            return Gains(gain, self._u_max, status.astype(np.int8))

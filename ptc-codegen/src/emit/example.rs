@@ -1,0 +1,158 @@
+//! Values with which an example of a controller runs: what the design fixes, and a default for the
+//! rest.
+
+use std::collections::BTreeMap;
+
+use num_traits::ToPrimitive;
+
+use crate::algebra::{BigRational, integer};
+use crate::check::Verdict;
+use crate::check::examine::{Report, decay_rate, examine};
+use crate::check::poles::{Pole, gains};
+use crate::program::number;
+use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
+
+/// What is told of the defaults, a line each.
+pub(super) const DEFAULTS: [&str; 6] = [
+    "tau = 1 s (100 eps where the design fixes an eps from 0.1 s on), t0 = 0, u_max = 1e30;",
+    "a = 1, m = 1, a_i = i, a parameter of an expression 1, and of what has bounds the least;",
+    "gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on, or n, 2n or 4n",
+    "more; eps what brings |x_i| from at most 1 to at most 0.01, else what the sample period asks",
+    "for, else tau/100; the sample period that of the design, else tau/1000, or a half, a quarter,",
+    "... of it. The longest period is taken that eps bears, and the first of these poles with it.",
+];
+
+/// The bound of |u| where the design leaves it open: above whatever occurs, and finite in f32.
+const UNBOUNDED: &str = "1e30";
+
+/// Bound of |x_i| at the deadline, from which eps is chosen.
+const ERROR: &str = "0.01";
+
+/// The parameters, the sample period and the start of an example.
+#[derive(Clone, Debug)]
+pub(super) struct Example {
+    values: BTreeMap<Parameter, Fixed>,
+    precision: Precision,
+    /// Sample period, s.
+    pub(super) period: f64,
+}
+
+impl Example {
+    /// The example of a design.
+    pub(super) fn of(report: &Report) -> Self {
+        let mut spec = report.spec.clone();
+        for parameter in spec.parameters() {
+            let bound = spec.bounds.get(&parameter).map(|(least, _)| least.clone());
+            let value = bound.or_else(|| default(&spec, parameter));
+            let value = value.map(|value| match &report.greatest {
+                Some((p, greatest)) if *p == parameter && greatest.number() < value.number() => {
+                    greatest.clone()
+                }
+                _ => value,
+            });
+            if let (false, Some(value)) = (spec.fixed.contains_key(&parameter), value) {
+                spec.fixed.insert(parameter, value);
+            }
+        }
+        spec.bounds.clear();
+        let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(1.0);
+        let sampled = sample(&spec, tau);
+        let period = sampled.promises.sample_time.as_ref().and_then(to_f64);
+        let mut values = sampled.fixed;
+        let eps = fixed(&format!("{}", tau / 100.0));
+        values.entry(Parameter::Eps).or_insert(eps.unwrap_or(Fixed::Infinite));
+        Self { values, precision: spec.precision, period: period.unwrap_or(tau / 1000.0) }
+    }
+
+    /// The value of a parameter, in the precision of the controller.
+    pub(super) fn value(&self, parameter: Parameter) -> f64 {
+        match self.values.get(&parameter).and_then(Fixed::number) {
+            Some(exact) => number::round(exact, self.precision),
+            None => f64::INFINITY,
+        }
+    }
+
+    /// The same as a decimal literal.
+    pub(super) fn literal(&self, parameter: Parameter) -> String {
+        number::literal(self.value(parameter), self.precision)
+    }
+}
+
+/// The default of a parameter; none for gains and eps, which depend on the others.
+fn default(spec: &Spec, parameter: Parameter) -> Option<Fixed> {
+    match parameter {
+        Parameter::Tau => {
+            let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number);
+            let long = eps.map(|eps| eps * integer(100)).filter(|tau| *tau >= integer(10));
+            long.as_ref().map_or(Some(1.into()), exact)
+        }
+        Parameter::StartTime => Some(0.into()),
+        Parameter::UMax => fixed(UNBOUNDED),
+        Parameter::A | Parameter::M | Parameter::Named(_) => Some(1.into()),
+        Parameter::Rate(i) => exact(&integer(i64::try_from(i).unwrap_or(1))),
+        Parameter::Eps | Parameter::Gain(_) => None,
+    }
+}
+
+fn exact(value: &BigRational) -> Option<Fixed> {
+    Some(Fixed::Number { value: value.clone(), text: format!("{}", value.to_f64()?) })
+}
+
+fn to_f64(value: &Fixed) -> Option<f64> {
+    value.number().and_then(ToPrimitive::to_f64)
+}
+
+/// Gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on and `left` more,
+/// where the design leaves them open; none where it does not.
+fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
+    if spec.feedback != Feedback::Linear || spec.fixed.contains_key(&Parameter::Gain(1)) {
+        return None;
+    }
+    let n = i64::try_from(spec.n).ok()?;
+    // Where no rate is found, that of the common mappings is taken.
+    let rate = decay_rate(spec).0.unwrap_or_else(|| integer(1));
+    let right = (rate * integer(n)).ceil() + integer(left);
+    let poles: Vec<_> = (1..=n).map(|i| Pole::real(-(&right + integer(i)))).collect();
+    let gains = gains(&poles).ok()?;
+    let mut spec = spec.clone();
+    let gains = (1..).zip(&gains).filter_map(|(i, gain)| Some((Parameter::Gain(i), exact(gain)?)));
+    spec.fixed.extend(gains);
+    Some(spec)
+}
+
+/// The design with gains, a sample period and an eps where they are open: the longest period with
+/// which the state comes from |x_i| <= 1 to |x_i| <= [`ERROR`] with one of the sets of poles.
+fn sample(spec: &Spec, tau: f64) -> Spec {
+    let n = i64::try_from(spec.n).unwrap_or(1);
+    let placed: Vec<_> = [0, n, 2 * n, 4 * n].iter().filter_map(|l| with_poles(spec, *l)).collect();
+    let designs = if placed.is_empty() { vec![spec.clone()] } else { placed };
+    let promises = &spec.promises;
+    let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_none();
+    let halves = if promises.sample_time.is_some() { 1 } else { 12 };
+    let try_all = |ends: bool, wanted: &[Verdict]| {
+        let period = |halves: i32| tau / 1000.0 / f64::from(1 << halves);
+        (0..halves).find_map(|h| designs.iter().find_map(|d| borne(d, period(h), ends, wanted)))
+    };
+    let proved = [Verdict::Sound];
+    let open = [Verdict::Sound, Verdict::Undecided, Verdict::NotChecked];
+    let ended = || if free { try_all(true, &proved) } else { None };
+    let found = ended().or_else(|| try_all(false, &proved)).or_else(|| try_all(false, &open));
+    found.unwrap_or_else(|| designs.into_iter().next().unwrap_or_else(|| spec.clone()))
+}
+
+/// The design with `period`, where it gives none, if its checks of eps have one of the verdicts
+/// `wanted`; with an eps that bounds |x_i| at the deadline, where it `ends`.
+fn borne(spec: &Spec, period: f64, ends: bool, wanted: &[Verdict]) -> Option<Spec> {
+    let mut spec = spec.clone();
+    if spec.promises.sample_time.is_none() {
+        spec.promises.sample_time = fixed(&format!("{period}"));
+    }
+    if ends {
+        spec.promises.error = fixed(ERROR);
+        spec.promises.x0_max = vec![1.into(); spec.n];
+    }
+    let report = examine(&spec);
+    let of = |name: &str| report.outcomes.iter().find(|o| o.name == name).map(|o| o.verdict);
+    let good = |verdict: Option<Verdict>| verdict.is_some_and(|v| wanted.contains(&v));
+    (good(of("sampling")) && (!ends || good(of("deadline")))).then_some(report.spec)
+}

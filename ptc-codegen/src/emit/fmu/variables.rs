@@ -1,0 +1,194 @@
+//! The variables of an FMU: inputs, outputs, tunable parameters and constants.
+
+use std::collections::BTreeMap;
+
+use super::super::example::Example;
+use crate::program::number;
+use crate::spec::{Domain, Fixed, Parameter, Precision, Spec};
+
+/// A variable as both versions of modelDescription.xml tell it.
+pub(super) struct Variable {
+    pub(super) name: String,
+    /// Value reference, and in FMI 2.0 the index; 0 is time in FMI 3.0.
+    pub(super) reference: usize,
+    pub(super) causality: &'static str,
+    pub(super) variability: &'static str,
+    pub(super) initial: Option<&'static str>,
+    pub(super) description: String,
+    /// Element in FMI 2.0.
+    pub(super) kind2: &'static str,
+    /// Element in FMI 3.0.
+    pub(super) kind3: &'static str,
+    pub(super) attributes: Vec<(&'static str, String)>,
+    /// Value references of the inputs that it depends on.
+    pub(super) dependencies: String,
+    /// The parameter that it is.
+    pub(super) parameter: Option<Parameter>,
+    /// Where the instance keeps it, if it can be set.
+    pub(super) place: Option<String>,
+    /// Power of s of its unit; none without a unit that is known.
+    exponent: Option<i64>,
+}
+
+/// A unit that is a power of s.
+pub(super) struct Unit {
+    pub(super) name: String,
+    pub(super) exponent: i64,
+}
+
+impl Unit {
+    /// The units of all variables, each once.
+    pub(super) fn all(variables: &[Variable]) -> Vec<Self> {
+        let exponents = variables.iter().filter_map(|v| v.exponent);
+        let units: BTreeMap<_, _> = exponents.map(|e| (-e, unit_name(e))).collect();
+        units.into_iter().map(|(e, name)| Self { name, exponent: -e }).collect()
+    }
+}
+
+fn unit_name(exponent: i64) -> String {
+    match exponent {
+        1 => "s".to_owned(),
+        -1 => "1/s".to_owned(),
+        0 => "1".to_owned(),
+        exponent => format!("s^{exponent}"),
+    }
+}
+
+/// The power of s of a parameter's unit.
+fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
+    let order = |i: usize| i64::try_from(i).ok();
+    match parameter {
+        Parameter::Tau | Parameter::StartTime | Parameter::Eps => Some(1),
+        Parameter::A | Parameter::Rate(_) => Some(-1),
+        Parameter::M => Some(0),
+        Parameter::Gain(i) => Some(order(i)? - 1 - order(n)?),
+        Parameter::UMax | Parameter::Named(_) => None,
+    }
+}
+
+/// The outputs.
+pub(super) fn outputs(variables: &[Variable]) -> Vec<&Variable> {
+    variables.iter().filter(|v| v.causality == "output").collect()
+}
+
+/// All variables but time, by their value references from 1.
+pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
+    let kind3 = if spec.precision == Precision::F32 { "Float32" } else { "Float64" };
+    let n = spec.n;
+    let blank = || Variable {
+        name: String::new(),
+        reference: 0,
+        causality: "input",
+        variability: "continuous",
+        initial: None,
+        description: String::new(),
+        kind2: "Real",
+        kind3,
+        attributes: Vec::new(),
+        dependencies: String::new(),
+        parameter: None,
+        place: None,
+        exponent: None,
+    };
+    let mut all = Vec::new();
+    for j in 1..=n {
+        let unit = match j {
+            1 => "unit".to_owned(),
+            2 => "unit/s".to_owned(),
+            j => format!("unit/s^{}", j - 1),
+        };
+        all.push(Variable {
+            name: format!("x{j}"),
+            description: format!("State x{j} of the plant [{unit}]"),
+            attributes: vec![("start", "0".to_owned())],
+            place: Some(format!("x[{}]", j - 1)),
+            ..blank()
+        });
+    }
+    let every: Vec<_> = (1..=n).map(|j| j.to_string()).collect();
+    all.push(Variable {
+        name: "u".to_owned(),
+        causality: "output",
+        description: "Input of the plant".to_owned(),
+        dependencies: every.join(" "),
+        ..blank()
+    });
+    all.push(Variable {
+        name: "time_to_go".to_owned(),
+        causality: "output",
+        description: "Time left until the deadline t0 + tau [s], 0 after it".to_owned(),
+        exponent: Some(1),
+        ..blank()
+    });
+    all.push(Variable {
+        name: "status".to_owned(),
+        causality: "output",
+        variability: "discrete",
+        description:
+            "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to u_max, 3 after the \
+                      deadline"
+                .to_owned(),
+        kind2: "Integer",
+        kind3: "Int32",
+        dependencies: every.join(" "),
+        ..blank()
+    });
+    let (free, fixed): (Vec<_>, Vec<_>) =
+        spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
+    for parameter in free {
+        let domain = spec.domain(parameter);
+        let mut attributes = vec![("start", example.literal(parameter))];
+        let round = |bound: &Fixed| {
+            bound
+                .number()
+                .map(|exact| number::literal(number::round(exact, spec.precision), spec.precision))
+        };
+        if let Some((least, greatest)) = spec.bounds.get(&parameter) {
+            attributes.extend(round(least).map(|least| ("min", least)));
+            attributes.extend(round(greatest).map(|greatest| ("max", greatest)));
+        } else if domain != Domain::Finite {
+            attributes.push(("min", "0".to_owned()));
+        }
+        let place = match parameter.index() {
+            Some(index) => format!("params.{}[{index}]", parameter.key()),
+            None => format!("params.{}", parameter.key()),
+        };
+        all.push(Variable {
+            name: parameter.spelling(),
+            causality: "parameter",
+            variability: "tunable",
+            description: format!(
+                "{} [{}], {}",
+                parameter.meaning(),
+                parameter.unit(),
+                domain.text()
+            ),
+            attributes,
+            parameter: Some(parameter),
+            place: Some(place),
+            exponent: exponent(parameter, n),
+            ..blank()
+        });
+    }
+    // Infinity, which fixes that u is not bounded, is no value that every importer reads.
+    for parameter in fixed.into_iter().filter(|p| example.value(*p).is_finite()) {
+        all.push(Variable {
+            name: parameter.spelling(),
+            causality: "local",
+            variability: "constant",
+            initial: Some("exact"),
+            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit()),
+            attributes: vec![("start", example.literal(parameter))],
+            parameter: Some(parameter),
+            exponent: exponent(parameter, n),
+            ..blank()
+        });
+    }
+    for (index, variable) in all.iter_mut().enumerate() {
+        variable.reference = index + 1;
+        if let Some(exponent) = variable.exponent {
+            variable.attributes.push(("unit", unit_name(exponent)));
+        }
+    }
+    all
+}

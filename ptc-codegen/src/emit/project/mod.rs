@@ -1,0 +1,246 @@
+//! Small projects that build as they are: a controller in closed loop with its chain of integrators.
+//!
+//! Each holds the files of the emitted C or Rust as they are, and one file of values.
+
+mod config;
+mod templates;
+
+use askama::Template;
+
+use super::{Controller, File, Language, c, rust, stands_alone, tidy};
+use crate::algebra::BigRational;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::Expression;
+use crate::spec::{Precision, Spec};
+use config::Config;
+use templates::{
+    Arduino, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, Linker, MainC, MainRust,
+    Makefile, Memory, Properties, Readme, Runner, Startup,
+};
+
+/// A kind of project.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Project {
+    /// Bare-metal firmware in C for a Cortex-M4F.
+    CortexM,
+    /// The same in Rust.
+    RustEmbedded,
+    /// A library with an example and a test, by CMake.
+    Cmake,
+    /// A library for Arduino with an example.
+    Arduino,
+}
+
+impl Project {
+    /// Every kind.
+    pub const ALL: [Self; 4] = [Self::CortexM, Self::RustEmbedded, Self::Cmake, Self::Arduino];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CortexM => "cortex-m",
+            Self::RustEmbedded => "rust-embedded",
+            Self::Cmake => "cmake",
+            Self::Arduino => "arduino",
+        }
+    }
+
+    /// The kind of this name on the command line.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|project| project.name() == name)
+    }
+
+    /// What is made, in a few words.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::CortexM => "firmware in C for a bare Cortex-M4F",
+            Self::RustEmbedded => "the same in Rust",
+            Self::Cmake => "a library that CMake installs, with an example",
+            Self::Arduino => "a library with an example sketch",
+        }
+    }
+
+    /// What keeps the controller of `spec` from being made a project.
+    ///
+    /// # Errors
+    /// What it cannot do alone, and an input gain that its plant cannot have.
+    pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        stands_alone(spec, "a project", &mut found);
+        if let Some(gain) = &spec.input_gain
+            && constant(gain).is_none()
+        {
+            let message = "the plant of a project is x_n' = g u with a number for g".to_owned();
+            let help = "leave g out and divide u by it in the project, or give its value";
+            found.push("not-alone", "g", None, message, help);
+        }
+        let name = spec.name();
+        if NAMES.contains(&name.as_str()) {
+            let message = format!("`{name}` is a name in the files of a project");
+            found.push("reserved-name", "name", None, message, "choose another name");
+        }
+        found.finish(Some(()))
+    }
+
+    /// The files of the project of a controller, by their paths in it.
+    pub(crate) fn files(self, controller: &Controller<'_>) -> Vec<File> {
+        match self {
+            Self::CortexM => cortex_m(controller),
+            Self::RustEmbedded => rust_embedded(controller),
+            Self::Cmake => cmake(controller),
+            Self::Arduino => arduino(controller),
+        }
+    }
+}
+
+/// What the files of the projects call their own parts.
+const NAMES: [&str; 16] = [
+    "arrived", "build", "config", "control", "core", "debug", "fail", "loop", "norm", "plant",
+    "real", "run", "setup", "stop", "vector", "word",
+];
+
+/// A number that an input gain is.
+fn constant(gain: &Expression) -> Option<&BigRational> {
+    match gain {
+        Expression::Number(number) => Some(number),
+        _ => None,
+    }
+}
+
+fn file(name: &str, template: &impl Template) -> File {
+    File { name: name.to_owned(), text: tidy(&template.render().unwrap_or_default()) }
+}
+
+/// The emitted files in a folder of the project each, the header first.
+fn emitted(controller: &Controller<'_>, header: &str, source: &str) -> Vec<File> {
+    let place = |file: File| {
+        let folder = if file.name.ends_with(".h") { header } else { source };
+        File { name: format!("{folder}/{}", file.name), ..file }
+    };
+    c::files(controller).into_iter().map(place).collect()
+}
+
+fn cortex_m(controller: &Controller<'_>) -> Vec<File> {
+    let config = Config::of(controller, Language::C);
+    let name = config.name.as_str();
+    let mut files = emitted(controller, "src", "src");
+    files.extend([
+        file("Makefile", &Makefile { name }),
+        file("linker.ld", &Linker {}),
+        file("src/startup.c", &Startup {}),
+        file("src/main.c", &MainC { config: &config }),
+        file("src/config.h", &ConfigC { config: &config }),
+        file("README.md", &Readme {
+            title: format!("{name} on a Cortex-M4F"),
+            about: "Firmware in C without an operating system: start-up code with the FPU, a linker \
+                    script, the controller and a chain of integrators in its place.",
+            project: Project::CortexM,
+            commands: vec!["make".to_owned(), "make run".to_owned()],
+            needs: "It needs arm-none-eabi-gcc with newlib, and QEMU (machine mps2-an386) to run.",
+            config_file: "src/config.h",
+            source: "src",
+            config: &config,
+        }),
+    ]);
+    files
+}
+
+fn rust_embedded(controller: &Controller<'_>) -> Vec<File> {
+    let config = Config::of(controller, Language::Rust);
+    let name = config.name.as_str();
+    let module = rust::file(controller);
+    let libm = module.text.contains("feature = \"libm\"");
+    vec![
+        file("Cargo.toml", &Cargo { name, libm }),
+        file(".cargo/config.toml", &Runner {}),
+        file("build.rs", &Build {}),
+        file("memory.x", &Memory {}),
+        file("src/main.rs", &MainRust { config: &config }),
+        file("src/config.rs", &ConfigRust { config: &config }),
+        File { name: format!("src/{}", module.name), ..module },
+        file(
+            "README.md",
+            &Readme {
+                title: format!("{name} on a Cortex-M4F, in Rust"),
+                about: "Firmware in Rust without an operating system: cortex-m-rt, the controller and a \
+                    chain of integrators in its place.",
+                project: Project::RustEmbedded,
+                commands: vec![
+                    "rustup target add thumbv7em-none-eabihf".to_owned(),
+                    "cargo run --release".to_owned(),
+                ],
+                needs: "It needs QEMU (machine mps2-an386) to run.",
+                config_file: "src/config.rs",
+                source: "src",
+                config: &config,
+            },
+        ),
+    ]
+}
+
+fn cmake(controller: &Controller<'_>) -> Vec<File> {
+    let config = Config::of(controller, Language::C);
+    let name = config.name.as_str();
+    let mut files = emitted(controller, "include", "src");
+    files.extend([
+        file("CMakeLists.txt", &Cmake { name }),
+        file(&format!("cmake/{name}Config.cmake.in"), &CmakeConfig { name }),
+        file("example/main.c", &MainC { config: &config }),
+        file("example/config.h", &ConfigC { config: &config }),
+        file("README.md", &Readme {
+            title: format!("The library {name}"),
+            about: "A library in C with an example, which is its test. Installed, it is found by \
+                    `find_package`.",
+            project: Project::Cmake,
+            commands: vec![
+                "cmake -B build -DCMAKE_BUILD_TYPE=Release".to_owned(),
+                "cmake --build build".to_owned(),
+                "ctest --test-dir build --output-on-failure".to_owned(),
+                "cmake --install build --prefix installed".to_owned(),
+            ],
+            needs: "It needs CMake 3.15 and a C compiler. In another project: \
+                    `find_package(NAME)` and `target_link_libraries(... NAME::NAME)`.",
+            config_file: "example/config.h",
+            source: "DIR, and sort them into include/ and src/",
+            config: &config,
+        }),
+    ]);
+    files
+}
+
+fn arduino(controller: &Controller<'_>) -> Vec<File> {
+    let config = Config::of(controller, Language::C);
+    let name = config.name.as_str();
+    let spec = controller.spec();
+    let mut files = emitted(controller, "src", "src");
+    files.extend([
+        file("library.properties", &Properties {
+            name,
+            n: spec.n,
+            mapping: spec.mapping_name(),
+        }),
+        file("examples/run/run.ino", &Arduino { config: &config }),
+        file("examples/run/config.h", &ConfigC { config: &config }),
+        file("README.md", &Readme {
+            title: format!("The Arduino library {name}"),
+            about: match spec.precision {
+                Precision::F32 => "A library with an example sketch.",
+                Precision::F64 => {
+                    "A library with an example sketch. Where `double` has 4 bytes, as on AVR, the \
+                     controller has the digits of `float`: take `--precision f32`, which is that on \
+                     every board."
+                }
+            },
+            project: Project::Arduino,
+            commands: vec![
+                "arduino-cli lib install --zip-path LIBRARY.zip".to_owned(),
+                "arduino-cli compile -b arduino:samd:mkrzero examples/run".to_owned(),
+            ],
+            needs: "Or copy the folder into that of your libraries, and open the example `run`.",
+            config_file: "examples/run/config.h",
+            source: "src",
+            config: &config,
+        }),
+    ]);
+    files
+}

@@ -1,0 +1,105 @@
+//! The templates of the projects, and what each is given.
+
+use askama::Template;
+
+use super::Project;
+use super::config::Config;
+
+/// What a project does and how it is built.
+#[derive(Template)]
+#[template(path = "project/readme.md.txt", escape = "none")]
+pub(super) struct Readme<'a> {
+    pub(super) title: String,
+    pub(super) about: &'static str,
+    pub(super) project: Project,
+    pub(super) commands: Vec<String>,
+    pub(super) needs: &'static str,
+    pub(super) config_file: &'static str,
+    /// Where the controller is written again.
+    pub(super) source: &'static str,
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/config.h.txt", escape = "none")]
+pub(super) struct ConfigC<'a> {
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/main.c.txt", escape = "none")]
+pub(super) struct MainC<'a> {
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/run.ino.txt", escape = "none")]
+pub(super) struct Arduino<'a> {
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/config.rs.txt", escape = "none")]
+pub(super) struct ConfigRust<'a> {
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/main.rs.txt", escape = "none")]
+pub(super) struct MainRust<'a> {
+    pub(super) config: &'a Config,
+}
+
+#[derive(Template)]
+#[template(path = "project/Makefile.txt", escape = "none")]
+pub(super) struct Makefile<'a> {
+    pub(super) name: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "project/linker.ld.txt", escape = "none")]
+pub(super) struct Linker {}
+
+#[derive(Template)]
+#[template(path = "project/startup.c.txt", escape = "none")]
+pub(super) struct Startup {}
+
+#[derive(Template)]
+#[template(path = "project/CMakeLists.txt.txt", escape = "none")]
+pub(super) struct Cmake<'a> {
+    pub(super) name: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "project/Config.cmake.in.txt", escape = "none")]
+pub(super) struct CmakeConfig<'a> {
+    pub(super) name: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "project/library.properties.txt", escape = "none")]
+pub(super) struct Properties<'a> {
+    pub(super) name: &'a str,
+    pub(super) n: usize,
+    pub(super) mapping: &'static str,
+}
+
+#[derive(Template)]
+#[template(path = "project/Cargo.toml.txt", escape = "none")]
+pub(super) struct Cargo<'a> {
+    pub(super) name: &'a str,
+    /// Whether the controller calls functions.
+    pub(super) libm: bool,
+}
+
+#[derive(Template)]
+#[template(path = "project/cargo_config.toml.txt", escape = "none")]
+pub(super) struct Runner {}
+
+#[derive(Template)]
+#[template(path = "project/build.rs.txt", escape = "none")]
+pub(super) struct Build {}
+
+#[derive(Template)]
+#[template(path = "project/memory.x.txt", escape = "none")]
+pub(super) struct Memory {}
