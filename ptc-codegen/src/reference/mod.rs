@@ -216,7 +216,9 @@ fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) 
     match outcome.u {
         u if u > u_max => Outcome { status: Status::Saturated, u: u_max, ..outcome },
         u if u < -u_max => Outcome { status: Status::Saturated, u: -u_max, ..outcome },
-        u if !(u.abs() <= greatest) => Outcome { status: Status::Range, u: 0.0, ..outcome },
+        u if u.is_nan() || u.abs() > greatest => {
+            Outcome { status: Status::Range, u: 0.0, ..outcome }
+        }
         _ => outcome,
     }
 }

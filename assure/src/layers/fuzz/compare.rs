@@ -191,7 +191,8 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
         let mut own = Interpreter::new(&program, &input).with_law(&law);
         let u = own.value(program.step);
         // Behind the result alone, a time that is no number makes u none.
-        let u = if spec.guard == Guard::Result { u + (record.t - record.t) } else { u };
+        let is_caught = spec.guard == Guard::Result && !record.t.is_finite();
+        let u = if is_caught { f64::NAN } else { u };
         let u_max = value(spec, record, Parameter::UMax);
         let agrees = match c.step.0 {
             0 | 1 => u.to_bits() == c.step.1.to_bits(),
@@ -280,7 +281,7 @@ fn definition(
             let error = control.error(c.step.1) / allowed;
             let worst = counts.worst.entry(kind.clone()).or_default();
             *worst = worst.max(error);
-            if !(error <= 1.0) {
+            if error.is_nan() || error > 1.0 {
                 let told = format!(
                     "{:?}, u = {:e} with scale {:e}: {error:.2} of what is allowed",
                     c.step,
