@@ -237,6 +237,18 @@ fn expected(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outc
     )
 }
 
+/// The definition a unit of the last place of time-to-go later.
+fn moved(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outcome> {
+    let tau = value(spec, record, Parameter::Tau);
+    let place = match spec.precision {
+        Precision::F64 => f64::EPSILON,
+        Precision::F32 => f64::from(f32::EPSILON),
+    };
+    let ends = record.t + place * tau.max(record.t.abs());
+    let t = if spec.precision == Precision::F32 { ends } else { ends.max(record.t.next_up()) };
+    expected(spec, &Record { t, ..record.clone() })
+}
+
 fn definition(
     spec: &Spec,
     records: &[Record],
@@ -278,7 +290,14 @@ fn definition(
             ));
         }
         if matches!(c.step.0, 0 | 1) && !at_eps {
-            let error = control.error(c.step.1) / allowed;
+            let mut error = control.error(c.step.1) / allowed;
+            // What one unit of the last place of time-to-go does to u, where terms of u that are
+            // nearly 0 hide it from the scale.
+            if error > 1.0 {
+                let moved = moved(spec, record).and_then(|moved| moved.control);
+                let by = moved.map_or(0.0, |moved| (moved.u() - control.u()).abs());
+                error /= 1.0 + 4.0 * by / (allowed * control.scale());
+            }
             let worst = counts.worst.entry(kind.clone()).or_default();
             *worst = worst.max(error);
             if error.is_nan() || error > 1.0 {
