@@ -233,8 +233,9 @@ pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
 fn is_derived(program: &Program, field: &Field) -> bool {
     let value = program.get(field.value);
     let of_time = |name: &str| matches!(name, "deadline" | "correction");
-    !matches!(value.op, Op::Input(_))
-        && !(field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n)))
+    let is_time = field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n));
+    let is_given = matches!(value.op, Op::Input(_));
+    !is_time && !is_given
 }
 
 /// The C files of a controller with contracts and case splits in comments, and a harness with which
