@@ -101,8 +101,12 @@ fn an_altered_controller_fails() {
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
         (&[("n", "2"), ("mu", "exp")], "v = self->u_max;", "v = 2.0 * self->u_max;"),
         (&[("n", "2"), ("mu", "exp")], "&& (eps < tau)", ""),
-        (&[("n", "2"), ("mu", "tan")], "const double c2_1 =", "const double c2_1 = 1e-12 + "),
-        (&[("n", "2"), ("mu", "exp"), ("pi0", "extern")], "pi0(context, xi", "pi0(NULL, xi"),
+        (&[("n", "2"), ("mu", "tan")], "const double c2_2 =", "const double c2_2 = 1e-12 + "),
+        (
+            &[("n", "2"), ("mu", "exp"), ("pi0", "extern")],
+            "pi0(context, xi",
+            "pi0((context == NULL) ? context : NULL, xi",
+        ),
         (
             &[("n", "1"), ("mu", "exp"), ("after", "zero")],
             "(past >= 0.0) ? PTC_AFTER",

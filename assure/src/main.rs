@@ -1,16 +1,18 @@
 //! `cargo assure`: runs the layers of assurance and writes assurance/REPORT.md.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Parser;
 use ptc_assure::context::Context;
 use ptc_assure::layer::{Layer, Outcome};
-use ptc_assure::layers::LAYERS;
+use ptc_assure::layers::{LAYERS, cost};
 use ptc_assure::{report, tool};
+use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::spec::Spec;
 
 /// Examines emitted code, layer by layer: what each one shows, of which files, by which tool.
 ///
@@ -31,6 +33,10 @@ struct CommandLine {
     /// Minutes for which the layer `fuzz` draws controllers; a third of one without it
     #[arg(long, value_name = "MINUTES")]
     minutes: Option<f64>,
+    /// Measure what a step of the controller in this design file costs, print the table, and run no
+    /// layer; `ptc-codegen emit --cost` takes the table
+    #[arg(long, value_name = "FILE", conflicts_with = "layers")]
+    design: Option<PathBuf>,
     /// Install nothing: a layer that lacks a tool is not run
     #[arg(long)]
     no_install: bool,
@@ -58,7 +64,8 @@ fn execute(line: &CommandLine) -> Result<bool> {
         }
         return Ok(true);
     }
-    let chosen = chosen(&line.layers)?;
+    let wanted = if line.design.is_some() { vec!["cost".to_owned()] } else { line.layers.clone() };
+    let chosen = chosen(&wanted)?;
     if !line.no_install {
         let tools: Vec<_> = chosen.iter().flat_map(|layer| layer.tools).copied().collect();
         tool::install(&tools);
@@ -70,6 +77,10 @@ fn execute(line: &CommandLine) -> Result<bool> {
     if let Some(minutes) = line.minutes {
         context.time = Duration::try_from_secs_f64(60.0 * minutes)
             .with_context(|| format!("--minutes {minutes}: give a number from 0 on"))?;
+    }
+    if let Some(file) = &line.design {
+        print!("{}", cost::table(&cost::costs(&context, &[design(file)?])?));
+        return Ok(true);
     }
     let mut outcomes: Vec<(&Layer, Outcome)> = Vec::new();
     for layer in chosen {
@@ -96,6 +107,20 @@ fn execute(line: &CommandLine) -> Result<bool> {
         println!("written: {}", path.display());
     }
     Ok(!outcomes.iter().any(|(_, outcome)| matches!(outcome, Outcome::Failed(_))))
+}
+
+/// The controller of a design file.
+fn design(file: &Path) -> Result<Spec> {
+    let told = |found: &[Diagnostic]| {
+        let first = found.first().map_or("", |one| &one.message);
+        anyhow!("{}: {first}; `ptc-codegen check {0}` tells more", file.display())
+    };
+    let text = ptc_codegen::design::load(file).map_err(|wrong| told(&[wrong]))?;
+    let (entries, found) = ptc_codegen::design::read(&text, &mut |_| Place(0));
+    if !found.is_empty() {
+        return Err(told(&found));
+    }
+    ptc_codegen::spec::read(&entries).map_err(|found| told(&found))
 }
 
 /// The layers that were asked for, in the order in which they run.

@@ -26,6 +26,7 @@ pub mod spec;
 
 use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
+use emit::measured::Measured;
 use emit::{Controller, File, Language, Project};
 use law::Law;
 use program::{Op, Program, number, passes};
@@ -38,6 +39,18 @@ use spec::{Precision, Spec};
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     emitted(spec, |controller| emit::emit(controller, language))?
+}
+
+/// The same, with what a step was measured to cost in the head of the files.
+///
+/// # Errors
+/// As [`generate`].
+pub fn generate_measured(
+    spec: &Spec,
+    language: Language,
+    measured: &[Measured],
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, |controller| emit::emit(&Controller { measured, ..*controller }, language))?
 }
 
 /// Generates the files of a small project around one controller, by their paths in it.
@@ -62,6 +75,15 @@ pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
     })?
 }
 
+/// Generates the C files of one controller for a proof that they have no error at run time: header
+/// and source, which differ from those of [`generate`] by comments alone, and the proof's harness.
+///
+/// # Errors
+/// Everything in the spec that cannot be generated, and every check that refuses it.
+pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    emitted(spec, emit::emit_with_proof)
+}
+
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
 /// facade crate `ptc` in place of its own.
 ///
@@ -76,7 +98,7 @@ fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T,
     let report = examine(spec).accepted()?;
     let law = Law::of(&report.spec);
     let program = optimised(&report.spec, &law)?;
-    Ok(emit(&Controller { report: &report, law: &law, program: &program }))
+    Ok(emit(&Controller { report: &report, law: &law, program: &program, measured: &[] }))
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

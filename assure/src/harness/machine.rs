@@ -72,6 +72,15 @@ impl Machine {
         }
     }
 
+    /// The program that lists the symbols of its files.
+    pub fn nm(self) -> &'static str {
+        match self {
+            Self::Host => "nm",
+            Self::CortexM0 | Self::CortexM4f | Self::CortexM7 => "arm-none-eabi-nm",
+            Self::Rv32 => "riscv64-unknown-elf-nm",
+        }
+    }
+
     /// What the linking of a program for the machine takes beside the objects.
     pub fn link_arguments(self) -> Vec<String> {
         let own = |file: &str| device(file).to_string_lossy().into_owned();

@@ -2,6 +2,7 @@
 //! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
+pub mod cost;
 pub mod cpp;
 pub mod goldens;
 pub mod machine;
@@ -49,7 +50,15 @@ pub fn empty(path: &Path) -> PathBuf {
 
 /// Writes the files of `spec` to `folder` and returns their paths.
 pub fn write(folder: &Path, spec: &Spec, language: Language) -> Vec<PathBuf> {
-    let files = ptc_codegen::generate(spec, language).expect("a legal spec");
+    written(folder, ptc_codegen::generate(spec, language).expect("a legal spec"))
+}
+
+/// Writes the annotated C of `spec` and the harness of its proof to `folder`.
+pub fn write_with_proof(folder: &Path, spec: &Spec) -> Vec<PathBuf> {
+    written(folder, ptc_codegen::generate_with_proof(spec).expect("a legal spec"))
+}
+
+fn written(folder: &Path, files: Vec<ptc_codegen::emit::File>) -> Vec<PathBuf> {
     let write = |file: ptc_codegen::emit::File| {
         let path = folder.join(file.name);
         fs::create_dir_all(path.parent().unwrap_or(folder)).expect("a folder");

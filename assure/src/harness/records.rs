@@ -38,7 +38,10 @@ struct Drawn {
 impl Drawn {
     fn new(spec: &Spec, random: &mut Random) -> Self {
         let round = |value| rounded(value, spec.precision);
-        let fixed = |parameter| spec.fixed.get(&parameter).and_then(Fixed::number).map(as_f64);
+        let fixed = |parameter| {
+            let number = spec.fixed.get(&parameter).and_then(Fixed::number);
+            number.map(|number| ptc_codegen::program::number::round(number, spec.precision))
+        };
         let tau = fixed(Parameter::Tau).unwrap_or_else(|| round(random.magnitude(1e-3, 1e3)));
         let start = [0.0, random.between(-30.0, 30.0), 1e4][choice(random, 3)];
         let t0 = fixed(Parameter::StartTime).unwrap_or_else(|| round(start));

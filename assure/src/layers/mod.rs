@@ -3,7 +3,9 @@
 mod command;
 mod comparison;
 mod compilers;
+pub mod cost;
 mod cpp;
+mod eva;
 mod fmu;
 mod fuzz;
 mod identity;
@@ -26,7 +28,9 @@ pub const LAYERS: &[Layer] = &[
     supply::LAYER,
     compilers::LAYER,
     rules::LAYER,
+    eva::LAYER,
     selftest::LAYER,
+    cost::LAYER,
     rust::LAYER,
     miri::LAYER,
     identity::LAYER,

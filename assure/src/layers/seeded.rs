@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, bail};
 use ptc_codegen::emit::Language;
 use ptc_codegen::spec::Spec;
 
@@ -17,17 +17,21 @@ pub(super) fn with_defect(
     folder: &Path,
     spec: &Spec,
     language: Language,
-    (good, bad, defect): Defect,
+    defect: Defect,
 ) -> Result<Vec<PathBuf>> {
     let files = write(&empty(folder), spec, language);
-    let mut replaced = false;
-    for file in &files {
+    put_in(&files, defect)?;
+    Ok(files)
+}
+
+/// Replaces the first place of the defect's text in `files`; an error where there is none.
+pub(super) fn put_in(files: &[PathBuf], (good, bad, defect): Defect) -> Result<()> {
+    for file in files {
         let text = fs::read_to_string(file).with_context(|| file.display().to_string())?;
-        if !replaced && text.contains(good) {
+        if text.contains(good) {
             fs::write(file, text.replacen(good, bad, 1))?;
-            replaced = true;
+            return Ok(());
         }
     }
-    ensure!(replaced, "{}: no text `{good}` to put the defect in: {defect}", spec.name());
-    Ok(files)
+    bail!("{files:?}: no text `{good}` to put the defect in: {defect}")
 }

@@ -136,12 +136,19 @@ pub(crate) struct Emit {
     /// for a project, which takes a new or an empty one, the controller's name]
     #[arg(short, long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// With --lang c: put ACSL contracts into the header, and write NAME_eva.c, which proves with
+    /// Frama-C that the code has no error at run time
+    #[arg(long)]
+    pub(crate) acsl: bool,
     /// Write nothing; exit with 1 if the files in DIR are not what would be written
     #[arg(long)]
     pub(crate) check: bool,
     /// Also write NAME_selftest.c and .h, which test the controller on its target (C only)
     #[arg(long, conflicts_with = "dump")]
     pub(crate) selftest: bool,
+    /// Tell in the head of the files what one step costs, from a table of `cargo assure cost`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["dump", "acsl"])]
+    pub(crate) cost: Option<PathBuf>,
     /// Print the program after PASS instead of any source (lower: before the first)
     #[arg(long, value_name = "PASS", value_parser = pass_names())]
     pub(crate) dump: Option<String>,

@@ -5,9 +5,10 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::emit::measured::Measured;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::spec::Spec;
-use ptc_codegen::{generate, generate_selftest, project};
+use ptc_codegen::{generate_measured, generate_selftest, generate_with_proof, project};
 
 use super::args::Emit;
 use super::fmu;
@@ -17,12 +18,7 @@ use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
-    if request.selftest && request.lang != Some(Language::C) {
-        return Err(Failure::because(
-            "`--selftest` is written in C only".to_owned(),
-            "give --lang c with it; in Rust, the tests of your own crate run on the target",
-        ));
-    }
+    beside_c(request)?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = given.read()?;
@@ -37,7 +33,8 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         None => {
             // The grammar asks for one of the two.
             let language = request.lang.unwrap_or(Language::C);
-            match sources(request, &spec, language) {
+            let measured = measured(request.cost.as_deref(), &spec)?;
+            match sources(request, &spec, language, &measured) {
                 Ok(files) => place(request, &spec.name(), language, &files),
                 Err(found) => given.finish(None, found),
             }
@@ -45,13 +42,62 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
 }
 
+/// What goes beside C alone is asked for with C.
+fn beside_c(request: &Emit) -> Result<(), Failure> {
+    let given = [
+        (request.acsl, "--acsl"),
+        (request.selftest, "--selftest"),
+        (request.cost.is_some(), "--cost"),
+    ];
+    let Some((_, flag)) = given.iter().find(|(given, _)| *given) else { return Ok(()) };
+    let other = match (request.lang, request.project, &request.dump) {
+        (Some(Language::C), _, None) => return Ok(()),
+        (_, _, Some(_)) => "--dump".to_owned(),
+        (Some(language), _, _) => format!("--lang {}", language.name()),
+        (None, Some(project), _) => format!("--project {}", project.name()),
+        (None, None, _) => return Ok(()),
+    };
+    Err(Failure::because(
+        format!("`{flag}` goes with C, and `{other}` asks for something else"),
+        &format!("give --lang c without --dump, or leave {flag} out"),
+    ))
+}
+
 /// The files of a language, and what goes with them by flags.
-fn sources(request: &Emit, spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let mut files = generate(spec, language)?;
+fn sources(
+    request: &Emit,
+    spec: &Spec,
+    language: Language,
+    measured: &[Measured],
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let mut files = match request.acsl {
+        true => generate_with_proof(spec)?,
+        false => generate_measured(spec, language, measured)?,
+    };
     if request.selftest {
         files.extend(generate_selftest(spec)?);
     }
     Ok(files)
+}
+
+/// What the table in `file` holds of the controller; nothing without a file.
+fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> {
+    let Some(file) = file else { return Ok(Vec::new()) };
+    let text =
+        fs::read_to_string(file).map_err(|error| write::failed("cannot read", file, &error))?;
+    let mut table = Measured::table(&text).map_err(|wrong| {
+        let help = "give a table as `cargo assure cost` writes it";
+        Failure::because(format!("{} is no table of costs: {wrong}", file.display()), help)
+    })?;
+    let command = spec.command();
+    table.retain(|measured| measured.command == command);
+    if table.is_empty() {
+        return Err(Failure::because(
+            format!("{} holds no cost of this controller, `{command}`", file.display()),
+            "measure it, in the source of ptc: cargo assure --design DESIGN",
+        ));
+    }
+    Ok(table)
 }
 
 /// Prints, compares or writes the files of a language.

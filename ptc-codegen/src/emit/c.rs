@@ -2,9 +2,10 @@
 
 use askama::Template;
 
+use super::acsl::{self, Contracts};
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, eva, header, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec};
 
@@ -20,10 +21,23 @@ pub(super) const TARGET: Target = Target {
 
 /// The header and the source of a controller.
 pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
+    sources(controller, false)
+}
+
+/// The same with contracts and case splits in comments, and the harness of the proof.
+pub(super) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
+    sources(controller, true)
+}
+
+fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let frame = Frame::new(controller, real(spec), &C::new(spec));
+    let frame = Frame::new(controller, real(spec), &C { annotated, ..C::new(spec) });
     let head = header::lines(controller, Language::C);
+    let contracts = match annotated {
+        true => Contracts::new(controller, &frame),
+        false => Contracts::default(),
+    };
     let externs = externs(spec, &name);
     let hold = match spec.after {
         After::Hold => "PTC_HOLD",
@@ -35,21 +49,24 @@ pub(super) fn files(controller: &Controller<'_>) -> Vec<File> {
         head: &head,
         parameters: &declared(spec),
         externs: &externs,
+        contracts: &contracts,
         frame: &frame,
     };
     let mut lines = frame.step.iter().chain(&frame.functions);
     let loops = lines.any(|line| line.contains("uint32_t"));
     let pad = if spec.guard == Guard::Full { "        " } else { "    " };
     let source = Source { name: &name, loops, pad, hold, externs: &externs, frame: &frame };
+    let proof = annotated.then(|| eva::harness(controller, &frame, &externs));
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
         .into_iter()
         .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
+        .chain(proof)
         .collect()
 }
 
 /// Type and name of what `step` takes beside time and state: the user's functions, and what is
 /// handed on to them.
-fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
+pub(super) fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     let mut externs = Vec::new();
     if spec.feedback == Feedback::Extern {
         externs.push((format!("{name}_pi0 "), "pi0"));
@@ -63,6 +80,7 @@ fn externs(spec: &Spec, name: &str) -> Vec<(String, &'static str)> {
     externs
 }
 
+/// The type of numbers.
 pub(super) fn real(spec: &Spec) -> &'static str {
     match spec.precision {
         Precision::F32 => "float",
@@ -70,24 +88,31 @@ pub(super) fn real(spec: &Spec) -> &'static str {
     }
 }
 
+/// A number as C writes it.
+pub(super) fn number(text: &str, precision: Precision) -> String {
+    match precision {
+        Precision::F32 => format!("{text}f"),
+        Precision::F64 => text.to_owned(),
+    }
+}
+
 pub(super) struct C<'a> {
     spec: &'a Spec,
     name: String,
     real: &'static str,
+    /// Whether cases are split for Eva, in comments.
+    annotated: bool,
 }
 
 impl<'a> C<'a> {
     pub(super) fn new(spec: &'a Spec) -> Self {
-        Self { spec, name: spec.name(), real: real(spec) }
+        Self { spec, name: spec.name(), real: real(spec), annotated: false }
     }
 }
 
 impl Syntax for C<'_> {
     fn literal(&self, text: &str) -> String {
-        match self.spec.precision {
-            Precision::F32 => format!("{text}f"),
-            Precision::F64 => text.to_owned(),
-        }
+        number(text, self.spec.precision)
     }
 
     fn field(&self, name: &str) -> String {
@@ -230,6 +255,9 @@ impl Syntax for C<'_> {
             "    }".to_owned(),
             "}".to_owned(),
         ]);
+        if self.annotated {
+            lines.extend(acsl::split_root(y, root.tolerance, real));
+        }
         lines
     }
 }
@@ -242,6 +270,7 @@ struct Header<'a> {
     parameters: &'a [Declared],
     /// Type and name of what `step` takes beside time and state.
     externs: &'a [(String, &'static str)],
+    contracts: &'a Contracts,
     frame: &'a Frame,
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::measured::Measured;
 use super::{Controller, Language};
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion;
@@ -50,6 +51,10 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
     lines.extend(behaviour(controller));
     lines.extend(checks(controller));
     lines.extend(count(controller));
+    if !controller.measured.is_empty() {
+        lines.push("The most that one step took, measured over its self-test:".to_owned());
+        lines.extend(controller.measured.iter().map(Measured::told));
+    }
     lines.into_iter().flat_map(|line| wrap(&line)).collect()
 }
 

@@ -3,13 +3,16 @@
 //! A printer ([`print`]) writes expressions and statements; a template places them. A template
 //! holds structure and API text, never arithmetic.
 
+mod acsl;
 mod c;
 mod cpp;
+mod eva;
 mod example;
 pub mod fmu;
 mod frame;
 mod header;
 mod matlab;
+pub mod measured;
 mod plan;
 mod print;
 mod project;
@@ -145,6 +148,8 @@ pub struct Controller<'a> {
     pub law: &'a Law,
     /// The optimised program.
     pub program: &'a Program,
+    /// What a step was measured to cost, for the head of the emitted files.
+    pub measured: &'a [measured::Measured],
 }
 
 impl<'a> Controller<'a> {
@@ -228,8 +233,15 @@ pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
 fn is_derived(program: &Program, field: &Field) -> bool {
     let value = program.get(field.value);
     let of_time = |name: &str| matches!(name, "deadline" | "correction");
-    !matches!(value.op, Op::Input(_))
-        && !(field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n)))
+    let is_time = field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n));
+    let is_given = matches!(value.op, Op::Input(_));
+    !is_time && !is_given
+}
+
+/// The C files of a controller with contracts and case splits in comments, and a harness with which
+/// Frama-C's plug-in Eva proves that they have no error at run time.
+pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
+    c::files_with_proof(controller)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.

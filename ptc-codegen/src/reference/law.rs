@@ -137,7 +137,7 @@ impl Arithmetic {
 }
 
 /// The greater of a size and |value|.
-fn larger(size: &BigFloat, value: &BigFloat) -> BigFloat {
+pub(super) fn larger(size: &BigFloat, value: &BigFloat) -> BigFloat {
     let value = value.abs();
     if below(size, &value) { value } else { size.clone() }
 }

@@ -15,7 +15,7 @@ use astro_float_num::BigFloat;
 
 use crate::expression::{Expression, Variable};
 use crate::spec::{After, Domain, Feedback, Fixed, Parameter, Precision, Spec};
-use law::{Leaves, Term};
+use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
 use mapping::Point;
 
@@ -216,7 +216,9 @@ fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) 
     match outcome.u {
         u if u > u_max => Outcome { status: Status::Saturated, u: u_max, ..outcome },
         u if u < -u_max => Outcome { status: Status::Saturated, u: -u_max, ..outcome },
-        u if !(u.abs() <= greatest) => Outcome { status: Status::Range, u: 0.0, ..outcome },
+        u if u.is_nan() || u.abs() > greatest => {
+            Outcome { status: Status::Range, u: 0.0, ..outcome }
+        }
         _ => outcome,
     }
 }
@@ -296,6 +298,8 @@ impl Arithmetic {
             (Feedback::Extern, law) => law?.clone(),
         };
         let mut u = self.term(&law, &leaves);
+        // A law that is a number alone is still a term of u.
+        u.size = larger(&u.size, &u.value);
         let drift = (1..=n).map(|j| self.mul(&point.bell[n][j - 1], &self.double(call.x[j - 1])));
         let drift: Vec<_> = drift.collect();
         for term in &drift {

@@ -249,15 +249,15 @@ impl Arithmetic {
     pub(super) fn reverted(&self, f: &Series) -> Series {
         let length = f.len();
         let mut powers = vec![self.constant(self.integer(1), length)];
-        for k in 1..length {
-            powers.push(self.product(&powers[k - 1], f));
+        while powers.len() < length {
+            powers.push(self.product(&powers[powers.len() - 1], f));
         }
         let mut g = vec![self.integer(0)];
-        for k in 1..length {
+        for (k, power) in powers.iter().enumerate().skip(1) {
             let wanted = self.integer(i64::from(k == 1));
             let rest =
                 (1..k).fold(wanted, |rest, j| self.sub(&rest, &self.mul(&g[j], &powers[j][k])));
-            g.push(self.div(&rest, &powers[k][k]));
+            g.push(self.div(&rest, &power[k]));
         }
         g
     }

@@ -163,7 +163,7 @@ impl<'a> Maker<'a> {
         let u_max = self.parameter(session, Parameter::UMax);
         let control = self.expected(session, t, x).and_then(|outcome| outcome.control);
         let u = control.map_or(0.0, |control| control.u().abs());
-        if !(u > 0.5 * u_max) {
+        if u <= 0.5 * u_max {
             return x.to_vec();
         }
         x.iter().map(|x| settle(0.5 * u_max / u * x, self.spec().precision)).collect()

@@ -10,7 +10,7 @@ function sum = user_law(xi, t)
 end
 
 function drive(line)
-    words = strsplit(line, "\t");
+    words = strsplit(line, "\t", 'CollapseDelimiters', false);
     [folder, name] = words{1:2};
     n = str2double(words{4});
     real = ifelse(strcmp(words{5}, 'f64'), 'double', 'single');

@@ -100,7 +100,7 @@ class Unit:
         self.inputs: list[str] = []
         self.temporary: list[str] = []
         if isinstance(item, st.Function):
-            self.declare(self.name, library.kind(item.return_type.type and item.return_type))
+            self.declare(self.name, TYPES[str(item.return_type.type.type).lower()])
         for block in item.declarations:
             for one in block.items:
                 for variable in one.variables:
@@ -118,8 +118,6 @@ class Unit:
         self.run = space["run"]
 
     def declare(self, name: str, kind: Any) -> None:
-        if isinstance(kind, st.SimpleSpecification):
-            kind = TYPES[str(kind.type).lower()]
         if name in self.kinds:
             raise Wrong(f"{name} is declared twice")
         self.kinds[name] = kind

@@ -191,7 +191,8 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
         let mut own = Interpreter::new(&program, &input).with_law(&law);
         let u = own.value(program.step);
         // Behind the result alone, a time that is no number makes u none.
-        let u = if spec.guard == Guard::Result { u + (record.t - record.t) } else { u };
+        let is_caught = spec.guard == Guard::Result && !record.t.is_finite();
+        let u = if is_caught { f64::NAN } else { u };
         let u_max = value(spec, record, Parameter::UMax);
         let agrees = match c.step.0 {
             0 | 1 => u.to_bits() == c.step.1.to_bits(),
@@ -236,6 +237,18 @@ fn expected(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outc
     )
 }
 
+/// The definition a unit of the last place of time-to-go later.
+fn moved(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outcome> {
+    let tau = value(spec, record, Parameter::Tau);
+    let place = match spec.precision {
+        Precision::F64 => f64::EPSILON,
+        Precision::F32 => f64::from(f32::EPSILON),
+    };
+    let ends = record.t + place * tau.max(record.t.abs());
+    let t = if spec.precision == Precision::F32 { ends } else { ends.max(record.t.next_up()) };
+    expected(spec, &Record { t, ..record.clone() })
+}
+
 fn definition(
     spec: &Spec,
     records: &[Record],
@@ -277,10 +290,17 @@ fn definition(
             ));
         }
         if matches!(c.step.0, 0 | 1) && !at_eps {
-            let error = control.error(c.step.1) / allowed;
+            let mut error = control.error(c.step.1) / allowed;
+            // What one unit of the last place of time-to-go does to u, where terms of u that are
+            // nearly 0 hide it from the scale.
+            if error > 1.0 {
+                let moved = moved(spec, record).and_then(|moved| moved.control);
+                let by = moved.map_or(0.0, |moved| (moved.u() - control.u()).abs());
+                error /= 1.0 + 4.0 * by / (allowed * control.scale());
+            }
             let worst = counts.worst.entry(kind.clone()).or_default();
             *worst = worst.max(error);
-            if !(error <= 1.0) {
+            if error.is_nan() || error > 1.0 {
                 let told = format!(
                     "{:?}, u = {:e} with scale {:e}: {error:.2} of what is allowed",
                     c.step,

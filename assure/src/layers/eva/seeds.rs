@@ -1,0 +1,53 @@
+//! Defects in emitted C, each of which has to raise an alarm.
+
+use std::path::Path;
+
+use anyhow::Result;
+use ptc_codegen::mapping::Family;
+use ptc_codegen::spec::Spec;
+
+use super::{MODES, analyse};
+use crate::context::Context;
+use crate::harness::{empty, in_pairs, write_with_proof};
+use crate::layer::Finding;
+use crate::layers::seeded::{Defect, put_in};
+
+/// Defects of the example, and the mode in which each is seen.
+const DEFECTS: [(Defect, usize); 10] = [
+    (("            && isfinite(x1)\n", "", "the guard of x1 left out"), 0),
+    (("isfinite(t)\n            && (t >= self->t0)", "isfinite(t)", "the guard of t0 left out"), 1),
+    (("&& (x != NULL)", "", "the check of x for NULL left out"), 0),
+    (("        *u = 0.0;\n", "        ;\n", "u not set to 0 first"), 0),
+    (("                v = -self->u_max;\n", "", "the lower clamp left out"), 1),
+    (("hold_from = -eps", "hold_from = eps", "the bound of the hold with the wrong sign"), 1),
+    (("(past < self->hold_from) ? past : self->hold_from", "past", "the hold at eps left out"), 1),
+    (("            built.c2 = c2;\n", "", "a field that nothing sets"), 1),
+    (("x2 = x[1]", "x2 = x[2]", "a state beyond the array"), 0),
+    (("            if (status == PTC_OK) {", "            {", "a refused init that writes"), 0),
+];
+
+/// Defects where loops are.
+const IN_LOOPS: [(Defect, usize); 1] =
+    [(("m < 9U", "m <= 9U", "a loop that runs one round too far"), 0)];
+
+/// Puts each defect in and records whether Eva tells of it.
+pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) -> Result<()> {
+    let looped = Spec::new(9, Family::ExpSum);
+    let defects = DEFECTS.iter().map(|defect| (context.example(), defect));
+    let defects = defects.chain(IN_LOOPS.iter().map(|defect| (looped.clone(), defect)));
+    let defects: Vec<_> = defects.enumerate().collect();
+    let told = in_pairs(&defects, |(index, (spec, (defect, mode)))| {
+        let folder = empty(&folder.join(format!("seeded{index}")));
+        let files = write_with_proof(&folder, spec);
+        let source: Vec<_> =
+            files.iter().filter(|f| f.ends_with(format!("{}.c", spec.name()))).cloned().collect();
+        put_in(&source, *defect)?;
+        let log = analyse(&folder, &[spec.name()], &files, MODES[*mode])?;
+        anyhow::Ok(log.alarms.first().cloned())
+    });
+    for ((_, (_, (defect, mode))), caught) in defects.iter().zip(told) {
+        let caught = caught?;
+        finding.seed(defect.2, caught.map(|alarm| format!("{}: {}", MODES[*mode].0, alarm.trim())));
+    }
+    Ok(())
+}

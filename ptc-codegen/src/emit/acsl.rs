@@ -1,0 +1,251 @@
+//! ACSL in comments: contracts for the header, and the cases that Eva has to look at apart.
+
+use super::Controller;
+use super::frame::Frame;
+use super::plan::Field;
+use crate::program::{Input, Op, number};
+use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec, What};
+
+/// Contracts of the emitted functions, each a comment that stands before a prototype; all empty
+/// where none is asked for.
+#[derive(Default)]
+pub(super) struct Contracts {
+    /// Predicates that the contracts use.
+    pub(super) predicates: String,
+    pub(super) init: String,
+    pub(super) arm: String,
+    /// Of `step`, or of `rate`.
+    pub(super) step: String,
+    pub(super) tick: String,
+    pub(super) axis: String,
+}
+
+impl Contracts {
+    pub(super) fn new(controller: &Controller<'_>, frame: &Frame) -> Self {
+        let spec = controller.spec();
+        let (name, n) = (spec.name(), spec.n);
+        let state = |array: &str| Pointer { name: array.to_owned(), count: Some(n), out: false };
+        let one = |name: &str, out| Pointer { name: name.to_owned(), count: None, out };
+        let full = spec.guard == Guard::Full || spec.what == What::Associated;
+        let built = format!(
+            "ensures \\result == PTC_OK || \\result == PTC_E_PARAM;\n\
+             ensures \\result == PTC_OK ==> {name}_set(self);"
+        );
+        let x0: Vec<_> = frame.latches.then(|| state("x0")).into_iter().collect();
+        let mut init = vec![one("self", true)];
+        if !frame.locals.is_empty() {
+            init.push(one("params", false));
+        }
+        init.extend(state_if(&x0));
+        let mut arm = vec![one("self", true)];
+        arm.extend(state_if(&x0));
+        // arm reads what init has set.
+        let mut arm_requires = requires(&arm, true);
+        arm_requires.push(format!("requires self == \\null || {name}_set(self);"));
+        Self {
+            predicates: predicates(controller, frame),
+            init: comment(&requires(&init, true), "*self", &built),
+            arm: comment(&arm_requires, "*self", &built),
+            step: match spec.what {
+                What::Associated => rate(&name, n, &state("xi")),
+                What::Controller => step(spec, full, &state("x")),
+            },
+            tick: tick(&name, n, full),
+            axis: axis(n, full, spec.guard, &state("x")),
+        }
+    }
+}
+
+/// What a function is given by address.
+struct Pointer {
+    name: String,
+    /// Length of an array; none for a single object.
+    count: Option<usize>,
+    /// Whether it is written.
+    out: bool,
+}
+
+fn state_if(arrays: &[Pointer]) -> impl Iterator<Item = Pointer> + '_ {
+    arrays.iter().map(|p| Pointer { name: p.name.clone(), count: p.count, out: p.out })
+}
+
+impl Pointer {
+    fn place(&self) -> String {
+        match self.count {
+            Some(count) => format!("{} + (0 .. {})", self.name, count - 1),
+            None => self.name.clone(),
+        }
+    }
+}
+
+/// What callers must see to of pointers; with `nullable` any of them may be NULL.
+fn requires(pointers: &[Pointer], nullable: bool) -> Vec<String> {
+    let either =
+        |name: &str| if nullable { format!("{name} == \\null || ") } else { String::new() };
+    let one = |p: &Pointer| {
+        let valid = if p.out { "\\valid" } else { "\\valid_read" };
+        format!("requires {}{valid}({});", either(&p.name), p.place())
+    };
+    pointers.iter().map(one).collect()
+}
+
+fn comment(requires: &[String], assigns: &str, ensures: &str) -> String {
+    let lines = requires
+        .iter()
+        .cloned()
+        .chain([format!("assigns {assigns};")])
+        .chain(ensures.lines().map(str::to_owned));
+    let lines: Vec<_> = lines.collect();
+    format!("/*@ {}\n */", lines.join("\n    "))
+}
+
+/// Legal parameters, and a controller that `init` and `arm` have set.
+fn predicates(controller: &Controller<'_>, frame: &Frame) -> String {
+    let spec = controller.spec();
+    let name = spec.name();
+    let mut text = String::new();
+    let mut legal: Vec<_> = spec.run_time_parameters().flat_map(|p| domain(spec, p)).collect();
+    let given = |p: Parameter| match spec.fixed.get(&p) {
+        Some(fixed) => real(fixed, spec),
+        None => place("p->", p),
+    };
+    if spec.what == What::Controller && !legal.is_empty() {
+        legal.push(format!("{} < {}", given(Parameter::Eps), given(Parameter::Tau)));
+    }
+    if !legal.is_empty() {
+        text.push_str(&format!(
+            "/*@ predicate {name}_legal({name}_params *p) =\n      {};\n */\n",
+            legal.join("\n      && ")
+        ));
+    }
+    let seen = frame.fields.iter().filter(|field| is_seen(controller, field));
+    let set: Vec<_> = seen.map(|field| format!("\\is_finite(c->{})", field.name)).collect();
+    let set = if set.is_empty() { "\\true".to_owned() } else { set.join("\n      && ") };
+    text.push_str(&format!("/*@ predicate {name}_set({name} *c) =\n      {set};\n */"));
+    text
+}
+
+/// Whether Eva sees that a field is finite: `init` or `arm` has asked `isfinite` of a variable that it
+/// is. That it was asked of a member, as in `isfinite(built.c1)`, is lost on Eva.
+fn is_seen(controller: &Controller<'_>, field: &Field) -> bool {
+    let tested = |p| matches!(controller.spec().domain(p), Domain::Finite | Domain::Positive);
+    match controller.program.get(field.value).op {
+        Op::Input(Input::Parameter(parameter)) => tested(parameter),
+        _ => matches!(field.name.as_str(), "t0" | "deadline"),
+    }
+}
+
+/// The domain of a run-time parameter; bounds are reals, so that nothing is rounded twice.
+fn domain(spec: &Spec, parameter: Parameter) -> Vec<String> {
+    let place = place("p->", parameter);
+    let finite = format!("\\is_finite({place})");
+    match spec.domain(parameter) {
+        Domain::Finite => vec![finite],
+        Domain::Positive | Domain::BelowTau => vec![finite, format!("{place} > 0.0")],
+        Domain::PositiveOrInfinite => vec![format!("{place} > 0.0")],
+        Domain::Within => {
+            let bounds = spec.bounds.get(&parameter);
+            let (least, greatest) = match bounds {
+                Some((least, greatest)) => (real(least, spec), real(greatest, spec)),
+                None => return vec![finite],
+            };
+            vec![finite, format!("{least} <= {place}"), format!("{place} <= {greatest}")]
+        }
+    }
+}
+
+/// A parameter as a member of the struct that `owner` leads to.
+pub(super) fn place(owner: &str, parameter: Parameter) -> String {
+    match parameter.index() {
+        Some(index) => format!("{owner}{}[{index}]", parameter.key()),
+        None => format!("{owner}{}", parameter.key()),
+    }
+}
+
+/// A fixed number as ACSL writes a real.
+fn real(value: &Fixed, spec: &Spec) -> String {
+    let rounded = value.number().map_or(f64::INFINITY, |n| number::round(n, spec.precision));
+    number::literal(rounded, Precision::F64)
+}
+
+/// Statuses that u can have, and what a negative one means.
+const OF_U: &str = "ensures -3 <= \\result <= 3;";
+
+fn step(spec: &Spec, full: bool, x: &Pointer) -> String {
+    let name = spec.name();
+    let pointers = [
+        Pointer { name: "self".to_owned(), count: None, out: false },
+        Pointer { name: x.name.clone(), count: x.count, out: false },
+        Pointer { name: "u".to_owned(), count: None, out: true },
+    ];
+    let mut conditions = requires(&pointers, full);
+    let set = if full { "self == \\null || " } else { "" };
+    conditions.push(format!("requires {set}{name}_set(self);"));
+    conditions.extend(trusted(spec.guard, spec.n, true));
+    comment(&conditions, "*u", OF_U)
+}
+
+/// What a trusting guard trusts beside pointers.
+fn trusted(guard: Guard, n: usize, time: bool) -> Vec<String> {
+    if guard != Guard::None {
+        return Vec::new();
+    }
+    let time = time.then(|| "requires \\is_finite(t);".to_owned());
+    let states = (0..n).map(|j| format!("requires \\is_finite(x[{j}]);"));
+    time.into_iter().chain(states).collect()
+}
+
+fn rate(name: &str, n: usize, xi: &Pointer) -> String {
+    let pointers = [
+        Pointer { name: "self".to_owned(), count: None, out: false },
+        Pointer { name: xi.name.clone(), count: xi.count, out: false },
+        Pointer { name: "xi_dot".to_owned(), count: Some(n), out: true },
+    ];
+    let mut conditions = requires(&pointers, true);
+    conditions.push(format!("requires self == \\null || {name}_set(self);"));
+    let ensures =
+        "ensures \\result == PTC_OK || \\result == PTC_E_INPUT || \\result == PTC_E_RANGE;";
+    comment(&conditions, &format!("xi_dot[0 .. {}]", n - 1), ensures)
+}
+
+fn tick(name: &str, n: usize, full: bool) -> String {
+    let pointers = [
+        Pointer { name: "self".to_owned(), count: None, out: false },
+        Pointer { name: "gains".to_owned(), count: None, out: true },
+    ];
+    let mut conditions = requires(&pointers, full);
+    let set = if full { "self == \\null || " } else { "" };
+    conditions.push(format!("requires {set}{name}_set(self);"));
+    let refused = if full { " || \\result == PTC_E_INPUT" } else { "" };
+    let ensures = format!(
+        "ensures \\result == PTC_OK || \\result == PTC_HOLD{refused};\n\
+         ensures \\result >= 0 ==> \\initialized(&gains->gain[0 .. {}]);",
+        n - 1
+    );
+    comment(&conditions, "*gains", &ensures)
+}
+
+fn axis(n: usize, full: bool, guard: Guard, x: &Pointer) -> String {
+    let pointers = [
+        Pointer { name: "gains".to_owned(), count: None, out: false },
+        Pointer { name: x.name.clone(), count: x.count, out: false },
+        Pointer { name: "u".to_owned(), count: None, out: true },
+    ];
+    let mut conditions = requires(&pointers, full);
+    conditions.extend(trusted(guard, n, false));
+    comment(&conditions, "*u", OF_U)
+}
+
+/// Cases of the root of an iteration, and tolerances in each: how far the iteration went is not
+/// seen, so that the root may lie anywhere in its bracket; in a narrow case of it nothing that is
+/// computed from the root can vanish.
+const ROOT_CASES: u32 = 16;
+const ROOT_CASE: u32 = 16;
+
+/// Splits the values of the root `y` into narrow cases, in units of the iteration's tolerance.
+pub(super) fn split_root(y: &str, tolerance: &str, real: &str) -> Vec<String> {
+    let edge = |k: u32| format!("({real})({}.0 * {tolerance})", ROOT_CASE * k);
+    let merge = "/*@ slevel merge; */".to_owned();
+    let cases = (1..=ROOT_CASES).map(|k| format!("/*@ split {y} <= {}; */", edge(k)));
+    std::iter::once(merge).chain(cases).collect()
+}

@@ -1,0 +1,280 @@
+//! The harness with which Frama-C's plug-in Eva proves that the emitted C has no error at run time.
+
+use askama::Template;
+
+use super::acsl::place;
+use super::frame::Frame;
+use super::{Controller, File, c, tidy};
+use crate::program::number;
+use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+
+/// Bound of |x_i| and of what functions of the user give, where the design promises none.
+const STATE: f64 = 10.0;
+const LAW: f64 = 10.0;
+
+/// How far Eva goes: apart as many states as calls and cases need, the rounds of a loop one after
+/// the other, statuses apart, and expressions in which a variable stands twice in pieces.
+const OPTIONS: &str = "-eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all \
+                       -eva-split-return full -eva-subdivide-non-linear 20";
+
+/// A value that the harness draws, as macros NAME_MIN and NAME_MAX.
+struct Range {
+    /// The macros' name up to `_MIN` and `_MAX`.
+    stem: String,
+    least: String,
+    greatest: String,
+    /// Whether a user may give others; not where the design fixes the value.
+    open: bool,
+}
+
+/// The harness of a controller with the parts `frame`, beside its annotated source.
+pub(super) fn harness(
+    controller: &Controller<'_>,
+    frame: &Frame,
+    externs: &[(String, &'static str)],
+) -> File {
+    let spec = controller.spec();
+    let name = spec.name();
+    let prefix = format!("{}_EVA", name.to_uppercase());
+    let text = |value: f64| literal(value, spec.precision);
+    let ranges = ranges(controller, &prefix);
+    let compared = |p: Parameter| !matches!(spec.domain(p), Domain::Finite | Domain::Positive);
+    let drawn = spec
+        .run_time_parameters()
+        .filter(|p| !matches!(p, Parameter::Tau | Parameter::StartTime | Parameter::UMax))
+        .map(|p| (place("params.", p), stem(&prefix, p), compared(p)))
+        .collect();
+    let promised = |bounds: &[Fixed], j: usize| bounds.get(j).map(|bound| rounded(bound, spec));
+    let x_max = |j| promised(&spec.promises.x_max, j).unwrap_or(STATE);
+    let x0_max = |j| promised(&spec.promises.x0_max, j).unwrap_or(x_max(j));
+    let states = |of: &dyn Fn(usize) -> f64| (0..spec.n).map(|j| text(of(j))).collect();
+    let open = |p: Parameter| spec.run_time_parameters().any(|of| of == p);
+    let run_time_limit = open(Parameter::UMax);
+    let u_max = spec.fixed.get(&Parameter::UMax).filter(|fixed| fixed.number().is_some());
+    let fixed_limit = u_max.map(|fixed| text(rounded(fixed, spec)));
+    let calls = calls(&name, frame, externs);
+    let with = |argument: &str| {
+        let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
+        having.map(|call| call.text(&name, None)).collect()
+    };
+    let harness = Harness {
+        name: &name,
+        prefix: &prefix,
+        frame,
+        full: spec.guard == Guard::Full,
+        finite_inputs: spec.guard == Guard::None,
+        open_tau: open(Parameter::Tau),
+        open_t0: open(Parameter::StartTime),
+        run_time_limit,
+        fixed_limit,
+        handed: handed(&name, externs),
+        null_calls: calls
+            .iter()
+            .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))
+            .collect(),
+        without_contract: without_contract(frame, spec.precision),
+        state_calls: with("x"),
+        timed_calls: with("t"),
+        all_places: spec.run_time_parameters().map(|p| place("params.", p)).collect(),
+        sees_all: spec.guard == Guard::Full || frame.associated,
+        compared: spec.run_time_parameters().any(compared),
+        options: OPTIONS,
+        ranges,
+        drawn,
+        x_max: states(&x_max),
+        x0_max: states(&x0_max),
+        law: text(LAW),
+        externs,
+        zero: text(0.0),
+        piece: text(1.05),
+        ratio: text(0.6),
+        sixteen: text(16.0),
+        pattern: text(42.0),
+        one: text(1.0),
+        long: text(1e6),
+    };
+    File { name: format!("{name}_eva.c"), text: tidy(&harness.render().unwrap_or_default()) }
+}
+
+fn literal(value: f64, precision: Precision) -> String {
+    c::number(&number::literal(value, precision), precision)
+}
+
+fn rounded(value: &Fixed, spec: &Spec) -> f64 {
+    value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
+}
+
+fn stem(prefix: &str, parameter: Parameter) -> String {
+    format!("{prefix}_{}", parameter.spelling().to_uppercase())
+}
+
+/// What each parameter is drawn from in finite mode. Those of time are there even where they are
+/// fixed, as time itself is drawn around them.
+fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
+    let spec = controller.spec();
+    let own = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {
+        (Some(fixed), _) => Some((rounded(fixed, spec), rounded(fixed, spec))),
+        (None, Some((least, greatest))) => Some((rounded(least, spec), rounded(greatest, spec))),
+        (None, None) => None,
+    };
+    let tau = own(Parameter::Tau).unwrap_or((1.0, 1.0));
+    // The gains of order 6 stay in the range of f32 down to here.
+    let share = if spec.precision == Precision::F32 { 16.0 } else { 64.0 };
+    let greatest = |p: Parameter| {
+        let limited = controller.report.greatest.as_ref().filter(|(of, _)| *of == p);
+        limited.map_or(f64::INFINITY, |(_, greatest)| rounded(greatest, spec))
+    };
+    let default = |p: Parameter| match p {
+        Parameter::Tau | Parameter::A | Parameter::Named(_) => (1.0, 1.0),
+        Parameter::StartTime => (0.0, 0.0),
+        Parameter::Eps => {
+            let eps = (tau.0 / share).min(greatest(p));
+            (eps, eps)
+        }
+        Parameter::UMax => (10.0, 10.0),
+        Parameter::M => (1.5, 1.5),
+        #[allow(clippy::cast_precision_loss)]
+        Parameter::Rate(i) => (i as f64 - 0.5, i as f64 - 0.5),
+        Parameter::Gain(_) => (-100.0, 100.0),
+    };
+    let of_time =
+        |p: &Parameter| matches!(p, Parameter::Tau | Parameter::StartTime | Parameter::Eps);
+    let parameters = spec.parameters().into_iter();
+    let range = |p: Parameter| {
+        let (least, greatest) = own(p).unwrap_or_else(|| default(p));
+        Range {
+            stem: stem(prefix, p),
+            least: literal(least, spec.precision),
+            greatest: literal(greatest, spec.precision),
+            open: !spec.fixed.contains_key(&p),
+        }
+    };
+    parameters.filter(|p| of_time(p) || !spec.fixed.contains_key(p)).map(range).collect()
+}
+
+/// What `step` or `rate` is handed beside time and state: functions of the harness, and no context.
+fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
+    let one = |(_, argument): &(String, &'static str)| match *argument {
+        "context" => "NULL, ".to_owned(),
+        function => format!("{name}_eva_{function}, "),
+    };
+    externs.iter().map(one).collect()
+}
+
+/// Functions of the C library that the code calls and Frama-C has no contract for.
+fn without_contract(frame: &Frame, precision: Precision) -> Vec<String> {
+    let lines = [&frame.functions, &frame.init, &frame.arm, &frame.step, &frame.tick, &frame.axis];
+    let results = [&frame.step_u, &frame.axis_u].into_iter().chain(&frame.gains);
+    let text: Vec<_> = lines.into_iter().flatten().chain(results).map(String::as_str).collect();
+    let text = text.join("\n");
+    let suffix = if precision == Precision::F32 { "f" } else { "" };
+    let called = |name: &&str| {
+        let call = format!("{name}{suffix}(");
+        let mut calls = text.match_indices(&call);
+        // Not the end of another name, as tanh is of atanh.
+        calls.any(|(at, _)| !text[..at].ends_with(|c: char| c.is_alphanumeric()))
+    };
+    let all = ["sinh", "cosh", "tanh", "atanh"].into_iter().filter(called);
+    all.map(|name| format!("{name}{suffix}")).collect()
+}
+
+/// A function of the controller: what it is called with, and which of that are pointers.
+struct Call {
+    function: &'static str,
+    arguments: Vec<String>,
+    pointers: Vec<usize>,
+}
+
+impl Call {
+    fn text(&self, name: &str, missing: Option<usize>) -> String {
+        let given = self.arguments.iter().enumerate();
+        let given: Vec<_> = given
+            .map(|(at, argument)| if missing == Some(at) { "NULL" } else { argument.as_str() })
+            .collect();
+        format!("{name}_{}({})", self.function, given.join(", "))
+    }
+}
+
+/// The calls of all functions that take time or a state.
+fn calls(name: &str, frame: &Frame, externs: &[(String, &'static str)]) -> Vec<Call> {
+    let mut arguments = vec!["&self".to_owned(), "t".to_owned(), "x".to_owned()];
+    let mut pointers = vec![0, 2];
+    if frame.associated {
+        arguments.push(frame.zero.clone());
+    }
+    for (_, argument) in externs {
+        if *argument == "context" {
+            arguments.push("NULL".to_owned());
+        } else {
+            pointers.push(arguments.len());
+            arguments.push(format!("{name}_eva_{argument}"));
+        }
+    }
+    pointers.push(arguments.len());
+    let (function, last) = if frame.associated { ("rate", "xi_dot") } else { ("step", "&u") };
+    arguments.push(last.to_owned());
+    let mut calls = vec![Call { function, arguments, pointers }];
+    if !frame.gains.is_empty() {
+        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
+        let tick = words(&["&self", "t", "&gains"]);
+        calls.push(Call { function: "tick", arguments: tick, pointers: vec![0, 2] });
+        let axis = words(&["&gains", "x", "&u"]);
+        calls.push(Call { function: "axis", arguments: axis, pointers: vec![0, 1, 2] });
+    }
+    calls
+}
+
+#[derive(Template)]
+#[template(path = "eva.c.txt", escape = "none")]
+struct Harness<'a> {
+    name: &'a str,
+    /// What macros begin with.
+    prefix: &'a str,
+    frame: &'a Frame,
+    /// Whether every pointer and input is checked.
+    full: bool,
+    /// Whether x and t are trusted to be finite.
+    finite_inputs: bool,
+    /// Whether tau, t0 and u_max are left to run time.
+    open_tau: bool,
+    open_t0: bool,
+    run_time_limit: bool,
+    /// A bound of |u| that the design fixes.
+    fixed_limit: Option<String>,
+    /// Arguments between state and u.
+    handed: String,
+    /// Functions of the C library that lack a contract.
+    without_contract: Vec<String>,
+    /// Calls in which one pointer is NULL, for each that is checked.
+    null_calls: Vec<String>,
+    /// Calls that take the state, and those that take time.
+    state_calls: Vec<String>,
+    timed_calls: Vec<String>,
+    /// Places of all run-time parameters.
+    all_places: Vec<String>,
+    /// Whether the domain of any parameter is told by comparisons alone.
+    compared: bool,
+    options: &'static str,
+    /// Whether Eva sees that u is finite with any inputs: what a trusting guard asks of v - v takes
+    /// NaN to the right side of a comparison, which Eva does not.
+    sees_all: bool,
+    ranges: Vec<Range>,
+    /// Places of run-time parameters, the stems of their ranges, and whether a comparison alone
+    /// tells their domain.
+    drawn: Vec<(String, String, bool)>,
+    x_max: Vec<String>,
+    x0_max: Vec<String>,
+    law: String,
+    externs: &'a [(String, &'static str)],
+    zero: String,
+    /// Ratio of the ends of a piece of tau.
+    piece: String,
+    /// Ratio of the ends of a piece of time-to-go.
+    ratio: String,
+    sixteen: String,
+    /// What fields hold that nothing has set.
+    pattern: String,
+    one: String,
+    /// A time long after the deadline, s.
+    long: String,
+}
