@@ -12,7 +12,7 @@ use ptc_codegen::spec::{After, Parameter, Precision, Spec};
 use support::program::{self, Record, in_c, in_rust};
 use support::random::Random;
 use support::specs::{rounded, spec};
-use support::{folder, in_pairs};
+use support::{STRICT, c_compiler, folder, in_pairs, run, write};
 
 const RECORDS: usize = 400;
 
@@ -213,4 +213,16 @@ fn languages_agree_on_laws_of_the_user() {
     });
     let seen: std::collections::BTreeSet<_> = seen.into_iter().flatten().collect();
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), [-3, -2, 0, 1, 2, 3], "every status but -1");
+}
+
+/// The system hands xi to the user's law as it was given.
+#[test]
+fn the_infinite_time_system_calls_the_law_of_the_user() {
+    let folder = folder("system");
+    let keys = [("n", "2"), ("mu", "tanh"), ("what", "associated"), ("pi0", "extern")];
+    for file in write(&folder, &spec(&keys), ptc_codegen::emit::Language::C) {
+        if file.extension().is_some_and(|e| e == "c") {
+            run(c_compiler().args(STRICT).arg("-c").arg(&file).arg("-o").arg(folder.join("s.o")));
+        }
+    }
 }

@@ -66,6 +66,18 @@ impl Context {
         all
     }
 
+    /// Infinite-time systems: with gains, with a law of the user's, with latched states.
+    pub fn systems(&self) -> Vec<Spec> {
+        let laws: [&[(&str, &str)]; 3] =
+            [&[], &[("pi0", "extern")], &[("pi0", "-xi1 - 2*xi2*xi1_0")]];
+        let named = |(index, law): (usize, &&[(&str, &str)])| {
+            let name = format!("system{index}");
+            let keys = [("n", "2"), ("mu", "tanh"), ("what", "associated"), ("name", &*name)];
+            spec(&[&keys, *law].concat())
+        };
+        laws.iter().enumerate().map(named).collect()
+    }
+
     /// `count` random controllers, the same for the same seed.
     pub fn random(&self, count: usize) -> Vec<Spec> {
         let mut source = Random(self.seed);

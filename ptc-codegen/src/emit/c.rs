@@ -7,7 +7,7 @@ use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, eva, header, tidy};
 use crate::program::Input;
-use crate::spec::{After, Feedback, Guard, Precision, Spec};
+use crate::spec::{After, Feedback, Guard, Precision, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::C,
@@ -158,8 +158,11 @@ impl Syntax for C<'_> {
     }
 
     fn law(&self, xi: &[String], time: &str) -> (Vec<String>, String) {
+        // The infinite-time system is given xi as it is.
+        let given = self.spec.what == What::Associated;
         let array = format!("const {} xi[{}] = {{{}}};", self.real, xi.len(), xi.join(", "));
-        (vec![array], format!("pi0(context, xi, {time})"))
+        let array = (!given).then_some(array);
+        (array.into_iter().collect(), format!("pi0(context, xi, {time})"))
     }
 
     fn max(&self, a: &str, b: &str) -> String {
