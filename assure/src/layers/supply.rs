@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 
 use crate::context::Context;
 use crate::harness::empty;
@@ -18,11 +18,18 @@ const CARGO_DENY: Tool = Tool {
     source: Source::Cargo(&["cargo-deny"]),
 };
 
+const CARGO_SBOM: Tool = Tool {
+    name: "cargo-sbom",
+    shown_by: ShownBy::Command(&["cargo", "sbom", "--version"]),
+    source: Source::Cargo(&["cargo-sbom"]),
+};
+
 pub(super) const LAYER: Layer = Layer {
     name: "supply",
     claim: "Every dependency has a permissive licence and comes from crates.io at the version of the \
-            lock file, and the generator gives the same bytes in any environment.",
-    tools: &[CARGO_DENY],
+            lock file, the bill of materials of a release names all of them, and the generator \
+            gives the same bytes in any environment.",
+    tools: &[CARGO_DENY, CARGO_SBOM],
     run,
 };
 
@@ -53,6 +60,8 @@ fn run(context: &Context) -> Result<Finding> {
     if !locked.status.success() {
         finding.failures.push(String::from_utf8_lossy(&locked.stderr).into_owned());
     }
+    let lacking = materials(root, &mut finding)?;
+    rows.push(row("bill of materials", if lacking { "FAILED" } else { "complete" }));
     finding.tables.push(Table { title: "Checks".to_owned(), head: vec!["check", "result"], rows });
     seeded_licence(context, &mut finding)?;
     let controllers = reproduce(context, &mut finding)?;
@@ -93,6 +102,38 @@ fn seeded_licence(context: &Context, finding: &mut Finding) -> Result<()> {
     let caught = told.contains("rejected").then(|| "cargo-deny: rejected".to_owned());
     finding.seed("a dependency whose licence is not allowed (MIT taken from the list)", caught);
     Ok(())
+}
+
+/// Makes the bill of materials of the command as a release does; whether it lacks a package that is
+/// built into it.
+fn materials(root: &Path, finding: &mut Finding) -> Result<bool> {
+    let run = |words: &[&str]| -> Result<String> {
+        let output = Command::new("cargo").current_dir(root).args(words).output()?;
+        ensure!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let format = ["--output-format", "cyclone_dx_json_1_5"];
+    let bill = run(&[&["sbom", "--cargo-package", "ptc-codegen"][..], &format].concat())?;
+    let tree = ["tree", "--locked", "-p", "ptc-codegen", "-e", "normal", "--prefix", "none"];
+    let tree = run(&tree)?;
+    let built: BTreeSet<_> =
+        tree.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let bill: serde_json::Value = serde_json::from_str(&bill)?;
+    let listed: BTreeSet<_> = bill["components"]
+        .as_array()
+        .context("no components in the bill of materials")?
+        .iter()
+        .filter_map(|component| component["name"].as_str())
+        .chain(["ptc-codegen"])
+        .collect();
+    let lacks = |listed: &BTreeSet<&str>| -> Vec<String> {
+        built.difference(listed).map(|name| format!("{name} is not in the bill")).collect()
+    };
+    let mut fewer = listed.clone();
+    fewer.remove("askama");
+    finding.seed("a package left out of the bill of materials", lacks(&fewer).first().cloned());
+    finding.failures.extend(lacks(&listed));
+    Ok(!lacks(&listed).is_empty())
 }
 
 /// Packages in the lock file.
