@@ -18,12 +18,19 @@ pub struct Context {
     pub seed: u64,
     /// How long random controllers are drawn.
     pub time: Duration,
+    /// Whether other languages and FMUs are compared on fewer controllers.
+    pub brief: bool,
 }
 
 impl Context {
     /// The context that works below `root`.
     pub fn new(root: PathBuf, seed: u64) -> Self {
-        Self { root, seed, time: Duration::from_secs(20) }
+        Self { root, seed, time: Duration::from_secs(20), brief: false }
+    }
+
+    /// The greatest order in which every family is compared in other languages and as an FMU.
+    pub fn order(&self) -> usize {
+        if self.brief { 2 } else { 4 }
     }
 
     /// An empty folder of a layer's own.

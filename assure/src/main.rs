@@ -37,6 +37,9 @@ struct CommandLine {
     /// layer; `ptc-codegen emit --cost` takes the table
     #[arg(long, value_name = "FILE", conflicts_with = "layers")]
     design: Option<PathBuf>,
+    /// Compare other languages and FMUs on fewer controllers: orders up to 2, not 4
+    #[arg(long)]
+    brief: bool,
     /// Install nothing: a layer that lacks a tool is not run
     #[arg(long)]
     no_install: bool,
@@ -74,6 +77,7 @@ fn execute(line: &CommandLine) -> Result<bool> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let target = std::path::absolute(target.unwrap_or_else(|| here.workspace().join("target")))?;
     let mut context = Context::new(target.join("assure"), line.seed);
+    context.brief = line.brief;
     if let Some(minutes) = line.minutes {
         context.time = Duration::try_from_secs_f64(60.0 * minutes)
             .with_context(|| format!("--minutes {minutes}: give a number from 0 on"))?;
@@ -102,7 +106,7 @@ fn execute(line: &CommandLine) -> Result<bool> {
     if let Some(path) = line.report.clone().or(whole) {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         folder.map_or(Ok(()), fs::create_dir_all)?;
-        fs::write(&path, report::report(line.seed, &outcomes))
+        fs::write(&path, report::report(&context, &outcomes))
             .with_context(|| format!("cannot write {}", path.display()))?;
         println!("written: {}", path.display());
     }

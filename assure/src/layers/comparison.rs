@@ -39,7 +39,7 @@ pub(super) struct Side<'a> {
     pub(super) defect: Defect,
 }
 
-/// The families in all orders up to 4, random controllers, and one for each feature that these may
+/// The families in several orders, random controllers, and one for each feature that these may
 /// lack.
 pub(super) fn controllers(context: &Context) -> Vec<Spec> {
     let features: [&[(&str, &str)]; 10] = [
@@ -54,7 +54,8 @@ pub(super) fn controllers(context: &Context) -> Vec<Spec> {
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
         &[("n", "1"), ("mu", "exp"), ("pi0", "-sinh(xi1) - tanh(xi1) - atan(xi1)*cos(xi1)")],
     ];
-    let mut all = [context.families(4), context.random(24)].concat();
+    let random = if context.brief { 6 } else { 24 };
+    let mut all = [context.families(context.order()), context.random(random)].concat();
     for (index, keys) in features.iter().enumerate() {
         for precision in ["f64", "f32"] {
             let name = format!("feature{index}_{precision}");

@@ -3,7 +3,7 @@
 //! Exit codes: 0 done, 1 a check refuses the design or `--check` found drift, 2 bad input or a place
 //! that cannot be written.
 
-mod args;
+pub(crate) mod args;
 mod check;
 mod emit;
 mod fmu;
@@ -33,7 +33,8 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
-fn execute(command: Command) -> Result<(), Failure> {
+/// Runs a command.
+pub(crate) fn execute(command: Command) -> Result<(), Failure> {
     match command {
         Command::Emit(request) => emit::emit(&request),
         Command::Check(request) => check::check(&request),
