@@ -14,9 +14,10 @@ const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 10] = [
+const PAGES: [(&str, &str); 11] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
+    ("assurance/README.md", include_str!("../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
     ("checks/README.md", include_str!("../../docs/checks/README.md")),
