@@ -4,6 +4,7 @@
 //! is known by then is folded, exactly.
 
 mod compact;
+pub(crate) mod decaying;
 mod derivative;
 mod field;
 pub(crate) mod interval;

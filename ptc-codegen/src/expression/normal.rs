@@ -33,7 +33,7 @@ pub(crate) fn normal(expression: &Expression) -> Expression {
     within(form, expression)
 }
 
-fn within(form: Option<Expression>, plain: &Expression) -> Expression {
+pub(super) fn within(form: Option<Expression>, plain: &Expression) -> Expression {
     form.filter(|form| form.size() <= GROWTH * plain.size() + ALWAYS)
         .unwrap_or_else(|| plain.clone())
 }
@@ -107,7 +107,7 @@ fn split(field: &mut Field, terms: Terms) -> Option<Terms> {
 }
 
 /// Whether a symbol depends on time.
-fn moves(field: &Field, symbol: Symbol) -> bool {
+pub(super) fn moves(field: &Field, symbol: Symbol) -> bool {
     let inner = |poly: &Poly| poly.symbols().into_iter().any(|s| moves(field, s));
     let ratio = |r: &Ratio| inner(&r.num) || r.den.iter().any(|(f, _)| inner(f));
     match field.kernel(symbol) {

@@ -84,12 +84,12 @@ impl Builder<'_> {
         }
     }
 
-    /// a / b; `b` is no exact zero.
+    /// a / b. What an exact zero divides is left for run time, where it is no finite number.
     pub(super) fn over(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
         match (a, b) {
-            (Exact(a), Exact(b)) => Exact(a / b),
-            (a, _) if a.is_zero() => Coefficient::integer(0),
-            (a, Exact(b)) => self.times(a, &Exact(b.recip())),
+            (Exact(a), Exact(b)) if !b.is_zero() => Exact(a / b),
+            (a, b) if a.is_zero() && !b.is_zero() => Coefficient::integer(0),
+            (a, Exact(b)) if !b.is_zero() => self.times(a, &Exact(b.recip())),
             (a, b) => {
                 let (a, b) = (self.coefficient(a), self.coefficient(b));
                 Coefficient::Value(self.div(a, b))

@@ -6,6 +6,7 @@ use super::exp_sum;
 use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::bell::factorials;
+use crate::expression::decaying::decaying;
 use crate::expression::normal::complement;
 use crate::expression::{Expression, Function, Subject, Variable, solve};
 use crate::mapping::{Family, Form, Kappa};
@@ -190,13 +191,16 @@ impl TimeMapping {
                 let share = Expression::Number(BigRational::new(1.into(), (*rates).into()));
                 Some(Expression::from(Parameter::Tau).mul(share).mul(sum))
             }
-            Self::Family { family, .. } => family.form(Subject::Mu).map(|mu| complement(&mu)),
+            Self::Family { family, .. } => {
+                family.form(Subject::Mu).map(|mu| decaying(&complement(&mu)))
+            }
             Self::Custom(custom) if custom.subject == Subject::Mu => {
-                Some(complement(&custom.given))
+                Some(decaying(&complement(&custom.given)))
             }
             Self::Custom(custom) => match &custom.form {
                 Form::Kappa(kappa) => {
                     solve(&kappa.form, Variable::TimeToGo, Variable::SinceStart.into())
+                        .map(|complement| decaying(&complement))
                 }
                 Form::Complement(form) => Some(form.clone()),
             },

@@ -94,10 +94,20 @@ impl Builder<'_> {
                 let a = self.series(a, point);
                 self.raised(a, &Expression::Number(BigRational::new(1.into(), 2.into())))
             }
-            Expression::Call(function, a) => {
-                let a = self.series(a, point);
-                self.function(*function, a)
-            }
+            // Without the pole of the quotient, where the angle is a right one.
+            Expression::Call(function, a) => match &**a {
+                // Without the pole of the quotient, where the angle is a right one.
+                Expression::Div(over, under)
+                    if *function == Function::Atan && under.contains(point.variable) =>
+                {
+                    let (over, under) = (self.series(over, point), self.series(under, point));
+                    self.angle(&over, &under)
+                }
+                a => {
+                    let a = self.series(a, point);
+                    self.function(*function, a)
+                }
+            },
             // Away from kinks, where alone a mapping has a series.
             Expression::Min(a, b) | Expression::Max(a, b) => {
                 let (sum, gap) =
@@ -382,6 +392,28 @@ impl Builder<'_> {
         let square = self.convolution(w, w, k, 0..=k, &mut one);
         let unit = Coefficient::integer(i64::from(k == 0));
         if minus { self.minus(&unit, &square) } else { self.plus(&unit, &square) }
+    }
+
+    /// w = atan(p/q): w' = (p' q - p q')/(p^2 + q^2).
+    fn angle(&mut self, p: &Series, q: &Series) -> Series {
+        let (p, q) = (self.plain(p), self.plain(q));
+        let [over, under] = [&p[0], &q[0]].map(|first| self.coefficient(first));
+        let ratio = self.div(over, under);
+        let mut terms = vec![Coefficient::Value(self.push(Op::Call(Function::Atan, ratio)))];
+        let (p_square, q_square) = (self.product(&p, &p), self.product(&q, &q));
+        let squares = p_square.iter().zip(&q_square);
+        let divisor: Vec<_> = squares.map(|(p, q)| self.plus(p, q)).collect();
+        for k in 1..p.len() {
+            let mut index = |_: &mut Self, j| Coefficient::index(j);
+            let ahead = self.convolution(&p, &q, k, 1..=k, &mut index);
+            let back = self.convolution(&q, &p, k, 1..=k, &mut index);
+            let turn = self.minus(&ahead, &back);
+            let sum = self.convolution(&terms, &divisor, k, 1..=k - 1, &mut index);
+            let rest = self.minus(&turn, &sum);
+            let share = self.over(&rest, &Coefficient::index(k));
+            terms.push(self.over(&share, &divisor[0]));
+        }
+        Series::new(None, terms)
     }
 
     /// atan: w' = a'/(1 + a^2); atanh: w' = a'/(1 - a^2).

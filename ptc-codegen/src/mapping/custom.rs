@@ -1,5 +1,6 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
+use crate::expression::decaying::decaying;
 use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
 use crate::spec::Parameter;
 
@@ -38,7 +39,7 @@ impl Form {
         let complement = normal::complement(mu);
         match solve(&complement, Variable::SinceStart, Variable::TimeToGo.into()) {
             Some(kappa) => Self::Kappa(Kappa::new(&kappa)),
-            None => Self::Complement(complement),
+            None => Self::Complement(decaying(&complement)),
         }
     }
 }
