@@ -43,7 +43,7 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 11] = [
+    let kinds: [&[(&str, &str)]; 14] = [
         &[("n", "3"), ("mu", "exp")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],
@@ -68,6 +68,27 @@ fn kinds() -> Vec<Spec> {
             ("u_max", "4"),
         ],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
+        // Coefficients that leave single precision while u is kept within its bound.
+        &[
+            ("n", "6"),
+            ("mu", "power(a=0.5,m=1.5)"),
+            ("precision", "f32"),
+            ("guard", "result"),
+            ("u_max", "25"),
+            ("poles", "-9,-10,-11,-12,-13,-14"),
+            ("after", "extern"),
+        ],
+        // A law of stretched time, which an iteration finds.
+        &[("n", "6"), ("mu", "exp_sum(2)"), ("tau", "1.75"), ("pi0", "extern")],
+        // Deadlines beyond the range, or next to the start.
+        &[
+            ("n", "1"),
+            ("mu", "tau*(1 - exp(-a*t))"),
+            ("precision", "f32"),
+            ("u_max", "25"),
+            ("pi0", "extern"),
+            ("after", "zero"),
+        ],
     ];
     let named = |(index, keys): (usize, &&[(&str, &str)])| {
         let name = format!("kind{index}");
@@ -100,6 +121,10 @@ fn an_altered_controller_fails() {
         (&[("n", "2"), ("mu", "exp")], "&& isfinite(x2)", ""),
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
         (&[("n", "2"), ("mu", "exp")], "v = self->u_max;", "v = 2.0 * self->u_max;"),
+        (&[("n", "2"), ("mu", "exp")], "(v > self->u_max)", "(v > (1.4 * self->u_max))"),
+        (&[("n", "2"), ("mu", "exp")], "(v < -self->u_max)", "(v < (-1.4 * self->u_max))"),
+        (&[("n", "2"), ("mu", "exp")], "isfinite(deadline) != 0", "isfinite(t0) != 0"),
+        (&[("n", "2"), ("mu", "exp_sum"), ("pi0", "extern")], "(y + v22)", "y"),
         (&[("n", "2"), ("mu", "exp")], "&& (eps < tau)", ""),
         (&[("n", "2"), ("mu", "tan")], "const double c2_2 =", "const double c2_2 = 1e-12 + "),
         (
@@ -135,5 +160,31 @@ fn every_status_is_asked_for() {
     for status in [Ok, Hold, Saturated, After, Input, Param, Range] {
         let asked = [format!(".status = {}", status.c_name()), format!("!= {}", status.c_name())];
         assert!(asked.iter().any(|asked| text.contains(asked)), "{status:?}");
+    }
+}
+
+/// Behind the guard `none` a u that is no number comes of legal numbers alone: of an infinite gain
+/// and the state 0, or of two terms that are infinite.
+#[test]
+fn trusted_inputs_are_tried_up_to_their_ends() {
+    let ends = [("guard", "none"), ("u_max", "25"), ("tau", "1.75"), ("n", "1")];
+    let of_time = [("mu", "power(a=0.5,m=1.5)"), ("pi0", "extern"), ("after", "extern")];
+    let of_state = [
+        ("mu", "(tau*t/(1 + t) + tau*b*t/(1 + b*t))*(1/2)"),
+        ("t0", "0.5"),
+        ("eps", "0.001"),
+        ("pi0", "-xi1 - xi1*abs(xi1)"),
+    ];
+    let home = folder("selftest_ends");
+    for (index, keys) in [&of_time[..], &of_state].into_iter().enumerate() {
+        let (spec, folder) = (spec(&[&ends, keys].concat()), home.join(index.to_string()));
+        fs::create_dir_all(&folder).expect("a folder");
+        write(&folder, &spec, Language::C);
+        assert_eq!(failures(&folder, &spec), 0, "{}", spec.command());
+        let source = folder.join(format!("{}_selftest.c", spec.name()));
+        let text = fs::read_to_string(source).expect("the self-test");
+        for status in [Status::Range, Status::Hold] {
+            assert!(text.contains(&format!(".status = {}", status.c_name())), "{status:?}");
+        }
     }
 }

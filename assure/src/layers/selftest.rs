@@ -164,7 +164,7 @@ const DEFECTS: [Defect; 12] = [
     ("            && (eps < tau)", "", "an eps above tau"),
     ("            && (a > 0.0)\n", "", "a rate below 0"),
     ("(t0 - (deadline - v1)) + (self->tau - v1)", "0.0 * v1", "no second part of the deadline"),
-    ("if ((self != NULL) && isfinite(t0))", "if (self != NULL)", "a start that is not finite"),
+    ("isfinite(deadline) != 0", "isfinite(t0) != 0", "a deadline beyond the range"),
     ("gains->status = status;", "gains->status = PTC_OK;", "the hold forgotten by tick"),
 ];
 

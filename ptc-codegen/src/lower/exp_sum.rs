@@ -23,8 +23,8 @@ const ROUNDS: u32 = 12;
 /// - ln(m/(N w)) is replaced by q + q^3/12, q = 2(m - N w)/(m + N w): same sign, same root, equal to
 ///   fifth order;
 /// - a step of size at most 0.03/max a_i (f32: 0.2) leaves a cubically small error, so the iteration
-///   ends there, and the modes are then moved onto the exact sum to second order. That correction
-///   also takes away the rounding of y, which far out would cost a_i y digits.
+///   ends there, and the modes and y are then moved onto the exact sum to second order. For the
+///   modes that also takes away the rounding of y, which far out would cost a_i y digits.
 pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let rates: Vec<_> = (1..=b.spec.rates()).map(|i| b.parameter(Parameter::Rate(i))).collect();
     let count = i64::try_from(rates.len()).unwrap_or(i64::MAX);
@@ -42,8 +42,8 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
         b.name(target, "target", "N*T/tau, the value that sum_i exp(-a_i*y) must take")
     };
     let y = stretched_time(b, &rates, target);
-    let modes = corrected_modes(b, &rates, y, target);
-    series(b, &rates, &modes, y)
+    let (modes, stretched) = corrected(b, &rates, y, target);
+    series(b, &rates, &modes, stretched)
 }
 
 fn stretched_time(b: &mut Builder<'_>, rates: &[Value], target: Value) -> Value {
@@ -151,8 +151,9 @@ fn halley(
 }
 
 /// e_i (1 - z + z^2/2) with z = a_i d, d = s (1 + s m2/(2 m1)) and s = (m - target)/m1: the modes on
-/// the exact sum, to second order in the error d that the iteration left in y.
-fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value) -> Vec<Value> {
+/// the exact sum, to second order in the error d that the iteration left in y; and y + d, which a
+/// law of stretched time needs as exact as they are.
+fn corrected(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value) -> (Vec<Value>, Value) {
     let modes = modes(b, rates, y);
     let (sum, first, second) = moments(b, rates, &modes);
     let (one, half) = (b.integer(1), b.number(BigRational::new(1.into(), 2.into())));
@@ -163,7 +164,7 @@ fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value
     let spread = b.mul(half, spread);
     let spread = b.add(one, spread);
     let shift = b.mul(newton, spread);
-    rates
+    let modes = rates
         .iter()
         .zip(modes)
         .map(|(rate, mode)| {
@@ -174,7 +175,8 @@ fn corrected_modes(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value
             let change = b.mul(mode, change);
             b.sub(mode, change)
         })
-        .collect()
+        .collect();
+    (modes, b.add(y, shift))
 }
 
 /// r_l/l! = sum_i b_li e_i with b_li = (-1)^(l-1) tau a_i^l/(N l!): all terms of one sign.

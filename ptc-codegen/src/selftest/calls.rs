@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::overflow::least;
+use super::overflow::{extreme, least};
 use super::parameters::Chosen;
 use super::trial::Trial;
 use super::{Call, Draw, Session, Unreachable, greatest, own_law, own_rest};
@@ -100,7 +100,7 @@ impl<'a> Maker<'a> {
         let allowed = match (expected.status, &expected.control) {
             (Status::Ok | Status::Hold, Some(control)) => {
                 // Beyond it the powers of which u consists may not all fit.
-                if control.scale() > greatest(spec).sqrt() {
+                if control.scale().max(self.gain(session, t, x)) > greatest(spec).sqrt() {
                     return None;
                 }
                 relative * control.scale() + last_place * expected.u.abs()
@@ -129,6 +129,19 @@ impl<'a> Maker<'a> {
         })
     }
 
+    /// The size of u where the greatest |x_j| is 1: a state that is small leaves u small, yet not the
+    /// coefficients by which it is multiplied. 0 where x is no smaller.
+    fn gain(&self, session: &Session, t: f64, x: &[f64]) -> f64 {
+        let largest = x.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        if largest >= 1.0 {
+            return 0.0;
+        }
+        let lift = |x: &f64| if largest == 0.0 { 1.0 } else { x / largest };
+        let unit: Vec<_> = x.iter().map(|x| settle(lift(x), self.spec().precision)).collect();
+        let control = self.expected(session, t, &unit).and_then(|outcome| outcome.control);
+        control.map_or(f64::INFINITY, |control| control.scale())
+    }
+
     /// Adds a call where the definition says what it gives; notes the branches that it takes.
     fn ask(&mut self, session: &mut Session, t: f64, x: &[f64]) -> Option<Status> {
         let call = self.call(session, t, x)?;
@@ -141,15 +154,18 @@ impl<'a> Maker<'a> {
         Some(status)
     }
 
-    /// Whether `init` takes the parameters: no coefficient overflows.
+    /// Whether `init` takes the parameters: neither a coefficient nor the deadline overflows.
     fn is_taken(&self, session: &Session) -> bool {
         let zeros = vec![0.0; self.spec().n];
         let start = self.parameter(session, Parameter::StartTime);
+        let deadline =
+            settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);
         let (controller, x0) = (self.controller, session.x0.as_slice());
         let parameters = &session.parameters;
         let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
         let [fields, armed] = checked_fields(controller.program);
-        trial.first_excess(&fields).or_else(|| trial.first_excess(&armed)).is_none()
+        let excess = trial.first_excess(&fields).or_else(|| trial.first_excess(&armed));
+        deadline.is_finite() && excess.is_none()
     }
 
     fn trial(&self, session: &Session, t: f64, x: &[f64]) -> super::trial::Seen {
@@ -158,15 +174,25 @@ impl<'a> Maker<'a> {
         Trial { controller, parameters: &session.parameters, x0, start, t, x }.run()
     }
 
-    /// A state small enough that the bound of u is not met at `to_go`, where u is bounded.
+    /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a
+    /// law of stretched time gives a u to the state 0 too, which the state then makes up for.
     fn within(&self, session: &Session, t: f64, x: &[f64]) -> Vec<f64> {
-        let u_max = self.parameter(session, Parameter::UMax);
-        let control = self.expected(session, t, x).and_then(|outcome| outcome.control);
-        let u = control.map_or(0.0, |control| control.u().abs());
-        if u <= 0.5 * u_max {
+        let half = 0.5 * self.parameter(session, Parameter::UMax);
+        let control = |x: &[f64]| {
+            let control = self.expected(session, t, x).and_then(|outcome| outcome.control);
+            control.map_or(0.0, |control| control.u())
+        };
+        let u = control(x);
+        if u.abs() <= half {
             return x.to_vec();
         }
-        x.iter().map(|x| settle(0.5 * u_max / u * x, self.spec().precision)).collect()
+        let at_rest = control(&vec![0.0; x.len()]);
+        let at_rest = if at_rest.is_finite() { at_rest } else { 0.0 };
+        let share = (half.copysign(u) - at_rest) / (u - at_rest);
+        if !share.is_finite() {
+            return x.to_vec();
+        }
+        x.iter().map(|x| settle(share * x, self.spec().precision)).collect()
     }
 
     /// Tracking from the start to the last digits of time-to-go, and inputs that are refused.
@@ -294,7 +320,8 @@ impl<'a> Maker<'a> {
         let u_max = self.parameter(&session, Parameter::UMax);
         for t in [middle, self.time(&session, 0.0), self.time(&session, -0.5 * tau)] {
             let mut missing = vec![(Status::Saturated, true), (Status::Saturated, false)];
-            for factor in [0.25, 4.0, -4.0, 1e2, -1e2, 1e4, -1e4, 1e8, -1e8] {
+            // Just beyond it first: a bound that is taken too late must show.
+            for factor in [0.25, 1.5, -1.5, 4.0, -4.0, 1e2, -1e2, 1e4, -1e4, 1e8, -1e8] {
                 let unit = self.expected(&session, t, &x).and_then(|outcome| outcome.control);
                 let unit = unit.map_or(u_max, |control| control.u().abs()).max(u_max * 1e-6);
                 let scale =
@@ -334,36 +361,21 @@ impl<'a> Maker<'a> {
         let all: Vec<_> = spec.run_time_parameters().collect();
         let mut found = Vec::new();
         let mut kinds = vec![(true, true), (true, false)];
-        for round in 0..CANDIDATES {
+        for round in 0..2 * CANDIDATES {
             let mut session = self.session(if round % 2 == 0 { 0.0625 } else { 1e-4 });
-            for (at, parameter) in all.iter().enumerate() {
-                match parameter {
-                    Parameter::UMax if round % 3 == 1 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, 1.0);
-                    }
-                    // A time-to-go that has no reciprocal, and no share of tau.
-                    Parameter::Eps if round % 4 == 3 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, least(spec));
-                    }
-                    Parameter::Tau if round % 4 == 3 && round % 16 > 8 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, largest / 8.0);
-                    }
-                    Parameter::Tau if round % 4 == 3 && round % 16 > 4 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, 8.0 * least(spec));
-                    }
-                    Parameter::StartTime if round % 4 == 3 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, 0.0);
-                    }
-                    Parameter::Gain(_) if round % 8 == 7 => {
-                        session.parameters[at] = self.chosen.legal(*parameter, 0.0);
-                    }
-                    _ => {}
-                }
+            if round < CANDIDATES {
+                self.at_the_ends(&mut session, round);
+            } else {
+                // Each parameter alone at its ends, then all of them anywhere.
+                let round = (round - CANDIDATES) % (8 * all.len().max(1));
+                let usual = session.parameters;
+                session.parameters = extreme(spec, self.chosen, &usual, round, &mut draw);
             }
             let tau = self.parameter(&session, Parameter::Tau);
-            let t = self.time(&session, draw.of(&[0.0, 0.02, 0.5]) * tau);
+            let mut t = self.time(&session, draw.of(&[0.0, 0.02, 0.5]) * tau);
             if spec.after != After::Hold && t >= self.time(&session, 0.0) {
-                continue;
+                let start = self.parameter(&session, Parameter::StartTime);
+                t = start.max(-after(-t, spec.precision));
             }
             let sizes = [largest, -largest, 0.75 * largest, 1.0, -1.0, 0.0];
             let x: Vec<_> = (0..spec.n).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
@@ -382,6 +394,31 @@ impl<'a> Maker<'a> {
             found.push(session);
         }
         found
+    }
+
+    /// Some run-time parameters at the ends of what they may be, by turns.
+    fn at_the_ends(&self, session: &mut Session, round: usize) {
+        let spec = self.spec();
+        let largest = greatest(spec);
+        let all: Vec<_> = spec.run_time_parameters().collect();
+        for (at, parameter) in all.iter().enumerate() {
+            let value = match parameter {
+                Parameter::UMax if round % 3 == 1 => 1.0,
+                // A time-to-go that has no reciprocal, and no share of tau.
+                Parameter::Eps if round % 4 == 3 => least(spec),
+                Parameter::Tau if round % 4 == 3 && round % 16 > 8 => largest / 8.0,
+                Parameter::Tau if round % 4 == 3 && round % 16 > 4 => 8.0 * least(spec),
+                Parameter::Gain(_) if round % 8 == 7 => 0.0,
+                _ => continue,
+            };
+            session.parameters[at] = self.chosen.legal(*parameter, value);
+        }
+        // A deadline at 0, up to which time has all its digits.
+        let at = all.iter().position(|p| *p == Parameter::StartTime);
+        if let Some(at) = at.filter(|_| round % 4 == 3) {
+            let start = -self.parameter(session, Parameter::Tau);
+            session.parameters[at] = self.chosen.legal(Parameter::StartTime, start);
+        }
     }
 
     /// The branches of iterations and divisions that no call takes.
@@ -508,11 +545,14 @@ fn state(n: usize, factor: f64) -> Vec<f64> {
 
 /// The least number of the precision that is not below `value`, or the next.
 fn up(value: f64, precision: Precision) -> f64 {
-    let nearest = settle(value, precision);
+    if value == 0.0 { 0.0 } else { after(settle(value, precision), precision) }
+}
+
+/// The least number of the precision above `value`, which is one of them.
+fn after(value: f64, precision: Precision) -> f64 {
     match precision {
-        _ if value == 0.0 => 0.0,
-        Precision::F64 => nearest.next_up(),
+        Precision::F64 => value.next_up(),
         #[allow(clippy::cast_possible_truncation)]
-        Precision::F32 => f64::from((nearest as f32).next_up()),
+        Precision::F32 => f64::from((value as f32).next_up()),
     }
 }

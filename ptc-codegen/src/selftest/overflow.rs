@@ -122,7 +122,7 @@ fn reason(program: &Program, fields: &[(Value, String)], at: usize) -> String {
 }
 
 /// A set with some parameters anywhere in their domains.
-fn extreme(
+pub(super) fn extreme(
     spec: &Spec,
     chosen: &Chosen<'_>,
     usual: &[f64],
