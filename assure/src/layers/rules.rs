@@ -49,7 +49,7 @@ fn run(context: &Context) -> Result<Finding> {
     let mut single = context.families(3);
     single.retain(|spec| spec.precision == Precision::F32);
     let specs = [shapes().to_vec(), context.goldens(), single, context.random(15)].concat();
-    let has_selftest = |index: usize| index < shapes().len() || index % SELFTESTED == 0;
+    let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {
         let folder = empty(&folder.join(index.to_string()));
