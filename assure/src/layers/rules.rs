@@ -10,7 +10,9 @@ use ptc_codegen::emit::Language;
 use ptc_codegen::spec::{Precision, Spec};
 
 use super::seeded::{Defect, with_defect};
+use super::selftest::selftest;
 use crate::context::Context;
+use crate::harness::specs::spec;
 use crate::harness::{empty, in_pairs, write};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ShownBy, Source, Tool};
@@ -23,22 +25,38 @@ const CPPCHECK: Tool = Tool {
 
 pub(super) const LAYER: Layer = Layer {
     name: "rules",
-    claim: "Emitted C violates no rule of MISRA C:2012 that cppcheck's addon checks, and cppcheck's \
-            own checks of style and warnings find nothing.",
+    claim: "Emitted C, self-tests included, violates no rule of MISRA C:2012 that cppcheck's addon \
+            checks, and cppcheck's own checks of style and warnings find nothing.",
     tools: &[CPPCHECK],
     run,
 };
+
+/// Of so many controllers one is checked with its self-test, which takes long to generate.
+const SELFTESTED: usize = 8;
+
+/// Controllers of a shape that the others need not have: one that only t0 is left to, and one with
+/// functions of the caller's.
+fn shapes() -> [Spec; 2] {
+    let fixed = [("tau", "0.8"), ("eps", "0.01"), ("u_max", "4"), ("gains", "12,7")];
+    let mapping = [("n", "2"), ("mu", "exp(a=1)"), ("name", "stage")];
+    let own = [("n", "2"), ("mu", "rational"), ("pi0", "extern"), ("after", "extern")];
+    [spec(&[&mapping[..], &fixed].concat()), spec(&own)]
+}
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("rules");
     // The goldens are of the orders 1 to 5 in double precision.
     let mut single = context.families(3);
     single.retain(|spec| spec.precision == Precision::F32);
-    let specs = [context.goldens(), single, context.random(15)].concat();
+    let specs = [shapes().to_vec(), context.goldens(), single, context.random(15)].concat();
+    let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {
         let folder = empty(&folder.join(index.to_string()));
         let files = write(&folder, spec, Language::C);
+        if has_selftest(*index) {
+            selftest(&folder, spec)?;
+        }
         violations(&folder, spec, &files)
     });
     let mut finding = Finding::default();
@@ -46,8 +64,12 @@ fn run(context: &Context) -> Result<Finding> {
         let text = text?;
         finding.failures.extend((!text.is_empty()).then_some(text));
     }
-    finding.summary =
-        format!("{} controllers, {} with a violation", specs.len(), finding.failures.len());
+    finding.summary = format!(
+        "{} controllers, {} of them with their self-test, {} with a violation",
+        specs.len(),
+        (0..specs.len()).filter(|index| has_selftest(*index)).count(),
+        finding.failures.len()
+    );
     let mut rows = Vec::new();
     for (index, (defect, rule)) in DEFECTS.into_iter().enumerate() {
         let folder = folder.join(format!("seeded{index}"));
@@ -63,6 +85,13 @@ fn run(context: &Context) -> Result<Finding> {
          be included; the definitions are the same text"
             .to_owned(),
     ]);
+    rows.push(vec![
+        "constParameter".to_owned(),
+        "`context` of the functions that a self-test hands to `step`".to_owned(),
+        "a style note of cppcheck: the type of such a function is the controller's, and another one \
+         may write to its context"
+            .to_owned(),
+    ]);
     let head = vec!["rule", "where", "reason"];
     finding.tables.push(Table { title: "Deviations".to_owned(), head, rows });
     finding.notes.push(
@@ -75,7 +104,7 @@ fn run(context: &Context) -> Result<Finding> {
 }
 
 /// Defects, and the rule that each violates.
-const DEFECTS: [(Defect, &str); 4] = [
+const DEFECTS: [(Defect, &str); 5] = [
     (("*u = 0.0;", "if (t > 0.0) *u = 0.0;", "a body of if without braces"), "15.6"),
     (
         (
@@ -93,6 +122,7 @@ const DEFECTS: [(Defect, &str); 4] = [
         ),
         "12.1",
     ),
+    (("isfinite(deadline) != 0", "isfinite(deadline)", "a condition that is a number"), "14.4"),
     (
         (
             "ptc_status ptc_exp2_step(const ptc_exp2 *self, double t, const double x[2], double *u)\n{",
@@ -103,29 +133,39 @@ const DEFECTS: [(Defect, &str); 4] = [
     ),
 ];
 
-/// What cppcheck tells of the files of a controller.
+/// What cppcheck tells of the files of a controller, and of its self-test where it stands there.
 fn violations(folder: &Path, spec: &Spec, files: &[PathBuf]) -> Result<String> {
     let caller = folder.join("caller.c");
     let source = files.iter().find(|file| file.extension().is_some_and(|e| e == "c"));
     let source = source.context("no C source")?;
-    fs::write(&caller, calls(spec, &fs::read_to_string(source)?))?;
+    let name = spec.name();
+    let selftest = folder.join(format!("{name}_selftest.c"));
+    let selftest = selftest.exists().then_some(selftest);
+    fs::write(&caller, calls(&name, &fs::read_to_string(source)?, selftest.is_some()))?;
     let output = Command::new("cppcheck")
         .current_dir(folder)
         .args(["--std=c99", "--enable=style,warning", "--addon=misra", "--quiet"])
         .arg("--suppress=*:caller.c")
+        .arg(format!("--suppress=constParameter:*{name}_selftest.c"))
         .args([source, &caller])
+        .args(selftest)
         .output()?;
     Ok(String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
 /// A file that uses every function of the controller, which would else look local (rule 8.7).
-fn calls(spec: &Spec, source: &str) -> String {
-    let name = spec.name();
-    let mut text = format!("#include \"{name}.h\"\nvoid caller(void);\nvoid caller(void)\n{{\n");
-    for function in ["init", "arm", "step", "tick", "axis", "rate"] {
-        if source.contains(&format!("{name}_{function}(")) {
-            let _ = writeln!(text, "    (void)&{name}_{function};");
-        }
+fn calls(name: &str, source: &str, has_selftest: bool) -> String {
+    let functions = ["init", "arm", "step", "tick", "axis", "rate"].into_iter();
+    let mut used: Vec<_> =
+        functions.filter(|function| source.contains(&format!("{name}_{function}("))).collect();
+    let mut text = format!("#include \"{name}.h\"\n");
+    if has_selftest {
+        let _ = writeln!(text, "#include \"{name}_selftest.h\"");
+        used.push("selftest");
+    }
+    text.push_str("void caller(void);\nvoid caller(void)\n{\n");
+    for function in used {
+        let _ = writeln!(text, "    (void)&{name}_{function};");
     }
     text.push_str("}\n");
     text

@@ -122,7 +122,8 @@ fn written(folder: &Path, spec: &Spec) -> Result<[PathBuf; 2]> {
     Ok([folder.join(format!("{name}.c")), folder.join(format!("{name}_selftest.c"))])
 }
 
-fn selftest(folder: &Path, spec: &Spec) -> Result<()> {
+/// Writes the self-test of a controller, source and header.
+pub(super) fn selftest(folder: &Path, spec: &Spec) -> Result<()> {
     let files = ptc_codegen::generate_selftest(spec)
         .map_err(|found| anyhow::anyhow!("{}", found.first().map_or("", |one| &one.message)))?;
     for File { name, text } in files {

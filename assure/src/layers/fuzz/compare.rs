@@ -190,9 +190,9 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
         };
         let mut own = Interpreter::new(&program, &input).with_law(&law);
         let u = own.value(program.step);
-        // Behind the result alone, a time that is no number makes u none.
-        let is_caught = spec.guard == Guard::Result && !record.t.is_finite();
-        let u = if is_caught { f64::NAN } else { u };
+        // Behind the result alone, t - t is added: a time that is no number makes u none, and -0 is 0.
+        let difference = if record.t.is_finite() { 0.0 } else { f64::NAN };
+        let u = if spec.guard == Guard::Result { u + difference } else { u };
         let u_max = value(spec, record, Parameter::UMax);
         let agrees = match c.step.0 {
             0 | 1 => u.to_bits() == c.step.1.to_bits(),
