@@ -18,7 +18,7 @@ pub struct Context {
     pub seed: u64,
     /// How long random controllers are drawn.
     pub time: Duration,
-    /// Whether other languages and FMUs are compared on fewer controllers.
+    /// Whether fewer controllers are examined.
     pub brief: bool,
 }
 
@@ -28,9 +28,9 @@ impl Context {
         Self { root, seed, time: Duration::from_secs(20), brief: false }
     }
 
-    /// The greatest order in which every family is compared in other languages and as an FMU.
-    pub fn order(&self) -> usize {
-        if self.brief { 2 } else { 4 }
+    /// The greatest order of the families that a layer examines, `full` where the run is not brief.
+    pub fn order(&self, full: usize) -> usize {
+        if self.brief { full.min(2) } else { full }
     }
 
     /// An empty folder of a layer's own.
@@ -85,9 +85,10 @@ impl Context {
         laws.iter().enumerate().map(named).collect()
     }
 
-    /// `count` random controllers, the same for the same seed.
+    /// `count` random controllers, the same for the same seed; a quarter of them in a brief run.
     pub fn random(&self, count: usize) -> Vec<Spec> {
         let mut source = Random(self.seed);
+        let count = if self.brief { count / 4 } else { count };
         (0..count).map(|index| random(&mut source, &format!("random{index}"))).collect()
     }
 

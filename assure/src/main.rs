@@ -37,7 +37,7 @@ struct CommandLine {
     /// layer; `ptc-codegen emit --cost` takes the table
     #[arg(long, value_name = "FILE", conflicts_with = "layers")]
     design: Option<PathBuf>,
-    /// Compare other languages and FMUs on fewer controllers: orders up to 2, not 4
+    /// Examine fewer controllers: of the families orders up to 2, and a quarter of the random ones
     #[arg(long)]
     brief: bool,
     /// Install nothing: a layer that lacks a tool is not run

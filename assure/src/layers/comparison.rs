@@ -54,8 +54,7 @@ pub(super) fn controllers(context: &Context) -> Vec<Spec> {
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
         &[("n", "1"), ("mu", "exp"), ("pi0", "-sinh(xi1) - tanh(xi1) - atan(xi1)*cos(xi1)")],
     ];
-    let random = if context.brief { 6 } else { 24 };
-    let mut all = [context.families(context.order()), context.random(random)].concat();
+    let mut all = [context.families(context.order(4)), context.random(24)].concat();
     for (index, keys) in features.iter().enumerate() {
         for precision in ["f64", "f32"] {
             let name = format!("feature{index}_{precision}");

@@ -30,8 +30,13 @@ const PASSES: [(&str, &str, &[&str], bool); 4] = [
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("compilers");
-    let specs =
-        [context.goldens(), context.families(6), context.systems(), context.random(40)].concat();
+    let specs = [
+        context.goldens(),
+        context.families(context.order(6)),
+        context.systems(),
+        context.random(40),
+    ]
+    .concat();
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| {
         let folder = empty(&folder.join(index.to_string()));

@@ -53,7 +53,7 @@ pub fn table(costs: &[Measured]) -> String {
 }
 
 fn run(context: &Context) -> Result<Finding> {
-    let measured = costs(context, &context.families(3))?;
+    let measured = costs(context, &context.families(context.order(3)))?;
     let path = context.workspace().join("assurance/costs.tsv");
     if std::env::var_os(UPDATE).is_some() {
         fs::create_dir_all(path.parent().context("a folder")?)?;

@@ -46,7 +46,7 @@ fn shapes() -> [Spec; 2] {
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("rules");
     // The goldens are of the orders 1 to 5 in double precision.
-    let mut single = context.families(3);
+    let mut single = context.families(context.order(3));
     single.retain(|spec| spec.precision == Precision::F32);
     let specs = [shapes().to_vec(), context.goldens(), single, context.random(15)].concat();
     let has_selftest = |index: usize| index < shapes().len() || index.is_multiple_of(SELFTESTED);

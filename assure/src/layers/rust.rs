@@ -40,7 +40,8 @@ const PANIC: &str = "a_path_to_a_panic_is_left";
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("rust");
-    let mut specs = [context.goldens(), context.families(6), context.random(40)].concat();
+    let mut specs =
+        [context.goldens(), context.families(context.order(6)), context.random(40)].concat();
     // The user's own functions may panic; this is about the code that is emitted.
     specs.retain(|spec| spec.feedback != Feedback::Extern);
     let mut finding = Finding::default();
