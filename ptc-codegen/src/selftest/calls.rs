@@ -100,7 +100,10 @@ impl<'a> Maker<'a> {
         let allowed = match (expected.status, &expected.control) {
             (Status::Ok | Status::Hold, Some(control)) => {
                 // Beyond it the powers of which u consists may not all fit.
-                if control.scale().max(self.gain(session, t, x)) > greatest(spec).sqrt() {
+                // Gains are formed by products of which one may lie above the gain itself: six digits off
+                // the end are a margin for those, not a bound.
+                let excess = self.gain(session, t, x) > 1e-6 * greatest(spec);
+                if excess || control.scale() > greatest(spec).sqrt() {
                     return None;
                 }
                 relative * control.scale() + last_place * expected.u.abs()
@@ -383,13 +386,17 @@ impl<'a> Maker<'a> {
             let range = |status: Status| status == Status::Range;
             let kind = (range(seen.step.0), seen.axis.is_some_and(range));
             // A bound says nothing of the digits: what stays in range is asked elsewhere.
-            let is_new = kinds.contains(&kind) || !seen.decisions.is_subset(&self.taken);
+            // A branch counts as taken where `tick`, which has its own code, takes it too.
+            let whole = kind.1 || seen.axis.is_none();
+            let is_new = kinds.contains(&kind) || (whole && !seen.decisions.is_subset(&self.taken));
             if !kind.0 || !is_new || !self.is_taken(&session) {
                 continue;
             }
             let axis = seen.axis.filter(|status| range(*status));
             kinds.retain(|other| *other != kind);
-            self.taken.extend(seen.decisions);
+            if whole {
+                self.taken.extend(seen.decisions);
+            }
             session.calls.push(Call { t, x, status: Status::Range, u: 0.0, tolerance: 0.0, axis });
             found.push(session);
         }
