@@ -119,14 +119,19 @@ pub(crate) struct Design {
 pub(crate) struct Emit {
     #[command(flatten)]
     pub(crate) design: Design,
-    #[arg(long, value_parser = languages(), value_name = "LANGUAGE", help = languages_told())]
+    #[arg(
+        long,
+        value_parser = languages(),
+        value_name = "LANGUAGE",
+        required_unless_present = "project",
+        help = languages_told()
+    )]
     pub(crate) lang: Option<Language>,
     #[arg(
         long,
         value_parser = projects(),
         value_name = "PROJECT",
         conflicts_with = "lang",
-        required_unless_present = "lang",
         help = projects_told()
     )]
     pub(crate) project: Option<Project>,
