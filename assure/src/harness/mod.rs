@@ -2,6 +2,7 @@
 //! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
+pub mod command;
 pub mod cost;
 pub mod cpp;
 pub mod goldens;
@@ -11,6 +12,7 @@ pub mod random;
 pub mod records;
 pub mod runtime;
 mod rust;
+pub mod selftest;
 pub mod specs;
 pub mod tolerance;
 

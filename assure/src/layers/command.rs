@@ -1,12 +1,13 @@
 //! The command `ptc-codegen` of this workspace, as a user runs it.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result};
 use ptc_codegen::spec::Spec;
 
 use crate::context::Context;
+use crate::harness::command::{succeed, text};
 
 /// Builds the command and returns its path, which is beside this program's.
 pub(super) fn generator(context: &Context) -> Result<PathBuf> {
@@ -31,18 +32,4 @@ pub(super) fn emit(generator: &Path, target: &str, spec: &Spec, out: &Path) -> R
         out.display()
     );
     text(Command::new("sh").args(["-c", &line]))
-}
-
-/// What a command prints that must succeed.
-pub(super) fn text(command: &mut Command) -> Result<String> {
-    Ok(String::from_utf8_lossy(&succeed(command)?.stdout).into_owned())
-}
-
-/// Runs a command that must succeed.
-pub(super) fn succeed(command: &mut Command) -> Result<Output> {
-    let output = command.output().with_context(|| format!("{command:?}"))?;
-    let told = String::from_utf8_lossy(&output.stderr);
-    let printed = String::from_utf8_lossy(&output.stdout);
-    ensure!(output.status.success(), "{command:?}: {}\n{printed}{told}", output.status);
-    Ok(output)
 }

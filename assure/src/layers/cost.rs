@@ -8,9 +8,10 @@ use ptc_codegen::spec::Spec;
 
 use super::seeded::put_in;
 use crate::context::Context;
-use crate::harness::cost::{measure, plugin, sources};
-use crate::harness::in_pairs;
+use crate::harness::cost::{measure, plugin};
 use crate::harness::machine::Machine;
+use crate::harness::selftest::sources;
+use crate::harness::{empty, in_pairs};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ARM_GCC, GCC, NEWLIB, QEMU_ARM};
 
@@ -36,7 +37,7 @@ pub fn costs(context: &Context, specs: &[Spec]) -> Result<Vec<Measured>> {
     let plugin = plugin(&folder)?;
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let each = in_pairs(&indexed, |(index, spec)| -> Result<Vec<Measured>> {
-        let sources = sources(&folder.join(index.to_string()), spec)?;
+        let sources = sources(&empty(&folder.join(index.to_string())), spec)?;
         MACHINES.iter().map(|machine| measure(*machine, &plugin, spec, &sources)).collect()
     });
     let mut all = Vec::new();
@@ -118,7 +119,7 @@ fn seeded(context: &Context, kept: &[Measured], finding: &mut Finding) -> Result
     let plugin = plugin(&folder)?;
     let spec = context.families(2).into_iter().find(|spec| spec.n == 2);
     let spec = spec.context("a controller of order 2")?;
-    let sources = sources(&folder.join("controller"), &spec)?;
+    let sources = sources(&empty(&folder.join("controller")), &spec)?;
     let slower = "const double inv_T = (-1.0) / (late * ((x1 * 0.0) + 1.0));";
     let defect =
         ("const double inv_T = (-1.0) / late;", slower, "a product and a sum more in step");

@@ -9,10 +9,11 @@ use anyhow::{Context as _, Result, bail};
 use ptc_codegen::emit::Language;
 use ptc_codegen::spec::Spec;
 
-use super::command::{emit, generator, succeed};
+use super::command::{emit, generator};
 use super::projects::CMAKE;
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
+use crate::harness::command::succeed;
 use crate::harness::program::{Outcome, Program, Record, in_c};
 use crate::harness::random::Random;
 use crate::harness::records::records;

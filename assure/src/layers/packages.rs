@@ -6,8 +6,8 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 
-use super::command::{succeed, text};
 use crate::context::Context;
+use crate::harness::command::{succeed, text};
 use crate::harness::{empty, runtime};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{GCC, PYTHON, RUSTC};

@@ -7,8 +7,9 @@ use std::process::Command;
 use anyhow::{Context as _, Result, ensure};
 use ptc_codegen::spec::Spec;
 
-use super::command::{emit, generator, succeed, text};
+use super::command::{emit, generator};
 use crate::context::Context;
+use crate::harness::command::{succeed, text};
 use crate::harness::in_pairs;
 use crate::harness::specs::{calls_a_library, spec};
 use crate::layer::{Finding, Layer, Table};

@@ -10,8 +10,8 @@ use ptc_codegen::emit::Language;
 use ptc_codegen::spec::{Precision, Spec};
 
 use super::seeded::{Defect, with_defect};
-use super::selftest::selftest;
 use crate::context::Context;
+use crate::harness::selftest::write_selftest;
 use crate::harness::specs::spec;
 use crate::harness::{empty, in_pairs, write};
 use crate::layer::{Finding, Layer, Table};
@@ -55,7 +55,7 @@ fn run(context: &Context) -> Result<Finding> {
         let folder = empty(&folder.join(index.to_string()));
         let files = write(&folder, spec, Language::C);
         if has_selftest(*index) {
-            selftest(&folder, spec)?;
+            write_selftest(&folder, spec)?;
         }
         violations(&folder, spec, &files)
     });

@@ -13,14 +13,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use ptc_codegen::emit::{File, Language};
+use ptc_codegen::emit::Language;
 use ptc_codegen::spec::{Precision, Spec};
 
 use self::coverage::{Coverage, measure, mixed_decisions};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
 use crate::harness::machine::Machine;
-use crate::harness::{STRICT, empty, in_pairs, run as execute, write};
+use crate::harness::selftest::{main_program, sources, write_selftest};
+use crate::harness::{STRICT, empty, in_pairs, run as execute};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ARM_GCC, GCC, NEWLIB, QEMU_ARM, ShownBy, Source, Tool};
 
@@ -52,7 +53,7 @@ fn run(context: &Context) -> Result<Finding> {
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| -> Result<Told> {
         let folder = empty(&folder.join(index.to_string()));
-        let sources = written(&folder, spec)?;
+        let sources = sources(&folder, spec)?;
         let coverage = measure(&folder, spec, &sources)?;
         let mut failures = coverage.uncovered.clone();
         failures.extend(mixed_decisions(&sources[0])?);
@@ -114,34 +115,6 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// The source of the controller and that of its self-test, with their headers beside them.
-fn written(folder: &Path, spec: &Spec) -> Result<[PathBuf; 2]> {
-    write(folder, spec, Language::C);
-    selftest(folder, spec)?;
-    let name = spec.name();
-    Ok([folder.join(format!("{name}.c")), folder.join(format!("{name}_selftest.c"))])
-}
-
-/// Writes the self-test of a controller, source and header.
-pub(super) fn selftest(folder: &Path, spec: &Spec) -> Result<()> {
-    let files = ptc_codegen::generate_selftest(spec)
-        .map_err(|found| anyhow::anyhow!("{}", found.first().map_or("", |one| &one.message)))?;
-    for File { name, text } in files {
-        fs::write(folder.join(name), text)?;
-    }
-    Ok(())
-}
-
-/// A main program whose exit code is 1 where the self-test counts failures.
-fn main_program(folder: &Path, spec: &Spec) -> Result<PathBuf> {
-    let (name, path) = (spec.name(), folder.join("main.c"));
-    let text = format!(
-        "#include \"{name}_selftest.h\"\n\nint main(void)\n{{\n    return ({name}_selftest() == 0U) ? 0 : 1;\n}}\n"
-    );
-    fs::write(&path, text)?;
-    Ok(path)
-}
-
 /// Whether the self-test counts no failure on `machine`.
 fn passes(machine: Machine, folder: &Path, spec: &Spec, sources: &[PathBuf; 2]) -> bool {
     let Ok(main) = main_program(folder, spec) else { return false };
@@ -174,9 +147,7 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
     for (index, defect) in DEFECTS.into_iter().enumerate() {
         let folder = folder.join(format!("seeded{index}"));
         with_defect(&folder, &spec, Language::C, defect)?;
-        selftest(&folder, &spec)?;
-        let name = spec.name();
-        let sources = [folder.join(format!("{name}.c")), folder.join(format!("{name}_selftest.c"))];
+        let sources = write_selftest(&folder, &spec)?;
         let told = [Machine::Host, Machine::CortexM4f].map(|m| passes(m, &folder, &spec, &sources));
         let caught = told == [false, false];
         finding
@@ -184,7 +155,7 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
     }
     // A session fewer must show in the coverage.
     let folder = empty(&folder.join("fewer"));
-    let sources = written(&folder, &spec)?;
+    let sources = sources(&folder, &spec)?;
     let text = fs::read_to_string(&sources[1])?;
     let loops: Vec<_> = text.match_indices("session->count; j++").collect();
     let fewer = text.replace("session->count; j++", "(session->count / 4U); j++");

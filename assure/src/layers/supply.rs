@@ -5,9 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail};
 
+use super::command::generator;
 use crate::context::Context;
+use crate::harness::command::text;
 use crate::harness::empty;
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ShownBy, Source, Tool};
@@ -107,11 +109,7 @@ fn seeded_licence(context: &Context, finding: &mut Finding) -> Result<()> {
 /// Makes the bill of materials of the command as a release does; whether it lacks a package that is
 /// built into it.
 fn materials(root: &Path, finding: &mut Finding) -> Result<bool> {
-    let run = |words: &[&str]| -> Result<String> {
-        let output = Command::new("cargo").current_dir(root).args(words).output()?;
-        ensure!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-    };
+    let run = |words: &[&str]| text(Command::new("cargo").current_dir(root).args(words));
     let format = ["--output-format", "cyclone_dx_json_1_5"];
     let bill = run(&[&["sbom", "--cargo-package", "ptc-codegen"][..], &format].concat())?;
     let tree = ["tree", "--locked", "-p", "ptc-codegen", "-e", "normal", "--prefix", "none"];
@@ -160,15 +158,7 @@ const ENVIRONMENTS: [&[(&str, &str)]; 2] = [
 fn reproduce(context: &Context, finding: &mut Finding) -> Result<usize> {
     let root = context.workspace();
     let scratch = context.scratch("reproduce");
-    let built = Command::new("cargo")
-        .current_dir(root)
-        .args(["build", "--quiet", "--release", "--package", "ptc-codegen"])
-        .env("CARGO_TARGET_DIR", context.shared("codegen"))
-        .output()?;
-    if !built.status.success() {
-        bail!("{}", String::from_utf8_lossy(&built.stderr));
-    }
-    let binary = context.shared("codegen").join("release/ptc-codegen");
+    let binary = generator(context)?;
     let goldens = context.goldens();
     let processors = std::thread::available_parallelism()?.get();
     for (index, variables) in ENVIRONMENTS.iter().enumerate() {
