@@ -87,8 +87,9 @@ fn run(context: &Context) -> Result<Finding> {
         total.listed += listed;
     }
     finding.summary = format!(
-        "{} controllers pass, {emulated} of the runs emulated; {} of {} branches taken, {} listed as \
+        "{} of {} controllers pass, {emulated} of the runs emulated; {} of {} branches taken, {} listed as \
          never taken with the reason, {} left",
+        specs.len() - finding.failures.len(),
         specs.len(),
         total.taken,
         total.branches,
