@@ -80,7 +80,7 @@ impl Field {
     /// The normal form of an expression; none where it grows beyond the bounds.
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
         use Expression as E;
-        Some(match expression {
+        let terms = match expression {
             E::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
             E::Pi | E::Parameter(_) | E::Variable(_) => vec![self.atom(expression.clone())?],
             E::Neg(a) => self.terms(a)?.iter().map(Ratio::neg).collect(),
@@ -109,7 +109,8 @@ impl Field {
                 vec![self.root(base, 1, 2)?]
             }
             E::Call(function, a) => vec![self.call(*function, a)?],
-        })
+        };
+        terms.into_iter().map(|term| self.with_unit_squares(term)).collect()
     }
 
     /// The expression as one fraction.

@@ -11,6 +11,7 @@ pub(crate) mod interval;
 pub(crate) mod leading;
 pub(crate) mod normal;
 mod print;
+mod pythagoras;
 mod ratio;
 mod resolve;
 pub(crate) mod sign;

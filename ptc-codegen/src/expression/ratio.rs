@@ -140,7 +140,7 @@ impl Ratio {
     }
 
     /// The same with the factors taken out that divide the numerator.
-    fn cancelled(mut self) -> Option<Self> {
+    pub(super) fn cancelled(mut self) -> Option<Self> {
         if self.num.is_zero() {
             self.den.clear();
         }

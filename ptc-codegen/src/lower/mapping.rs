@@ -38,7 +38,14 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let spec = b.spec;
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
-        TimeMapping::Family { family, .. } => of_kappa(b, &family.kappa()),
+        // At the start every other term of an odd mu is 0: its own series has exact zeros there,
+        // where kappa's leaves roundings.
+        TimeMapping::Family { family, .. } => match family.form(Subject::Mu) {
+            Some(mu) if b.is_at_start() => {
+                of_complement(b, &Expression::from(Parameter::Tau).sub(mu))
+            }
+            _ => of_kappa(b, &family.kappa()),
+        },
         TimeMapping::Custom(custom) => match &custom.form {
             Form::Complement(form) => of_complement(b, form),
             Form::Kappa(kappa) => of_kappa(b, kappa),

@@ -223,11 +223,22 @@ fn user_law(n: usize) -> Expression {
 }
 
 fn expected(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outcome> {
+    expected_with(spec, record, value(spec, record, Parameter::Eps))
+}
+
+/// The definition with `eps` in place of the record's own.
+fn expected_with(
+    spec: &Spec,
+    record: &Record,
+    eps: f64,
+) -> Option<ptc_codegen::reference::Outcome> {
     let law = user_law(spec.n);
+    let mut of = spec.clone();
+    of.fixed.remove(&Parameter::Eps);
     evaluate(
-        spec,
+        &of,
         &Call {
-            parameter: &|p| parameter(spec, record, p),
+            parameter: &|p| if p == Parameter::Eps { eps } else { parameter(spec, record, p) },
             x0: &record.x0,
             t: record.t,
             x: &record.x,
@@ -237,7 +248,7 @@ fn expected(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outc
     )
 }
 
-/// The definition a unit of the last place of time-to-go later.
+/// The definition a unit of the last place of time-to-go later, also of one that is held.
 fn moved(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outcome> {
     let tau = value(spec, record, Parameter::Tau);
     let place = match spec.precision {
@@ -246,7 +257,8 @@ fn moved(spec: &Spec, record: &Record) -> Option<ptc_codegen::reference::Outcome
     };
     let ends = record.t + place * tau.max(record.t.abs());
     let t = if spec.precision == Precision::F32 { ends } else { ends.max(record.t.next_up()) };
-    expected(spec, &Record { t, ..record.clone() })
+    let eps = value(spec, record, Parameter::Eps) * (1.0 - place);
+    expected_with(spec, &Record { t, ..record.clone() }, eps)
 }
 
 fn definition(
