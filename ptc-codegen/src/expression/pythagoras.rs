@@ -32,17 +32,16 @@ impl Field {
             .symbols()
             .into_iter()
             .filter_map(|symbol| match self.kernel(symbol) {
-                Some(Kernel::Atom(Expression::Call(function, u))) => Some((symbol, *function, u)),
+                Some(Kernel::Atom(Expression::Call(function, u))) => {
+                    Some((symbol, *function, u.as_ref()))
+                }
                 _ => None,
             })
             .collect();
         let partner = |wanted: Function, of: &Expression| {
-            calls
-                .iter()
-                .find(|(_, f, u)| *f == wanted && u.as_ref() == of)
-                .map(|(symbol, ..)| *symbol)
+            calls.iter().find(|(_, f, u)| *f == wanted && *u == of).map(|(symbol, ..)| *symbol)
         };
-        let pair = |(symbol, function, u): &(Symbol, Function, &Box<Expression>)| match function {
+        let pair = |(symbol, function, u): &(Symbol, Function, &Expression)| match function {
             Function::Cos => Some((*symbol, partner(Function::Sin, u)?, true)),
             Function::Cosh => Some((*symbol, partner(Function::Sinh, u)?, false)),
             _ => None,

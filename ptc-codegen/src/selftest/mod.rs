@@ -4,9 +4,12 @@
 //! program decides nothing but which calls are worth asking: those that take a branch of the emitted
 //! code the other way, and those whose numbers leave the range on the way to u.
 
+mod branches;
 mod calls;
+mod maker;
 mod overflow;
 mod parameters;
+mod range;
 mod refused;
 mod trial;
 
@@ -15,6 +18,9 @@ use crate::emit::Controller;
 use crate::expression::{Expression, Variable};
 use crate::reference::Status;
 use crate::spec::{Spec, What};
+
+/// Random calls among which those are kept that take a branch no other took.
+const CANDIDATES: usize = 400;
 
 /// A call of `step`, and of `tick` and `axis` where there are gains.
 #[derive(Clone, Debug, PartialEq)]

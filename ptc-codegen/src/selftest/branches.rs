@@ -1,0 +1,129 @@
+//! The branches of the program: calls that take those that no other call took, and which are left.
+
+use super::maker::Maker;
+use super::{CANDIDATES, Call, Draw, Session, Unreachable};
+use crate::program::Op;
+use crate::program::number::settle;
+use crate::reference::Status;
+use crate::spec::Parameter;
+
+/// As many where an iteration has branches that few numbers take.
+const ITERATED: usize = 4000;
+
+impl Maker<'_> {
+    /// The branches of iterations and divisions that no call takes.
+    pub(super) fn never(&self) -> Vec<Unreachable> {
+        let program = self.controller.program;
+        let mut never = Vec::new();
+        let mut add = |condition: String, what: &str| {
+            let tried = if self.spec().is_iterated() { ITERATED } else { CANDIDATES };
+            let reason = format!("{what} in {tried} random calls, nor at the ends of the range");
+            never.push(Unreachable { condition, reason });
+        };
+        for value in program.needed(&[program.step]) {
+            let missing = |way| !self.taken.contains(&(value, way));
+            match &program.get(value).op {
+                Op::Root(root) => {
+                    let name = program.get(value).name.as_ref().map_or("y", |(name, _)| name);
+                    if missing("exhausted") {
+                        let condition = format!("round < {}U", root.rounds);
+                        add(condition, "the iteration used no more rounds than it has");
+                    }
+                    if missing("before") {
+                        add(
+                            format!("({name}_next >= {name}_low)"),
+                            "no step went below the bracket",
+                        );
+                    }
+                    if missing("beyond") {
+                        add(
+                            format!("({name}_next <= {name}_high)"),
+                            "no step went above the bracket",
+                        );
+                    }
+                }
+                Op::Quotient(_, divisor) => {
+                    let name = program.get(*divisor).name.as_ref();
+                    let name = name.map_or("input_gain", |(name, _)| name);
+                    if missing("negative") {
+                        add(format!("({name} < 0.0"), "g was not negative");
+                    }
+                    if missing("zero") {
+                        add(format!("({name} > 0.0"), "g was not 0");
+                    }
+                }
+                _ => {}
+            }
+        }
+        never
+    }
+
+    /// Random calls that take a branch of the code which none before took.
+    pub(super) fn branches(&mut self) -> Vec<Session> {
+        let spec = self.spec();
+        let mut draw = Draw(3);
+        let all: Vec<_> = spec.run_time_parameters().collect();
+        let mut found = Vec::new();
+        let iterated = self.spec().is_iterated();
+        for round in 0..if iterated { ITERATED } else { CANDIDATES } {
+            let eps = draw.of(&[1e-3, 0.05, 0.3]);
+            let mut session = self.session(eps);
+            for (at, parameter) in all.iter().enumerate() {
+                if round % 2 == 0
+                    || matches!(parameter, Parameter::StartTime | Parameter::UMax | Parameter::Eps)
+                {
+                    continue;
+                }
+                // Equal ones, now and then: brackets of no width.
+                let size = if round % 3 == 0 { 0.875 } else { draw.between(0.2, 3.0) };
+                let signed = spec.domain(*parameter) == crate::spec::Domain::Finite;
+                let value = match draw.of(&[0, 1, 2, 3]) {
+                    0 if signed => 0.0,
+                    1 if signed => -size,
+                    _ => size,
+                };
+                session.parameters[at] = self.chosen.legal(*parameter, value);
+            }
+            let tau = self.parameter(&session, Parameter::Tau);
+            if let Some(at) = all.iter().position(|p| *p == Parameter::Eps) {
+                session.parameters[at] = self.chosen.legal(Parameter::Eps, eps * tau);
+            }
+            if self.parameter(&session, Parameter::Eps) >= tau {
+                continue;
+            }
+            for x0 in &mut session.x0 {
+                *x0 = settle(draw.between(-2.0, 2.0), spec.precision);
+            }
+            let share = draw.between(0.0, 1.0);
+            let t = self.time(&session, draw.of(&[share, share, 1.0, 0.999_999]) * tau);
+            let size = draw.of(&[1.0, 1e-3, 1e2, 1e6]);
+            let x: Vec<_> = (0..spec.n)
+                .map(|_| {
+                    settle(draw.of(&[0.0, 1.0, 1.0]) * draw.between(-size, size), spec.precision)
+                })
+                .collect();
+            let seen = self.trial(&session, t, &x);
+            if seen.decisions.is_subset(&self.taken) || !self.is_taken(&session) {
+                continue;
+            }
+            let zero_gain = seen.step.1.is_nan() && seen.step.0 == Status::Range;
+            if zero_gain {
+                // A division by g = 0, which is no number.
+                let axis = None;
+                session.calls.push(Call {
+                    t,
+                    x,
+                    status: Status::Range,
+                    u: 0.0,
+                    tolerance: 0.0,
+                    axis,
+                });
+                self.taken.extend(seen.decisions);
+            } else {
+                self.ask(&mut session, t, &x);
+            }
+            found.push(session);
+        }
+        found
+    }
+}

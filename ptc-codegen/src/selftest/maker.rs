@@ -1,0 +1,199 @@
+//! What the sessions of a self-test are made from: parameters, times and states, and what the
+//! definition says of them.
+
+use std::collections::BTreeSet;
+
+use super::parameters::Chosen;
+use super::trial::{Seen, Trial};
+use super::{Call, Session, greatest, own_law, own_rest};
+use crate::emit::{Controller, checked_fields};
+use crate::program::interpret::Decision;
+use crate::program::number::settle;
+use crate::reference::{self, Status, evaluate, tolerance};
+use crate::spec::{After, Parameter, Precision, Spec};
+
+/// What the sessions are made from.
+pub(super) struct Maker<'a> {
+    pub(super) controller: &'a Controller<'a>,
+    pub(super) chosen: &'a Chosen<'a>,
+    /// The branches that were taken so far.
+    pub(super) taken: BTreeSet<Decision>,
+}
+
+impl<'a> Maker<'a> {
+    pub(super) fn spec(&self) -> &'a Spec {
+        self.controller.spec()
+    }
+
+    pub(super) fn session(&self, eps: f64) -> Session {
+        let spec = self.spec();
+        let x0 = if spec.latches() { state(spec.n, 0.5) } else { Vec::new() };
+        Session { parameters: self.chosen.run_time(eps), x0, again: None, calls: Vec::new() }
+    }
+
+    pub(super) fn parameter(&self, session: &Session, wanted: Parameter) -> f64 {
+        let at = self.spec().run_time_parameters().position(|p| p == wanted);
+        match (wanted, session.again) {
+            (Parameter::StartTime, Some(start)) => start,
+            _ => at.map_or_else(|| self.chosen.value(wanted, 0.0), |at| session.parameters[at]),
+        }
+    }
+
+    /// The time at which so much is left.
+    pub(super) fn time(&self, session: &Session, to_go: f64) -> f64 {
+        let [start, tau] =
+            [Parameter::StartTime, Parameter::Tau].map(|p| self.parameter(session, p));
+        settle(start + (tau - to_go), self.spec().precision).max(start)
+    }
+
+    /// What the definition says of a call; none where it does not say it for certain.
+    pub(super) fn expected(
+        &self,
+        session: &Session,
+        t: f64,
+        x: &[f64],
+    ) -> Option<reference::Outcome> {
+        // Armed again, t0 is what `arm` was given, whatever the parameter is.
+        let mut spec = self.spec().clone();
+        spec.fixed.remove(&Parameter::StartTime);
+        let law = own_law(spec.n);
+        let call = reference::Call {
+            parameter: &|p| self.parameter(session, p),
+            x0: &session.x0,
+            t,
+            x,
+            law: Some(&law),
+            after: settle(own_rest(t, x), spec.precision),
+        };
+        evaluate(&spec, &call)
+    }
+
+    /// The call, with what it must give.
+    pub(super) fn call(&self, session: &Session, t: f64, x: &[f64]) -> Option<Call> {
+        let spec = self.spec();
+        let expected = self.expected(session, t, x)?;
+        let relative = tolerance::of(spec);
+        let last_place = match spec.precision {
+            Precision::F64 => f64::EPSILON,
+            Precision::F32 => f64::from(f32::EPSILON),
+        };
+        let allowed = match (expected.status, &expected.control) {
+            (Status::Ok | Status::Hold, Some(control)) => {
+                // Beyond it the powers of which u consists may not all fit.
+                // Gains are formed by products of which one may lie above the gain itself: six digits off
+                // the end are a margin for those, not a bound.
+                let excess = self.gain(session, t, x) > 1e-6 * greatest(spec);
+                if excess || control.scale() > greatest(spec).sqrt() {
+                    return None;
+                }
+                relative * control.scale() + last_place * expected.u.abs()
+            }
+            (Status::After, _) if spec.after == After::Extern => {
+                4.0 * last_place * (x[0].abs() + t.abs())
+            }
+            (Status::Range, _) => return None,
+            _ => 0.0,
+        };
+        // A u on the edge of the bound may be clipped or not.
+        let u_max = self.parameter(session, Parameter::UMax);
+        let edge = expected.control.as_ref().map_or(0.0, |c| 4.0 * relative * c.scale());
+        let u = expected.control.as_ref().map_or(expected.u, reference::Control::u);
+        if (u.abs() - u_max).abs() <= edge {
+            return None;
+        }
+        let has_axis = self.controller.program.axis.is_some();
+        Some(Call {
+            t,
+            x: x.to_vec(),
+            status: expected.status,
+            u: settle(expected.u, spec.precision),
+            tolerance: up(allowed, spec.precision),
+            axis: has_axis.then_some(expected.status),
+        })
+    }
+
+    /// The size of u where the greatest |x_j| is 1: a state that is small leaves u small, yet not the
+    /// coefficients by which it is multiplied. 0 where x is no smaller.
+    pub(super) fn gain(&self, session: &Session, t: f64, x: &[f64]) -> f64 {
+        let largest = x.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        if largest >= 1.0 {
+            return 0.0;
+        }
+        let lift = |x: &f64| if largest == 0.0 { 1.0 } else { x / largest };
+        let unit: Vec<_> = x.iter().map(|x| settle(lift(x), self.spec().precision)).collect();
+        let control = self.expected(session, t, &unit).and_then(|outcome| outcome.control);
+        control.map_or(f64::INFINITY, |control| control.scale())
+    }
+
+    /// Adds a call where the definition says what it gives; notes the branches that it takes.
+    pub(super) fn ask(&mut self, session: &mut Session, t: f64, x: &[f64]) -> Option<Status> {
+        let call = self.call(session, t, x)?;
+        let status = call.status;
+        if !matches!(status, Status::Input | Status::Param) {
+            let decisions = self.trial(session, t, x).decisions;
+            self.taken.extend(decisions);
+        }
+        session.calls.push(call);
+        Some(status)
+    }
+
+    /// Whether `init` takes the parameters: neither a coefficient nor the deadline overflows.
+    pub(super) fn is_taken(&self, session: &Session) -> bool {
+        let zeros = vec![0.0; self.spec().n];
+        let start = self.parameter(session, Parameter::StartTime);
+        let deadline =
+            settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);
+        let (controller, x0) = (self.controller, session.x0.as_slice());
+        let parameters = &session.parameters;
+        let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
+        let [fields, armed] = checked_fields(controller.program);
+        let excess = trial.first_excess(&fields).or_else(|| trial.first_excess(&armed));
+        deadline.is_finite() && excess.is_none()
+    }
+
+    pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {
+        let start = self.parameter(session, Parameter::StartTime);
+        let (controller, x0) = (self.controller, session.x0.as_slice());
+        Trial { controller, parameters: &session.parameters, x0, start, t, x }.run()
+    }
+
+    /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a
+    /// law of stretched time gives a u to the state 0 too, which the state then makes up for.
+    pub(super) fn within(&self, session: &Session, t: f64, x: &[f64]) -> Vec<f64> {
+        let half = 0.5 * self.parameter(session, Parameter::UMax);
+        let control = |x: &[f64]| {
+            let control = self.expected(session, t, x).and_then(|outcome| outcome.control);
+            control.map_or(0.0, |control| control.u())
+        };
+        let u = control(x);
+        if u.abs() <= half {
+            return x.to_vec();
+        }
+        let at_rest = control(&vec![0.0; x.len()]);
+        let at_rest = if at_rest.is_finite() { at_rest } else { 0.0 };
+        let share = (half.copysign(u) - at_rest) / (u - at_rest);
+        if !share.is_finite() {
+            return x.to_vec();
+        }
+        x.iter().map(|x| settle(share * x, self.spec().precision)).collect()
+    }
+}
+
+/// A state of n numbers near 1, of both signs.
+pub(super) fn state(n: usize, factor: f64) -> Vec<f64> {
+    [0.75, -1.25, 0.5, 1.5].iter().cycle().take(n).map(|x| factor * x).collect()
+}
+
+/// The least number of the precision that is not below `value`, or the next.
+fn up(value: f64, precision: Precision) -> f64 {
+    if value == 0.0 { 0.0 } else { after(settle(value, precision), precision) }
+}
+
+/// The least number of the precision above `value`, which is one of them.
+pub(super) fn after(value: f64, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => value.next_up(),
+        #[allow(clippy::cast_possible_truncation)]
+        Precision::F32 => f64::from((value as f32).next_up()),
+    }
+}

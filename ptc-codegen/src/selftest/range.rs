@@ -1,0 +1,84 @@
+//! The calls of which u overflows or is no number.
+
+use super::CANDIDATES;
+use super::maker::{Maker, after};
+use super::overflow::{extreme, least};
+use super::{Call, Draw, Session, greatest};
+use crate::program::number::settle;
+use crate::reference::Status;
+use crate::spec::{After, Parameter};
+
+impl Maker<'_> {
+    /// A u that is no number, or that overflows without a bound: found by trial, as it is the
+    /// order of the operations that decides.
+    pub(super) fn out_of_range(&mut self) -> Vec<Session> {
+        let spec = self.spec();
+        let mut draw = Draw(2);
+        let largest = greatest(spec);
+        let all: Vec<_> = spec.run_time_parameters().collect();
+        let mut found = Vec::new();
+        let mut kinds = vec![(true, true), (true, false)];
+        for round in 0..2 * CANDIDATES {
+            let mut session = self.session(if round % 2 == 0 { 0.0625 } else { 1e-4 });
+            if round < CANDIDATES {
+                self.at_the_ends(&mut session, round);
+            } else {
+                // Each parameter alone at its ends, then all of them anywhere.
+                let round = (round - CANDIDATES) % (8 * all.len().max(1));
+                let usual = session.parameters;
+                session.parameters = extreme(spec, self.chosen, &usual, round, &mut draw);
+            }
+            let tau = self.parameter(&session, Parameter::Tau);
+            let mut t = self.time(&session, draw.of(&[0.0, 0.02, 0.5]) * tau);
+            if spec.after != After::Hold && t >= self.time(&session, 0.0) {
+                let start = self.parameter(&session, Parameter::StartTime);
+                t = start.max(-after(-t, spec.precision));
+            }
+            let sizes = [largest, -largest, 0.75 * largest, 1.0, -1.0, 0.0];
+            let x: Vec<_> = (0..spec.n).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
+            let seen = self.trial(&session, t, &x);
+            let range = |status: Status| status == Status::Range;
+            let kind = (range(seen.step.0), seen.axis.is_some_and(range));
+            // A bound says nothing of the digits: what stays in range is asked elsewhere.
+            // A branch counts as taken where `tick`, which has its own code, takes it too.
+            let whole = kind.1 || seen.axis.is_none();
+            let is_new = kinds.contains(&kind) || (whole && !seen.decisions.is_subset(&self.taken));
+            if !kind.0 || !is_new || !self.is_taken(&session) {
+                continue;
+            }
+            let axis = seen.axis.filter(|status| range(*status));
+            kinds.retain(|other| *other != kind);
+            if whole {
+                self.taken.extend(seen.decisions);
+            }
+            session.calls.push(Call { t, x, status: Status::Range, u: 0.0, tolerance: 0.0, axis });
+            found.push(session);
+        }
+        found
+    }
+
+    /// Some run-time parameters at the ends of what they may be, by turns.
+    fn at_the_ends(&self, session: &mut Session, round: usize) {
+        let spec = self.spec();
+        let largest = greatest(spec);
+        let all: Vec<_> = spec.run_time_parameters().collect();
+        for (at, parameter) in all.iter().enumerate() {
+            let value = match parameter {
+                Parameter::UMax if round % 3 == 1 => 1.0,
+                // A time-to-go that has no reciprocal, and no share of tau.
+                Parameter::Eps if round % 4 == 3 => least(spec),
+                Parameter::Tau if round % 4 == 3 && round % 16 > 8 => largest / 8.0,
+                Parameter::Tau if round % 4 == 3 && round % 16 > 4 => 8.0 * least(spec),
+                Parameter::Gain(_) if round % 8 == 7 => 0.0,
+                _ => continue,
+            };
+            session.parameters[at] = self.chosen.legal(*parameter, value);
+        }
+        // A deadline at 0, up to which time has all its digits.
+        let at = all.iter().position(|p| *p == Parameter::StartTime);
+        if let Some(at) = at.filter(|_| round % 4 == 3) {
+            let start = -self.parameter(session, Parameter::Tau);
+            session.parameters[at] = self.chosen.legal(Parameter::StartTime, start);
+        }
+    }
+}
