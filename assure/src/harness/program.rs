@@ -32,8 +32,8 @@ impl Record {
     }
 }
 
-/// What `init`, `step`, and `tick` followed by `axis` gave; the last is (0, 12345) where a law has
-/// no gains, and so are both where `init` refused.
+/// What `init`, `step`, and `tick` followed by `axis` gave, and what `step` gave once more after
+/// `arm` at the same time with x as the state at the start. What was not called is (0, 12345).
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome {
     /// Status of `init`.
@@ -42,13 +42,15 @@ pub struct Outcome {
     pub step: (i32, f64),
     /// Status and u of `axis` after `tick`.
     pub axis: (i32, f64),
+    /// Status and u of `step` after `arm`, or the status of `arm` where it refused.
+    pub again: (i32, f64),
 }
 
 impl Outcome {
     /// Everything, u by its bits.
-    pub fn bits(&self) -> (i32, (i32, u64), (i32, u64)) {
+    pub fn bits(&self) -> (i32, [(i32, u64); 3]) {
         let bits = |(status, u): (i32, f64)| (status, u.to_bits());
-        (self.init, bits(self.step), bits(self.axis))
+        (self.init, [self.step, self.axis, self.again].map(bits))
     }
 }
 
@@ -99,22 +101,27 @@ pub(super) fn as_bytes(records: &[Record], precision: Precision) -> Vec<u8> {
 
 /// Outcomes as a program leaves them.
 pub(super) fn as_outcomes(bytes: &[u8], precision: Precision) -> Vec<Outcome> {
-    bytes.chunks_exact(12 + 2 * size(precision)).map(outcome).collect()
+    bytes.chunks_exact(16 + 3 * size(precision)).map(outcome).collect()
 }
 
 fn outcome(bytes: &[u8]) -> Outcome {
-    let (statuses, numbers) = bytes.split_at(12);
+    let (statuses, numbers) = bytes.split_at(16);
     let status = |at: usize| {
         i32::from_le_bytes(statuses[4 * at..4 * at + 4].try_into().expect("four bytes"))
     };
-    let size = numbers.len() / 2;
+    let size = numbers.len() / 3;
     let number = |at: usize| match numbers[at * size..(at + 1) * size].try_into() {
         Ok(bytes) => f64::from_le_bytes(bytes),
         Err(_) => f64::from(f32::from_le_bytes(
             numbers[at * size..(at + 1) * size].try_into().expect("four bytes"),
         )),
     };
-    Outcome { init: status(0), step: (status(1), number(0)), axis: (status(2), number(1)) }
+    Outcome {
+        init: status(0),
+        step: (status(1), number(0)),
+        axis: (status(2), number(1)),
+        again: (status(3), number(2)),
+    }
 }
 
 /// Bytes of a number.

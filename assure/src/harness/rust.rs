@@ -121,14 +121,15 @@ fn drive(index: usize, spec: &Spec) -> String {
     } else {
         ""
     };
+    let again = if spec.latches() { ", &x" } else { "" };
     format!(
         "
 #[unsafe(no_mangle)]
 pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *mut {real}) {{
     use c{index}::{{Control, Error, Status, {type_name}, {type_name}Params}};
-    // SAFETY: the main program hands over a record, three statuses and two numbers.
+    // SAFETY: the main program hands over a record, four statuses and three numbers.
     let (record, status, u) = unsafe {{
-        (core::slice::from_raw_parts(record, {length}), &mut *status.cast::<[i32; 3]>(), &mut *u.cast::<[{real}; 2]>())
+        (core::slice::from_raw_parts(record, {length}), &mut *status.cast::<[i32; 4]>(), &mut *u.cast::<[{real}; 3]>())
     }};
     fn array<const N: usize>(record: &[{real}], at: usize) -> [{real}; N] {{
         core::array::from_fn(|i| record[at + i])
@@ -146,13 +147,17 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
         Err(Error::Range) => (-3, 0.0),
     }};
     let (t, x): (_, [{real}; {n}]) = (record[{start}], array(record, {start} + 1));
-    *status = [0; 3];
-    *u = [12345.0; 2];
+    *status = [0; 4];
+    *u = [12345.0; 3];
     match {type_name}::new({type_name}Params {{ {} }}{latched}) {{
         Err(_) => status[0] = -1,
-        Ok(own) => {{
+        Ok(mut own) => {{
         (status[0], (status[1], u[0])) = (0, code(own.step(t, &x{externs})));
-{axis}        }}
+{axis}        match own.arm(t{again}) {{
+            Ok(()) => (status[3], u[2]) = code(own.step(t, &x{externs})),
+            Err(_) => status[3] = -1,
+        }}
+        }}
     }}
 }}
 ",

@@ -16,8 +16,10 @@
 
 #if LATCHES
 #define START , x0
+#define START_AGAIN , x
 #else
 #define START
+#define START_AGAIN
 #endif
 #if LAW
 #define LAW_ARGUMENT , user_law
@@ -35,7 +37,7 @@
 #define CONTEXT_ARGUMENT
 #endif
 
-void DRIVE(const void *bytes, int32_t status[3], void *out);
+void DRIVE(const void *bytes, int32_t status[4], void *out);
 
 #if LAW
 /* -1.5 (xi_1 + ... + xi_n) + t/8, for the user's law. */
@@ -60,10 +62,10 @@ static REAL user_after(void *context, const REAL x[N], REAL t)
 }
 #endif
 
-void DRIVE(const void *bytes, int32_t status[3], void *out)
+void DRIVE(const void *bytes, int32_t status[4], void *out)
 {
     REAL record[PARAMS + (LATCHES * N) + 1 + N];
-    REAL u[2] = { UNSET, UNSET };
+    REAL u[3] = { UNSET, UNSET, UNSET };
     METHOD(NAME, _params) params;
     NAME self;
 
@@ -78,6 +80,7 @@ void DRIVE(const void *bytes, int32_t status[3], void *out)
 
     status[1] = 0;
     status[2] = 0;
+    status[3] = 0;
     status[0] = (int32_t)METHOD(NAME, _init)(&self, &params START);
     if (status[0] == 0) {
 #if RATE
@@ -96,6 +99,15 @@ void DRIVE(const void *bytes, int32_t status[3], void *out)
             u[1] = (REAL)0;
         }
 #endif
+        status[3] = (int32_t)METHOD(NAME, _arm)(&self, t START_AGAIN);
+        if (status[3] == 0) {
+#if RATE
+            status[3] = (int32_t)METHOD(NAME, _rate)(&self, t, x, (REAL)0.25 LAW_ARGUMENT CONTEXT_ARGUMENT, xi_dot);
+            u[2] = xi_dot[N - 1];
+#else
+            status[3] = (int32_t)METHOD(NAME, _step)(&self, t, x LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[2]);
+#endif
+        }
     }
     memcpy(out, u, sizeof u);
 }

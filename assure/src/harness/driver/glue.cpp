@@ -10,8 +10,10 @@
 
 #if LATCHES
 #define START , x0
+#define START_AGAIN , x
 #else
 #define START
+#define START_AGAIN
 #endif
 #if LAW
 #define LAW_ARGUMENT , user_law
@@ -24,19 +26,20 @@
 #define AFTER_ARGUMENT
 #endif
 
-void DRIVE(const void* bytes, std::int32_t status[3], void* out);
+void DRIVE(const void* bytes, std::int32_t status[4], void* out);
 
 using Numbers = std::array<REAL, PARAMS + (LATCHES * N) + 1 + N>;
 using State = std::array<REAL, N>;
 
-void DRIVE(const void* bytes, std::int32_t status[3], void* out)
+void DRIVE(const void* bytes, std::int32_t status[4], void* out)
 {
     Numbers record{};
     State x{};
     ptc::OF(NAME, Params) params{};
     ptc::NAME self{};
     // What a call must overwrite.
-    REAL u[2] = {static_cast<REAL>(12345), static_cast<REAL>(12345)};
+    constexpr REAL unset = 12345;
+    REAL u[3] = {unset, unset, unset};
 
     std::memcpy(record.data(), bytes, sizeof record);
 #if PARAMS
@@ -63,6 +66,7 @@ void DRIVE(const void* bytes, std::int32_t status[3], void* out)
 #endif
     status[1] = 0;
     status[2] = 0;
+    status[3] = 0;
     status[0] = static_cast<std::int32_t>(self.init(params START));
     if (status[0] == 0) {
 #if RATE
@@ -79,6 +83,17 @@ void DRIVE(const void* bytes, std::int32_t status[3], void* out)
         status[2] = static_cast<std::int32_t>(axis.status);
         u[1] = axis.u;
 #endif
+        status[3] = static_cast<std::int32_t>(self.arm(t START_AGAIN));
+        if (status[3] == 0) {
+#if RATE
+            const auto again = self.rate(t, x, static_cast<REAL>(0.25) LAW_ARGUMENT);
+            u[2] = again.xi_dot[N - 1];
+#else
+            const auto again = self.step(t, x LAW_ARGUMENT AFTER_ARGUMENT);
+            u[2] = again.u;
+#endif
+            status[3] = static_cast<std::int32_t>(again.status);
+        }
     }
     std::memcpy(out, u, sizeof u);
 }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 typedef struct {
-    void (*drive)(const void *record, int32_t status[3], void *u);
+    void (*drive)(const void *record, int32_t status[4], void *u);
     uint32_t numbers; /* of a record */
     uint32_t size;    /* of a number, in bytes */
 } controller;
@@ -28,15 +28,15 @@ int main(void)
             return 1;
         }
         for (uint32_t j = 0; j < count; j++) {
-            int32_t status[3] = { 0, 0, 0 };
-            double u[2] = { 0.0, 0.0 };
+            int32_t status[4] = { 0, 0, 0, 0 };
+            double u[3] = { 0.0, 0.0, 0.0 };
 
             if (fread(record, (size_t)table[i].size, table[i].numbers, in) != table[i].numbers) {
                 return 1;
             }
             table[i].drive(record, status, u);
             if ((fwrite(status, sizeof status, 1, out) != 1)
-                || (fwrite(u, (size_t)table[i].size, 2, out) != 2)) {
+                || (fwrite(u, (size_t)table[i].size, 3, out) != 3)) {
                 return 1;
             }
         }

@@ -37,7 +37,7 @@ class Controller:
 
     def outcomes(self, count: int) -> Any:
         """Outcomes that no call has overwritten."""
-        kind = np.dtype([("status", "<i4", 3), ("u", self.real, 2)])
+        kind = np.dtype([("status", "<i4", 4), ("u", self.real, 3)])
         outcomes = np.zeros(count, kind)
         outcomes["u"] = 12345
         return outcomes

@@ -6,6 +6,7 @@ Warnings are errors here.
 import importlib.util
 import sys
 import warnings
+from functools import partial
 from typing import Any
 
 import manifest
@@ -18,6 +19,15 @@ def user_law(xi: Any, t: Any) -> Any:
     for one in np.moveaxis(xi, -1, 0):
         total = total + xi.dtype.type(-1.5) * one
     return total + xi.dtype.type(0.125) * t
+
+
+def plain_step(self: Any, t: Any, x: Any, laws: dict[str, Any]) -> Any:
+    return self.step(t, x, **laws)
+
+
+def last_rate(self: Any, t: Any, x: Any, laws: dict[str, Any]) -> Any:
+    rate = self.rate(t, x, 0.25, **laws)
+    return rate.xi_dot[..., -1], rate.status
 
 
 def batch(controller: manifest.Controller) -> Any:
@@ -48,17 +58,21 @@ def batch(controller: manifest.Controller) -> Any:
             outcomes["status"][rows, 0] = -1
             continue
         t, x = records[rows, fixed], records[rows, fixed + 1 :]
-        if controller.is_rate:
-            rate = self.rate(t, x, 0.25, **laws)
-            u, status = rate.xi_dot[..., -1], rate.status
-        else:
-            u, status = self.step(t, x, **laws)
+        call = partial(last_rate, laws=laws) if controller.is_rate else partial(plain_step, laws=laws)
+        u, status = call(self, t, x)
         assert u.dtype == controller.real and u.shape == t.shape, (controller.name, u)
         outcomes["status"][rows, 1], outcomes["u"][rows, 0] = status, u
         if controller.has_axis:
             axis = self.tick(t).axis(x)
             assert axis.u.dtype == controller.real, (controller.name, axis.u.dtype)
             outcomes["status"][rows, 2], outcomes["u"][rows, 1] = axis.status, axis.u
+        for row, start, state in zip(rows, t, x):
+            try:
+                self.arm(start, *[state] * controller.latches)
+            except ValueError:
+                outcomes["status"][row, 3] = -1
+                continue
+            outcomes["u"][row, 2], outcomes["status"][row, 3] = call(self, start, state)
     return outcomes
 
 

@@ -29,9 +29,9 @@ function drive(line)
         laws{end + 1} = @(x, t) -x(1);
     end
     addpath(folder);
-    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis', '_rate'}, ...
+    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis', '_rate', '_arm'}, ...
         'UniformOutput', false);
-    [init, step, tick, axis_of, rate] = functions{:};
+    [init, step, tick, axis_of, rate, arm] = functions{:};
     file = fopen([folder '/records.bin'], 'r');
     records = fread(file, [count + (latches * n) + 1 + n, Inf], [real '=>' real]);
     fclose(file);
@@ -50,25 +50,16 @@ function drive(line)
         end
         t = record(at + 1);
         x = record(at + 1 + (1:n));
-        status = int32([0 0 0]);
-        u = cast([12345 12345], real);
-        refused = false;
-        try
-            self = init(params, start{:});
-        catch wrong
-            if ~strcmp(wrong.identifier, [name ':param'])
-                rethrow(wrong);
-            end
-            refused = true;
-            status(1) = -1;
+        status = int32([0 0 0 0]);
+        u = cast([12345 12345 12345], real);
+        if is_rate
+            call = @(self) last(rate, self, t, x, 0.25, laws{:});
+        else
+            call = @(self) step(self, t, x, laws{:});
         end
-        if ~refused
-            if is_rate
-                [xi_dot, status(2)] = rate(self, t, x, 0.25, laws{:});
-                u_step = xi_dot(n);
-            else
-                [u_step, status(2)] = step(self, t, x, laws{:});
-            end
+        [self, status(1)] = started(name, init, params, start{:});
+        if status(1) == 0
+            [u_step, status(2)] = call(self);
             if ~isa(u_step, real)
                 error('%s: u is a %s', name, class(u_step));
             end
@@ -76,12 +67,37 @@ function drive(line)
             if has_axis
                 [u(2), status(3)] = axis_of(tick(self, t), x);
             end
+            again = {t, x};
+            [self, status(4)] = started(name, arm, self, again{1:(1 + latches)});
+            if status(4) == 0
+                [u(3), status(4)] = call(self);
+            end
         end
         fwrite(file, status, 'int32');
         fwrite(file, u, real);
     end
     fclose(file);
     rmpath(folder);
+end
+
+% What init or arm gives, or -1 where it refuses.
+function [self, status] = started(name, function_of, varargin)
+    self = [];
+    status = 0;
+    try
+        self = function_of(varargin{:});
+    catch wrong
+        if ~strcmp(wrong.identifier, [name ':param'])
+            rethrow(wrong);
+        end
+        status = -1;
+    end
+end
+
+% The last rate of the infinite-time system.
+function [u, status] = last(rate, varargin)
+    [xi_dot, status] = rate(varargin{:});
+    u = xi_dot(end);
 end
 
 function r = ifelse(condition, yes, no)

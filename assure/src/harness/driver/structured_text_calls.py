@@ -52,6 +52,15 @@ def calls(controller: manifest.Controller) -> Any:
                 memory["t"], memory["x"] = rest[0], list(rest[1:])
                 block.execute(memory)
                 outcome["status"][1], outcome["u"][0] = memory["status"], memory["u"]
+                memory["arm"], memory["start_time"] = True, rest[0]
+                if controller.latches:
+                    memory["x0"] = list(rest[1:])
+                block.execute(memory)
+                outcome["status"][3] = memory["status"]
+                if memory["status"] == 0:
+                    memory["arm"] = False
+                    block.execute(memory)
+                    outcome["status"][3], outcome["u"][2] = memory["status"], memory["u"]
     return outcomes
 
 
