@@ -41,11 +41,12 @@ fn vectors() -> BTreeMap<(Family, usize, usize), Vec<Value>> {
 /// A controller and the vectors that it is run on.
 struct Case<'a> {
     name: String,
-    mapping: [String; 2],
+    /// The mapping, and the law where it is no sum of gains.
+    flags: Vec<String>,
     n: usize,
     /// What |u - u_ref|/scale may be.
     allowed: f64,
-    /// Fields of the parameters beside those that every controller has.
+    /// Fields of the parameters beside tau, t0, eps and u_max.
     fields: &'a dyn Fn(&Value) -> String,
     vectors: &'a [Value],
 }
@@ -55,7 +56,7 @@ fn list(value: &Value) -> String {
     items.collect::<Vec<_>>().join(", ")
 }
 
-/// The parameters of a family.
+/// The parameters of a family and the gains.
 fn own(vector: &Value) -> String {
     let params = &vector["params"];
     let mut fields = String::new();
@@ -67,17 +68,30 @@ fn own(vector: &Value) -> String {
     if params["rates"].is_array() {
         let _ = write!(fields, ".rates = {{{}}}, ", list(&params["rates"]));
     }
-    fields
+    fields + &format!(".k = {{{}}}, ", list(&vector["k"]))
+}
+
+/// The same where the gains are names in a law.
+fn named(vector: &Value) -> String {
+    let gains = vector["k"].as_array().expect("gains").iter().enumerate();
+    let gains = gains.map(|(i, k)| format!(".k{} = {k}, ", i + 1)).collect::<String>();
+    let own = own(vector);
+    own[..own.find(".k = ").expect("the gains")].to_owned() + &gains
+}
+
+/// Two rates that are names in a mapping, and the gains.
+fn rates(vector: &Value) -> String {
+    let rate = |i: usize| vector["params"]["rates"][i].as_f64().expect("a rate");
+    format!(".a1 = {:?}, .a2 = {:?}, .k = {{{}}}, ", rate(0), rate(1), list(&vector["k"]))
 }
 
 impl Case<'_> {
     /// Emits the controller with the engine, and returns a C function that prints what it gives.
     fn emit(&self, folder: &Path) -> String {
         let n = self.n.to_string();
-        let [key, mapping] = &self.mapping;
         let out = folder.to_str().expect("UTF-8");
-        let flags =
-            ["emit", "--lang", "c", "--n", &n, key, mapping, "--name", &self.name, "-o", out];
+        let mut flags = vec!["emit", "--lang", "c", "--n", &n, "--name", &self.name, "-o", out];
+        flags.extend(self.flags.iter().map(String::as_str));
         super::stdout(&flags);
         let name = &self.name;
         let mut text =
@@ -88,14 +102,13 @@ impl Case<'_> {
             let _ = writeln!(
                 text,
                 "    {{\n        const {name}_params p = {{ {}.tau = {tau:?}, .t0 = {}, .eps = {:?}, \
-                 .u_max = INFINITY, .k = {{{}}} }};\n        const double x[{n}] = {{{}}};\n        \
+                 .u_max = INFINITY }};\n        const double x[{n}] = {{{}}};\n        \
                  u = 0;\n        s = (int){name}_init(&c, &p);\n        \
                  s = s ? s : (int){name}_step(&c, {}, x, &u);\n        \
                  printf(\"%d %.17g\\n\", s, u);\n    }}",
                 (self.fields)(vector),
                 number("t0"),
                 EPS * tau,
-                list(&vector["k"]),
                 list(&vector["x"]),
                 number("t"),
             );
@@ -182,7 +195,7 @@ fn every_family_at_orders_1_to_6() {
         .iter()
         .map(|(name, given, family, n, vectors)| Case {
             name: name.clone(),
-            mapping: ["--mu".to_owned(), given.clone()],
+            flags: vec!["--mu".to_owned(), given.clone()],
             n: *n,
             allowed: control(*family, Precision::F64),
             fields: &own,
@@ -192,20 +205,17 @@ fn every_family_at_orders_1_to_6() {
     judge("families", &cases);
 }
 
-/// The same mappings as expressions in mu(t) and in kappa(dt), whose r_k no family tells.
+/// The same mappings as expressions in mu(t) and in kappa(dt), whose r_k no family tells; and with a
+/// law that is no sum of gains, so that BB_n x itself is computed.
 #[test]
 fn mappings_of_the_users_own() {
     let vectors = vectors();
-    let rates = |vector: &Value| {
-        let rate = |i: usize| vector["params"]["rates"][i].as_f64().expect("a rate");
-        format!(".a1 = {:?}, .a2 = {:?}, ", rate(0), rate(1))
-    };
     let mut cases = Vec::new();
     for ((family, count, n), vectors) in &vectors {
-        let mut add = |form: &str, key: &str, text: String, fields| {
+        let mut add = |form: &str, flags: &[&str], fields| {
             cases.push(Case {
                 name: format!("{}_{form}_{n}", family.name()),
-                mapping: [key.to_owned(), text],
+                flags: flags.iter().map(|flag| (*flag).to_owned()).collect(),
                 n: *n,
                 allowed: custom(Precision::F64),
                 fields,
@@ -214,24 +224,38 @@ fn mappings_of_the_users_own() {
         };
         let info = family.info();
         match (family, count) {
-            (Family::ExpSum, 2) => {
-                add(
-                    "mu",
-                    "--mu",
-                    "mean(exp(a=a1), exp(a=a2))".to_owned(),
-                    &rates as &dyn Fn(&Value) -> String,
-                );
-            }
+            (Family::ExpSum, 2) => add("mu", &["--mu", "mean(exp(a=a1), exp(a=a2))"], &rates),
             (Family::ExpSum, _) => {}
             _ => {
-                add("mu", "--mu", format!("1*({})", info.mu), &own);
+                // A family's own form with nothing before it would be read as the family.
+                let mu = format!("1*({})", info.mu);
                 let kappa = info.kappa_in_time_to_go.replace('T', "(tau - dt)");
-                add("kappa", "--kappa", kappa, &own);
+                let law = (1..=*n).map(|i| format!("-k{i}*xi{i}")).collect::<Vec<_>>().join(" ");
+                let law = format!("--pi0={law}");
+                add("mu", &["--mu", &mu], &own as &dyn Fn(&Value) -> String);
+                add("kappa", &["--kappa", &kappa], &own);
+                add("law", &["--kappa", &kappa, &law], &named);
             }
         }
     }
-    assert_eq!(cases.len(), 13 * ORDERS.count());
+    assert_eq!(cases.len(), 19 * ORDERS.count());
     judge("custom", &cases);
+}
+
+/// The checks run on what would be emitted.
+#[test]
+fn checks_ask_what_the_emitted_code_would_do() {
+    let design =
+        ["check", "--n=2", "--tau=1", "--gains=20,9", "--sample-time=1e-3", "--format=json"];
+    for mapping in ["--mu=exp(a=1)", "--kappa=-ln(1 - dt/tau)"] {
+        let told = super::stdout(&[&design[..], &[mapping]].concat());
+        let told: Value = serde_json::from_str(&told).expect("JSON");
+        assert_eq!(told["accepted"], true, "{told}");
+        let checks = told["checks"].as_array().expect("checks");
+        let sampling = checks.iter().find(|check| check["name"] == "sampling").expect("the check");
+        // What held gains of k = (20, 9) bear at a = 1 is known by its own.
+        assert_eq!(sampling["details"][0], "the threshold of h/T is 0.25");
+    }
 }
 
 #[test]

@@ -24,7 +24,7 @@ const SAID: usize = 12;
 /// Why there is no answer.
 #[derive(Debug)]
 pub(super) enum Wrong {
-    /// The child cannot be started.
+    /// The child cannot be started, or waited for.
     Start(io::Error),
     /// The lock cannot be had, for want of a place.
     Place(PathBuf, io::Error),
@@ -45,7 +45,7 @@ pub(super) enum Wrong {
 impl fmt::Display for Wrong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Start(error) => write!(f, "Symbolica's process cannot be started: {error}"),
+            Self::Start(error) => write!(f, "Symbolica's process cannot be run: {error}"),
             Self::Place(path, error) => write!(f, "cannot lock {}: {error}", path.display()),
             Self::Busy(path, limit) => write!(
                 f,
