@@ -5,7 +5,6 @@
 
 mod allowance;
 mod emitted;
-mod page;
 mod tables;
 
 use std::path::PathBuf;
