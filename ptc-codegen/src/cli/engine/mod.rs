@@ -5,11 +5,12 @@
 
 #[cfg(feature = "symbolica")]
 pub(crate) mod symbolica;
+#[cfg(not(feature = "symbolica"))]
+#[path = "absent.rs"]
+mod symbolica;
 
 use clap::ValueEnum;
-#[cfg(feature = "symbolica")]
-use ptc_codegen::expansion::Expanded;
-use ptc_codegen::expansion::{self, ClosedForms};
+use ptc_codegen::expansion::{self, ClosedForms, Expanded};
 use ptc_codegen::mapping::Mapping;
 use ptc_codegen::spec::Spec;
 
@@ -49,10 +50,7 @@ impl Engine {
                 r: expansion::r(ring, n),
                 bell: if part == Part::R { Vec::new() } else { expansion::table(ring, n) },
             }),
-            #[cfg(feature = "symbolica")]
             Self::Symbolica => symbolica::of_ring(n, ring, part),
-            #[cfg(not(feature = "symbolica"))]
-            Self::Symbolica => Err(not_built()),
         }
     }
 
@@ -61,7 +59,6 @@ impl Engine {
     ///
     /// # Errors
     /// As [`Engine::expand`].
-    #[cfg(feature = "symbolica")]
     pub(crate) fn prepare(self, mut spec: Spec) -> Result<Spec, Failure> {
         if self == Self::Ptc {
             return Ok(spec);
@@ -81,22 +78,4 @@ impl Engine {
         });
         Ok(spec)
     }
-
-    /// The spec as it is, for the library's own engine expands where a form is needed.
-    ///
-    /// # Errors
-    /// Another engine is not built in.
-    #[cfg(not(feature = "symbolica"))]
-    pub(crate) fn prepare(self, spec: Spec) -> Result<Spec, Failure> {
-        if self == Self::Ptc { Ok(spec) } else { Err(not_built()) }
-    }
-}
-
-#[cfg(not(feature = "symbolica"))]
-fn not_built() -> Failure {
-    Failure::because(
-        "this ptc-codegen is built without the engine `symbolica`".to_owned(),
-        "build it with `cargo build --release -p ptc-codegen --features symbolica`, which takes Rust 1.89 \
-         or later and what docs/engines.md tells of Symbolica's licence; or leave `--engine` out",
-    )
 }
