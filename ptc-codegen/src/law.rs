@@ -8,7 +8,7 @@
 //! a polynomial in one quantity that time decides, with coefficients that parameters decide.
 
 use crate::algebra::{Kind, Poly, Symbol, integer};
-use crate::expansion;
+use crate::expansion::{self, ClosedForms};
 use crate::mapping::{Mapping, expand};
 use crate::spec::{Feedback, Spec};
 
@@ -46,18 +46,22 @@ impl Law {
     /// The law that a spec asks for.
     pub fn of(spec: &Spec) -> Self {
         match (&spec.feedback, spec.ring()) {
-            (Feedback::Linear, Some(ring)) => Self::new(spec.n, &ring),
+            (Feedback::Linear, Some(ring)) => Self::new(spec.n, &ring, spec.closed_forms()),
             (Feedback::Linear, None) => Self { n: spec.n, rate: Poly::one(), form: Form::Series },
             _ => Self { n: spec.n, rate: Poly::one(), form: Form::State },
         }
     }
 
-    /// The linear law for order `n` and `mapping`.
-    pub fn new(n: usize, mapping: &Mapping) -> Self {
+    /// The linear law for order `n` and `mapping`, whose closed forms are `expanded` where they are
+    /// given.
+    pub fn new(n: usize, mapping: &Mapping, expanded: Option<&ClosedForms>) -> Self {
         let form = match mapping.r1.inverse() {
             Some(kappa_prime) => Form::Rows {
                 base_inverse: mapping.base_inverse,
-                rows: rows(n, mapping, &kappa_prime),
+                rows: match expanded {
+                    Some(forms) => rows(n, mapping, &kappa_prime, &forms.bell),
+                    None => rows(n, mapping, &kappa_prime, &expansion::table(mapping, n)),
+                },
             },
             None => Form::Series,
         };
@@ -65,8 +69,7 @@ impl Law {
     }
 }
 
-fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly) -> Vec<Poly> {
-    let table = expansion::table(mapping, n);
+fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly, table: &[Vec<Poly>]) -> Vec<Poly> {
     let kappa_prime_n = kappa_prime.pow(exponent(n));
     (0..n)
         .map(|j| {
@@ -129,7 +132,7 @@ mod tests {
     use crate::mapping::Family;
 
     fn rows_of(family: Family, n: usize) -> Vec<String> {
-        match Law::new(n, &family.mapping(0)).form {
+        match Law::new(n, &family.mapping(0), None).form {
             Form::Rows { rows, .. } => rows.iter().map(text).collect(),
             Form::Series | Form::State => Vec::new(),
         }
@@ -152,7 +155,7 @@ mod tests {
         assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
         for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
             let mapping = family.mapping(0);
-            let Form::Rows { rows, .. } = Law::new(5, &mapping).form else {
+            let Form::Rows { rows, .. } = Law::new(5, &mapping, None).form else {
                 panic!("r_1 of {family:?} is a single term");
             };
             for row in rows {

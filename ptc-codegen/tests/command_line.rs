@@ -520,3 +520,27 @@ fn what_has_no_self_test_is_told_before_anything_is_written() {
     assert!(told.contains("the associated system has no self-test"), "{told}");
     assert!(names(&folder).is_empty());
 }
+
+#[test]
+fn the_engine_by_its_name_is_the_default() {
+    let show = ["show", "law", "--n", "4", "--mu", "tan"];
+    assert_eq!(stdout(&[&show[..], &["--engine", "ptc"]].concat()), stdout(&show));
+    let emit = ["emit", "--lang", "c", "--n", "3", "--kappa", "dt/(tau - dt)", "-o", "-"];
+    assert_eq!(stdout(&[&emit[..], &["--engine=ptc"]].concat()), stdout(&emit));
+}
+
+#[cfg(not(feature = "symbolica"))]
+#[test]
+fn an_engine_that_is_not_built_in_tells_how_to_build_it() {
+    for start in [
+        &["show", "tables", "--n=3"][..],
+        &["show", "r", "--n=3", "--mu=exp"],
+        &["check", "--n=2", "--mu=exp"],
+        &["emit", "--lang=c", "--n=2", "--mu=exp", "-o", "-"],
+    ] {
+        let told = stderr(&[start, &["--engine", "symbolica"]].concat(), 2);
+        assert!(told.contains("built without the engine `symbolica`"), "{told}");
+        assert!(told.contains("--features symbolica"), "{told}");
+        assert!(told.contains("docs/engines.md"), "{told}");
+    }
+}

@@ -28,9 +28,9 @@ const CARGO_SBOM: Tool = Tool {
 
 pub(super) const LAYER: Layer = Layer {
     name: "supply",
-    claim: "Every dependency has a permissive licence and comes from crates.io at the version of the \
-            lock file, the bill of materials of a release names all of them, and the generator \
-            gives the same bytes in any environment.",
+    claim: "Every dependency has a permissive licence, but for those of the feature `symbolica`, and \
+            comes from crates.io at the version of the lock file, the bill of materials of a \
+            release names all of them, and the generator gives the same bytes in any environment.",
     tools: &[CARGO_DENY, CARGO_SBOM],
     run,
 };
@@ -83,7 +83,7 @@ fn row(check: &str, result: &str) -> Vec<String> {
 fn deny(root: &Path, config: &Path, check: &str) -> Result<Option<String>> {
     let output = Command::new("cargo")
         .current_dir(root)
-        .args(["deny", "--log-level", "error", "--config"])
+        .args(["deny", "--workspace", "--log-level", "error", "--config"])
         .arg(config)
         .args(["check", "--hide-inclusion-graph", check])
         .output()

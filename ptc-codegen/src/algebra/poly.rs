@@ -129,6 +129,11 @@ impl Poly {
         self.0.iter()
     }
 
+    /// The coefficient of `monomial`, 0 where it is absent.
+    pub(crate) fn coefficient(&self, monomial: &Monomial) -> BigRational {
+        self.0.get(monomial).cloned().unwrap_or_else(BigRational::zero)
+    }
+
     /// Number of terms.
     pub(crate) fn len(&self) -> usize {
         self.0.len()

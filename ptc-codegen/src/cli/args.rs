@@ -9,6 +9,7 @@ use ptc_codegen::emit::{Language, Project};
 use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
 
+use super::engine::Engine;
 use super::report::quoted;
 use super::source::{Source, flag};
 
@@ -62,6 +63,10 @@ pub(crate) enum Command {
     New(New),
     /// Print the families of time mappings and their parameters
     List(List),
+    /// Answers one request of the engine `symbolica`, in a process of its own
+    #[cfg(feature = "symbolica")]
+    #[command(name = super::engine::symbolica::WORKER, hide = true)]
+    SymbolicaWorker,
 }
 
 const EMIT_EXAMPLES: &str = "\
@@ -102,9 +107,19 @@ pub(crate) struct Check {
     pub(crate) design: Design,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
+    #[command(flatten)]
+    pub(crate) engine: EngineFlag,
     /// Notation
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: ListFormat,
+}
+
+/// The engine of a command that needs closed forms.
+#[derive(Debug, Args)]
+pub(crate) struct EngineFlag {
+    /// What expands the closed forms; see docs/engines.md
+    #[arg(long, value_enum, value_name = "ENGINE", default_value = "ptc")]
+    pub(crate) engine: Engine,
 }
 
 /// The design file of a command that can have one.
@@ -137,6 +152,8 @@ pub(crate) struct Emit {
     pub(crate) project: Option<Project>,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
+    #[command(flatten)]
+    pub(crate) engine: EngineFlag,
     /// Folder to write to, made if it is missing; `-` prints to the standard output [default: .;
     /// for a project, which takes a new or an empty one, the controller's name]
     #[arg(short, long, value_name = "DIR")]
@@ -287,6 +304,8 @@ pub(crate) struct Show {
     pub(crate) n: Option<String>,
     #[arg(long, value_name = "MU", allow_hyphen_values = true, help = help("mu"))]
     pub(crate) mu: Option<String>,
+    #[command(flatten)]
+    pub(crate) engine: EngineFlag,
     /// Notation
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: Format,

@@ -15,7 +15,7 @@ use super::write;
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
-    let spec = given.read()?;
+    let spec = request.engine.engine.prepare(given.read()?)?;
     let report = examine(&spec);
     let refused = report.refusals().next().is_some();
     write::to_stdout(&match request.format {

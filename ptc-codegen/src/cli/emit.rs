@@ -21,7 +21,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     beside_c(request)?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
-    let spec = given.read()?;
+    let spec = request.engine.engine.prepare(given.read()?)?;
     if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
         return write::to_stdout(&program);
     }

@@ -6,6 +6,7 @@
 pub(crate) mod args;
 mod check;
 mod emit;
+mod engine;
 mod fmu;
 mod list;
 mod new;
@@ -24,7 +25,12 @@ use report::Failure;
 
 /// Runs the command that the process was started with.
 pub(crate) fn run() -> ExitCode {
-    match execute(CommandLine::parse().command) {
+    let command = CommandLine::parse().command;
+    #[cfg(feature = "symbolica")]
+    if let Command::SymbolicaWorker = command {
+        return engine::symbolica::worker::run();
+    }
+    match execute(command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             report::print(&failure.notices);
@@ -41,5 +47,7 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
+        #[cfg(feature = "symbolica")]
+        Command::SymbolicaWorker => Ok(()),
     }
 }

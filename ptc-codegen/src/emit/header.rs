@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::measured::Measured;
 use super::{Controller, Language};
 use crate::algebra::{self, Poly, Symbol};
-use crate::expansion;
+use crate::expansion::{self, Expanded};
 use crate::expression::Subject;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
@@ -93,13 +93,13 @@ fn mapping(controller: &Controller<'_>) -> Vec<String> {
         TimeMapping::Family { family, rates } => {
             closed_forms(spec, family.info(), &family.mapping(*rates))
         }
-        TimeMapping::Custom(custom) => as_given(custom),
+        TimeMapping::Custom(custom) => as_given(custom, spec.expanded.as_ref()),
     };
     head.into_iter().chain(own).collect()
 }
 
 /// What is told of a mapping that the user wrote down.
-fn as_given(custom: &Custom) -> Vec<String> {
+fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
     let mut lines = Vec::new();
     let given = if custom.subject == Subject::Mu { "mu(t) " } else { "kappa(dt)" };
     lines.push(format!("  {given} = {}", custom.given));
@@ -114,7 +114,16 @@ fn as_given(custom: &Custom) -> Vec<String> {
             lines.push(format!("  r_1 = T*({})", kappa.rate));
         }
     }
-    lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned());
+    match expanded {
+        Some(Expanded::Custom { engine, r }) => {
+            lines.push(format!(
+                "Derivatives r_k = mu^(k)(kappa(Dt)), as the engine {engine} expands them:"
+            ));
+            let told = r.iter().take(SHOWN).enumerate();
+            lines.extend(told.map(|(index, r)| format!("  r_{} = {r}", index + 1)));
+        }
+        _ => lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned()),
+    }
     lines
 }
 
@@ -128,15 +137,17 @@ fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
         "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
         format!("  r_k = {}", info.r),
     ];
-    for (index, r) in expansion::r(ring, shown).iter().enumerate() {
+    let forms = spec.closed_forms();
+    let r = forms.map_or_else(|| expansion::r(ring, shown), |forms| forms.r[..shown].to_vec());
+    for (index, r) in r.iter().enumerate() {
         lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
     }
     lines
         .push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
-    let table = if info.family.is_iterated() {
-        expansion::bell::bell_table(shown)
-    } else {
-        expansion::table(ring, shown)
+    let table = match forms {
+        Some(forms) => forms.bell[..=shown].to_vec(),
+        None if info.family.is_iterated() => expansion::bell::bell_table(shown),
+        None => expansion::table(ring, shown),
     };
     for (i, row) in table.iter().enumerate() {
         let columns = if i == shown { &row[..i] } else { &row[..] };

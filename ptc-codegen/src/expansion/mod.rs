@@ -8,7 +8,42 @@ pub mod bell;
 pub mod letter;
 
 use crate::algebra::Poly;
+use crate::expression::Expression;
 use crate::mapping::Mapping;
+
+/// The closed forms of one differential ring to order n: what an engine makes of the two.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClosedForms {
+    /// r_1, ..., r_n: `r[k - 1]` is r_k.
+    pub r: Vec<Poly>,
+    /// B_{i,j} for 0 <= j <= i <= n: `bell[i][j]`. Its rows up to n - 1 are BB_n, its last is b_n.
+    pub bell: Vec<Vec<Poly>>,
+}
+
+/// The closed forms of a design, from another engine than the functions of this module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Expanded {
+    /// Of a family, in its atoms. Where kappa is found by an iteration, B_{i,j} is in free r_k.
+    Family(ClosedForms),
+    /// Of a mapping that the user wrote down.
+    Custom {
+        /// What made them, as it is asked for.
+        engine: &'static str,
+        /// r_1, ..., r_n in the time-to-go, or in stretched time where kappa is found by an
+        /// iteration.
+        r: Vec<Expression>,
+    },
+}
+
+impl Expanded {
+    /// The closed forms of a family.
+    pub fn family(&self) -> Option<&ClosedForms> {
+        match self {
+            Self::Family(forms) => Some(forms),
+            Self::Custom { .. } => None,
+        }
+    }
+}
 
 /// r_1, ..., r_n of a mapping: `r(mapping, n)[k - 1]` is r_k = mu^(k)(kappa(Dt)).
 pub fn r(mapping: &Mapping, n: usize) -> Vec<Poly> {

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::coefficients::Coefficient;
 use super::mapping::Taylor;
-use crate::algebra::{BigRational, integer};
+use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
 use crate::expansion::bell::factorials;
 use crate::expression::Function;
 use crate::program::{Op, Root, Value};
@@ -179,18 +179,23 @@ fn corrected(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value) -> (
     (modes, b.add(y, shift))
 }
 
-/// r_l/l! = sum_i b_li e_i with b_li = (-1)^(l-1) tau a_i^l/(N l!): all terms of one sign.
+/// r_l/l! = sum_i b_li e_i with b_li = c_li tau a_i^l/l!, c_li = (-1)^(l-1)/N: all terms of one sign.
 fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value], stretched: Value) -> Taylor {
     let n = b.spec.n;
+    let spec = b.spec;
     let count = integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
     let mut terms = Vec::with_capacity(n);
     for (l, factorial) in factorials(n).into_iter().enumerate().skip(1) {
         let sign = integer(if l % 2 == 1 { 1 } else { -1 });
-        let divisor = sign / (BigRational::from_integer(factorial) * &count);
+        let factorial = BigRational::from_integer(factorial);
         let mut sum = None;
         for (i, (rate, mode)) in rates.iter().zip(modes).enumerate() {
             let power = b.power(*rate, u32::try_from(l).unwrap_or(u32::MAX));
-            let factor = b.number(divisor.clone());
+            let share = match spec.closed_forms() {
+                Some(forms) => weight(&forms.r[l - 1], l, i + 1),
+                None => &sign / &count,
+            };
+            let factor = b.number(share / &factorial);
             let scaled = b.mul(factor, power);
             let tau = b.parameter(Parameter::Tau);
             let weight = b.mul(scaled, tau);
@@ -219,6 +224,15 @@ fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value], stretched: Valu
         })
         .collect();
     Taylor { r1: terms[0], base_inverse: inverse, tail, unit: None, stretched }
+}
+
+/// The coefficient of tau a_i^l e_i in the closed form of r_l.
+fn weight(r: &Poly, l: usize, i: usize) -> BigRational {
+    let exponent = i32::try_from(l).unwrap_or(i32::MAX);
+    let rate = Monomial::power(Symbol::indexed(Kind::Rate, i), exponent);
+    let mode = Monomial::power(Symbol::indexed(Kind::Mode, i), 1);
+    let monomial = Monomial::power(Symbol::plain(Kind::Tau), 1).times(&rate).times(&mode);
+    r.coefficient(&monomial)
 }
 
 /// ln(count) to the precision of a double: a start of the iteration needs no more.

@@ -5,6 +5,7 @@ use super::coefficients::Coefficient;
 use super::exp_sum;
 use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
+use crate::expansion::Expanded;
 use crate::expansion::bell::factorials;
 use crate::expression::decaying::decaying;
 use crate::expression::normal::complement;
@@ -46,11 +47,46 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
             }
             _ => of_kappa(b, &family.kappa()),
         },
-        TimeMapping::Custom(custom) => match &custom.form {
-            Form::Complement(form) => of_complement(b, form),
-            Form::Kappa(kappa) => of_kappa(b, kappa),
+        TimeMapping::Custom(custom) => match (&custom.form, &spec.expanded) {
+            (form, Some(Expanded::Custom { r, .. })) => of_closed_forms(b, form, r),
+            (Form::Complement(form), _) => of_complement(b, form),
+            (Form::Kappa(kappa), _) => of_kappa(b, kappa),
         },
     }
+}
+
+/// From the closed forms r_1, ..., r_n of a mapping that the user wrote down.
+fn of_closed_forms(b: &mut Builder<'_>, form: &Form, r: &[Expression]) -> Taylor {
+    let (stretched, values): (_, Vec<_>) = match form {
+        Form::Kappa(kappa) => {
+            (b.scalar(&kappa.form), r.iter().map(|r| Coefficient::Value(b.scalar(r))).collect())
+        }
+        Form::Complement(form) => {
+            let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, form)) };
+            let point = around(1, stretched);
+            let value = |r| {
+                let series = b.series(r, &point);
+                b.value_at(&series)
+            };
+            let values = r.iter().map(value).collect();
+            (stretched.unwrap_or_else(|| b.integer(0)), values)
+        }
+    };
+    let r1 = b.coefficient(&values[0]);
+    let one = b.integer(1);
+    let base_inverse = b.div(one, r1);
+    let base_inverse = b.name(base_inverse, "inv_r1", "1/r1 = kappa'");
+    let factorials = factorials(r.len()).into_iter().map(BigRational::from_integer);
+    let tail = values
+        .iter()
+        .zip(factorials.skip(1))
+        .skip(1)
+        .map(|(value, factorial)| {
+            let ratio = b.times(value, &Coefficient::Value(base_inverse));
+            b.over(&ratio, &Coefficient::Exact(factorial))
+        })
+        .collect();
+    Taylor { r1, base_inverse, tail, unit: None, stretched }
 }
 
 /// From kappa in the time-to-go, by the stretched-time derivative D = r_1 d/dDt. With T (1 - s) in

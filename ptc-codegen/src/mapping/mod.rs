@@ -66,6 +66,21 @@ impl Mapping {
         result
     }
 
+    /// A mapping of which nothing is known but r_1, ..., r_order: its B_{i,j} are the Bell
+    /// polynomials in free r_k, for D r_k = r_{k+1}.
+    pub fn free(order: usize) -> Self {
+        let r = |k| Symbol::indexed(Kind::R, k);
+        Self {
+            base: Poly::one(),
+            base_inverse: None,
+            r1: Poly::symbol(r(1)),
+            derivations: (1..=order).map(|k| (r(k), Poly::symbol(r(k + 1)))).collect(),
+            reciprocals: Vec::new(),
+            evaluated: Vec::new(),
+            rate: Poly::one(),
+        }
+    }
+
     /// An abstract mapping s = kappa whose derivatives s', s'', ..., s^(order) stay symbols.
     pub fn symbolic(order: usize) -> Self {
         let s = |k| Poly::symbol(Symbol::indexed(Kind::Derivative, k));

@@ -19,14 +19,20 @@ pub fn control(family: Family, precision: Precision) -> f64 {
     }
 }
 
+/// What one with a mapping of the user's own may be wrong by. It is evaluated as its expression
+/// says, with what cancels in it: a sum of several kappa loses some digits that a family's closed
+/// form keeps.
+pub fn custom(precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => 2e-12,
+        Precision::F32 => 2e-4,
+    }
+}
+
 /// The same for the mapping of a spec.
-///
-/// A mapping of the user's own is evaluated as its expression says, with what cancels in it: a sum
-/// of several kappa loses some digits that a family's closed form keeps.
 pub fn of(spec: &Spec) -> f64 {
-    match (spec.family(), spec.precision) {
-        (Some(family), precision) => control(family, precision),
-        (None, Precision::F64) => 2e-12,
-        (None, Precision::F32) => 2e-4,
+    match spec.family() {
+        Some(family) => control(family, spec.precision),
+        None => custom(spec.precision),
     }
 }

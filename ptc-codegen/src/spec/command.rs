@@ -2,6 +2,7 @@
 
 use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping, What};
 use crate::algebra::BigRational;
+use crate::expansion::Expanded;
 use crate::expression::Subject;
 use crate::mapping::Family;
 
@@ -45,6 +46,10 @@ impl Spec {
             words.push(format!("--param \"{}=[{least},{greatest}]\"", parameter.spelling()));
         }
         words.extend(self.promise_words());
+        // The closed forms of a family are the same from every engine.
+        if let Some(Expanded::Custom { engine, .. }) = &self.expanded {
+            words.push(format!("--engine {engine}"));
+        }
         words.join(" ")
     }
 

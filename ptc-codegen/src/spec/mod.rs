@@ -20,6 +20,7 @@ pub use value::{Argument, Node, Operator, Value, number};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::BigRational;
+use crate::expansion::{ClosedForms, Expanded};
 use crate::expression::{Expression, Variable};
 use crate::mapping::{Custom, Family, Mapping};
 
@@ -140,6 +141,8 @@ pub struct Spec {
     pub poles: Vec<(BigRational, BigRational)>,
     /// What the checks hold the design to.
     pub promises: Promises,
+    /// The closed forms, where another engine than the library's own has made them.
+    pub expanded: Option<Expanded>,
 }
 
 impl Spec {
@@ -165,6 +168,7 @@ impl Spec {
             bounds: BTreeMap::new(),
             poles: Vec::new(),
             promises: Promises::default(),
+            expanded: None,
         }
     }
 
@@ -273,6 +277,11 @@ impl Spec {
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
         self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))
+    }
+
+    /// The closed forms of its family from another engine than the library's own.
+    pub fn closed_forms(&self) -> Option<&ClosedForms> {
+        self.expanded.as_ref().and_then(Expanded::family)
     }
 
     /// The time mapping as a differential ring; none for one that the user wrote down.

@@ -1,14 +1,12 @@
 //! `show law`: the linear law with the gains as they are computed.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
-use ptc_codegen::expansion;
 use ptc_codegen::law::{Form, Law};
-use ptc_codegen::mapping::Mapping;
 
 use super::sheet::{Block, Forms, Sheet};
 
-/// Writes the law; `fix` puts in the parameters whose values are known.
-pub(super) fn write(sheet: &mut Sheet, law: &Law, mapping: &Mapping, fix: impl Fn(&Poly) -> Poly) {
+/// Writes the law of a mapping with these r_k; `fix` puts in the parameters whose values are known.
+pub(super) fn write(sheet: &mut Sheet, law: &Law, r: &[Poly], fix: impl Fn(&Poly) -> Poly) {
     let n = law.n;
     sheet.heading.push("pi0 = -(k1*xi_1 + ... + kn*xi_n), g = 1".to_owned());
     match &law.form {
@@ -27,7 +25,7 @@ pub(super) fn write(sheet: &mut Sheet, law: &Law, mapping: &Mapping, fix: impl F
         }
         Form::Series | Form::State => {
             sheet.blocks.push(series(n));
-            let r = expansion::r(mapping, n).iter().map(&fix).collect();
+            let r = r.iter().map(&fix).collect();
             sheet.forms(Forms::counted("r", &["k"], r));
         }
     }

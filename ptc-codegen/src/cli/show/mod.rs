@@ -1,5 +1,6 @@
 //! `show`: the expansions behind a controller, in text, LaTeX or JSON.
 
+mod abstracts;
 mod json;
 mod latex;
 mod law;
@@ -9,12 +10,12 @@ mod text;
 use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::expansion::{self, bell::bell_table, letter};
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::{Family, Mapping};
 use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value};
 
 use super::args::{Format, Show, Subject};
+use super::engine::{Engine, Part};
 use super::report::Failure;
 use super::source::Source;
 use sheet::{Block, Form, Forms, Layout, Sheet};
@@ -25,8 +26,10 @@ const MAX_ABSTRACT_ORDER: usize = 30;
 /// Runs `show`.
 pub(crate) fn show(request: &Show) -> Result<String, Failure> {
     let sheet = match ask(request)? {
-        Asked::Abstract(n) => of_abstract(request.subject, n),
-        Asked::Family(spec, family, ring) => of_family(request.subject, &spec, family, &ring),
+        Asked::Abstract(n) => of_abstract(request.subject, n, request.engine.engine)?,
+        Asked::Family(spec, family, ring) => {
+            of_family(request.subject, &spec, family, &ring, request.engine.engine)?
+        }
     };
     Ok(match request.format {
         Format::Text => text::render(&sheet),
@@ -118,26 +121,34 @@ fn only_family() -> Diagnostic {
     }
 }
 
-fn of_abstract(subject: Subject, n: usize) -> Sheet {
+fn of_abstract(subject: Subject, n: usize, engine: Engine) -> Result<Sheet, Failure> {
     let mut sheet = Sheet::new("s = kappa(Dt), an abstract time mapping, and its derivatives");
     match subject {
-        Subject::SmallR => sheet.forms(small_r(letter::r(n))),
-        Subject::BigR => sheet.forms(big_r("R", Layout::List, n)),
+        Subject::SmallR => sheet.forms(small_r(abstracts::r(engine, n)?)),
+        Subject::BigR => sheet.forms(big_r("R", Layout::List, abstracts::big_r(engine, n)?)),
         Subject::Bell => {
             sheet.heading = vec!["B_{i,j}(r_1, r_2, ...) with r1, r2, ... = r_1, r_2, ...".into()];
-            sheet.forms(bell(bell_table(n)));
+            sheet.forms(bell(abstracts::bell(engine, n)?));
         }
-        Subject::Matrix => matrix(&mut sheet, letter::table(n)),
+        Subject::Matrix => matrix(&mut sheet, abstracts::table(engine, n)?),
         Subject::Law => {
             let mapping = Mapping::symbolic(n);
-            law::write(&mut sheet, &Law::new(n, &mapping), &mapping, |poly| poly.clone());
+            let forms = engine.expand(n, &mapping, Part::All)?;
+            let law = Law::new(n, &mapping, Some(&forms));
+            law::write(&mut sheet, &law, &forms.r, |poly| poly.clone());
         }
-        Subject::Tables => tables(&mut sheet, n),
+        Subject::Tables => tables(&mut sheet, engine, n)?,
     }
-    sheet
+    Ok(sheet)
 }
 
-fn of_family(subject: Subject, spec: &Spec, family: Family, mapping: &Mapping) -> Sheet {
+fn of_family(
+    subject: Subject,
+    spec: &Spec,
+    family: Family,
+    mapping: &Mapping,
+    engine: Engine,
+) -> Result<Sheet, Failure> {
     let info = family.info();
     let mut sheet = Sheet::new(&format!("{}: mu(t) = {}", info.name, info.mu));
     sheet.heading.push(format!("where {}", info.atoms));
@@ -154,26 +165,31 @@ fn of_family(subject: Subject, spec: &Spec, family: Family, mapping: &Mapping) -
         })
     };
     let fix_all = |polys: Vec<Poly>| polys.iter().map(fixed).collect::<Vec<_>>();
-    let table = || expansion::table(mapping, spec.n).into_iter().map(fix_all).collect::<Vec<_>>();
+    // The law of a mapping whose r_1 is no single term holds r_k and no B_{i,j}.
+    let series = subject == Subject::Law && mapping.r1.inverse().is_none();
+    let part = if subject == Subject::SmallR || series { Part::R } else { Part::All };
+    let forms = engine.expand(spec.n, mapping, part)?;
+    let table = || forms.bell.iter().cloned().map(fix_all).collect::<Vec<_>>();
     match subject {
         Subject::Bell => sheet.forms(bell(table())),
         Subject::Matrix => matrix(&mut sheet, table()),
-        Subject::Law => law::write(&mut sheet, &Law::new(spec.n, mapping), mapping, fixed),
+        Subject::Law => {
+            let law = Law::new(spec.n, mapping, Some(&forms));
+            law::write(&mut sheet, &law, &forms.r, fixed);
+        }
         Subject::SmallR | Subject::BigR | Subject::Tables => {
-            sheet.forms(small_r(fix_all(expansion::r(mapping, spec.n))));
+            sheet.forms(small_r(fix_all(forms.r)));
         }
     }
-    sheet
+    Ok(sheet)
 }
 
 fn small_r(r: Vec<Poly>) -> Forms {
     Forms::counted("r", &["k"], r)
 }
 
-fn big_r(key: &'static str, layout: Layout, n: usize) -> Forms {
-    let index = (0..n).flat_map(|k| (0..=k).map(move |m| (k, m)));
-    let forms = index.map(|(k, m)| Form { index: vec![k, m], poly: letter::big_r(k, m) });
-    let forms = forms.collect();
+fn big_r(key: &'static str, layout: Layout, table: Vec<Vec<Poly>>) -> Forms {
+    let forms = entries(table, 0);
     Forms { key, stem: "R", latex: "R", index: &["k", "m"], forms, layout }
 }
 
@@ -211,13 +227,15 @@ fn entries(table: Vec<Vec<Poly>>, first: usize) -> Vec<Form> {
     table.into_iter().enumerate().flat_map(row).collect()
 }
 
-fn tables(sheet: &mut Sheet, n: usize) {
+fn tables(sheet: &mut Sheet, engine: Engine, n: usize) -> Result<(), Failure> {
     let caption = "Table A1: R_{k,m}";
-    sheet.forms(big_r("A1", Layout::Table { caption, latex: "Table A1: $R_{k,m}$" }, n));
+    let layout = Layout::Table { caption, latex: "Table A1: $R_{k,m}$" };
+    sheet.forms(big_r("A1", layout, abstracts::big_r(engine, n)?));
     let caption = "Table A2: r_k, with r_{k+1} = s'^-(k+1) sum_{m=0..k} (-1)^m s'^-m R_{k,m}";
     let latex =
         r"Table A2: $r_k$, with $r_{k+1} = (s')^{-(k+1)} \sum_{m=0}^{k} (-1)^m (s')^{-m} R_{k,m}$";
-    let mut r = small_r(letter::r(n));
+    let mut r = small_r(abstracts::r(engine, n)?);
     (r.key, r.layout) = ("A2", Layout::Table { caption, latex });
     sheet.blocks.push(Block::Forms(r));
+    Ok(())
 }

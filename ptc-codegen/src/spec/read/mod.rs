@@ -147,6 +147,7 @@ impl<'a> Reader<'a> {
             bounds: BTreeMap::new(),
             poles: law.poles,
             promises,
+            expanded: None,
         };
         if spec.what == What::Associated {
             self.associated(&mut spec);

@@ -1,0 +1,216 @@
+//! A worker as a child process: a request goes in, an answer comes out, or one clear error.
+
+use std::io::{self, Read, Write};
+use std::path::PathBuf;
+use std::process::{Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+use std::{fmt, thread};
+
+use serde_json::Value;
+
+/// What stands before an answer in its line: all other lines are what Symbolica tells a user.
+pub(super) const MARK: &str = "ptc-answer: ";
+
+/// What a worker ends with where it does not understand its request.
+pub(super) const REFUSED: u8 = 3;
+
+/// Time between two looks at the child.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// Last lines of a child that are told with an error.
+const SAID: usize = 12;
+
+/// Why there is no answer.
+#[derive(Debug)]
+pub(super) enum Wrong {
+    /// The child cannot be started, or waited for.
+    Start(io::Error),
+    /// The lock cannot be had, for want of a place.
+    Place(PathBuf, io::Error),
+    /// The lock was held too long.
+    Busy(PathBuf, Duration),
+    /// The child took too long.
+    Late(Duration),
+    /// The child aborted, with what it said.
+    Aborted(String),
+    /// The child ended otherwise than by an answer, with what it said.
+    Ended(ExitStatus, String),
+    /// The child did not understand its request, with what it said.
+    Refused(String),
+    /// What the child answered.
+    Garbled(String),
+}
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Start(error) => write!(f, "Symbolica's process cannot be run: {error}"),
+            Self::Place(path, error) => write!(f, "cannot lock {}: {error}", path.display()),
+            Self::Busy(path, limit) => write!(
+                f,
+                "another ptc-codegen has used Symbolica for more than {limit:?}: it holds {}",
+                path.display()
+            ),
+            Self::Late(limit) => write!(f, "Symbolica gave no answer within {limit:?}"),
+            Self::Aborted(_) => {
+                f.write_str("Symbolica aborted, as it does where its licence does not let it run")
+            }
+            Self::Ended(status, _) => {
+                write!(f, "Symbolica's process ended without an answer, by {status}")
+            }
+            Self::Refused(_) => f.write_str("Symbolica's process did not understand its request"),
+            Self::Garbled(_) => {
+                f.write_str("Symbolica's process gave an answer that is no closed form")
+            }
+        }
+    }
+}
+
+impl Wrong {
+    /// What the child said, by lines.
+    pub(super) fn said(&self) -> Vec<String> {
+        let (Self::Aborted(said)
+        | Self::Ended(_, said)
+        | Self::Refused(said)
+        | Self::Garbled(said)) = self
+        else {
+            return Vec::new();
+        };
+        let frame = |c: char| c.is_whitespace() || ('\u{2500}'..='\u{257f}').contains(&c);
+        let lines = said.lines().map(|line| line.trim_matches(frame)).filter(|l| !l.is_empty());
+        let lines: Vec<String> = lines.map(|line| line.chars().take(120).collect()).collect();
+        lines[lines.len().saturating_sub(SAID)..].to_vec()
+    }
+}
+
+/// Runs `command` on `request` for at most `limit` and reads its answer. What it says to the user
+/// beside that goes to the standard error.
+pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Result<Value, Wrong> {
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(Wrong::Start)?;
+    if let Some(mut input) = child.stdin.take() {
+        let request = request.to_owned();
+        // A child that reads nothing is told of by how it ends.
+        thread::spawn(move || input.write_all(request.as_bytes()));
+    }
+    let (output, complaint) = (drain(child.stdout.take()), drain(child.stderr.take()));
+    let began = Instant::now();
+    let status = loop {
+        match child.try_wait() {
+            Ok(Some(status)) => break status,
+            Ok(None) if began.elapsed() < limit => thread::sleep(PAUSE),
+            late => {
+                // It may have ended by itself meanwhile.
+                let _ = child.kill();
+                let _ = child.wait();
+                return Err(late.map_or_else(Wrong::Start, |_| Wrong::Late(limit)));
+            }
+        }
+    };
+    let output = output.recv().unwrap_or_default();
+    let said = || format!("{output}\n{}", complaint.recv().unwrap_or_default());
+    if !status.success() {
+        return Err(match status.code() {
+            _ if aborted(status) => Wrong::Aborted(said()),
+            Some(code) if code == i32::from(REFUSED) => Wrong::Refused(said()),
+            _ => Wrong::Ended(status, said()),
+        });
+    }
+    let (answer, said): (Vec<_>, Vec<_>) =
+        said().lines().map(str::to_owned).partition(|line| line.starts_with(MARK));
+    let read = |line: &String| serde_json::from_str(line.strip_prefix(MARK)?).ok();
+    let answer = answer.first().and_then(read).ok_or_else(|| {
+        let lines = answer.iter().chain(&said).cloned().collect::<Vec<_>>();
+        Wrong::Garbled(lines.join("\n"))
+    })?;
+    // Where the standard error is closed there is nobody left to tell.
+    let _ = io::stderr().write_all(said.join("\n").trim_matches('\n').as_bytes());
+    let _ = io::stderr().write_all(b"\n");
+    Ok(answer)
+}
+
+/// All that a pipe gives, read beside what else goes on so that the child never waits for it.
+fn drain(pipe: Option<impl Read + Send + 'static>) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(mut pipe) = pipe {
+            let _ = pipe.read_to_end(&mut bytes);
+        }
+        // Nobody is left to read where the child was late.
+        let _ = sender.send(String::from_utf8_lossy(&bytes).into_owned());
+    });
+    receiver
+}
+
+#[cfg(unix)]
+fn aborted(status: ExitStatus) -> bool {
+    use std::os::unix::process::ExitStatusExt;
+    const SIGABRT: i32 = 6;
+    status.signal() == Some(SIGABRT)
+}
+
+#[cfg(not(unix))]
+fn aborted(status: ExitStatus) -> bool {
+    // How the C library and Rust abort there: by the code 3, and by a fast fail.
+    const FAST_FAIL: i32 = -1_073_740_791;
+    matches!(status.code(), Some(3 | FAST_FAIL))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    /// What a shell in place of a worker brings about.
+    fn shell(script: &str) -> Result<Value, Wrong> {
+        let mut command = Command::new("sh");
+        command.args(["-c", script]);
+        ask(command, "{}", Duration::from_secs(20))
+    }
+
+    #[test]
+    fn an_answer_stands_in_its_own_line() {
+        let answer = shell("echo banner; cat >/dev/null; echo 'ptc-answer: [1]'; echo more");
+        assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
+    }
+
+    #[test]
+    fn each_end_is_told_apart() {
+        for (script, wanted, said) in [
+            ("echo no room >&2; kill -ABRT $$", "Symbolica aborted, as it does", "no room"),
+            ("echo half; kill -KILL $$", "ended without an answer, by signal: 9", "half"),
+            ("echo why >&2; exit 101", "ended without an answer, by exit status: 101", "why"),
+            ("exit 3", "did not understand its request", ""),
+            ("echo nothing", "no closed form", "nothing"),
+            ("echo 'ptc-answer: {\"r\":['", "no closed form", "ptc-answer: {\"r\":["),
+        ] {
+            let wrong = shell(script).expect_err(script);
+            assert!(wrong.to_string().contains(wanted), "{script}: {wrong}");
+            assert_eq!(wrong.said().last().map_or("", String::as_str), said, "{script}");
+        }
+    }
+
+    #[test]
+    fn what_takes_too_long_is_ended() {
+        let mut command = Command::new("sleep");
+        command.arg("60");
+        let began = Instant::now();
+        let wrong = ask(command, "{}", Duration::from_millis(50)).expect_err("no answer");
+        assert_eq!(wrong.to_string(), "Symbolica gave no answer within 50ms");
+        assert!(began.elapsed() < Duration::from_secs(20));
+    }
+
+    #[test]
+    fn what_cannot_start_is_told() {
+        let wrong = ask(Command::new("/nowhere/worker"), "{}", Duration::from_secs(1));
+        assert!(matches!(wrong, Err(Wrong::Start(_))));
+    }
+
+    #[test]
+    fn the_last_lines_are_told_without_their_frame() {
+        let banner: String = (0..40).map(|i| format!("\u{2502} line {i}  \u{2502}\n")).collect();
+        let said = Wrong::Garbled(banner).said();
+        assert_eq!((said.len(), said.last().map(String::as_str)), (SAID, Some("line 39")));
+    }
+}

@@ -1,0 +1,130 @@
+//! Symbolica as an engine, from the side of the program that asks: one request to one worker.
+//!
+//! Symbolica ends its process where its licence does not let it run, and prints to the standard
+//! output. So it lives in a child process, and one child runs at a time.
+
+mod child;
+mod postfix;
+mod turn;
+pub(crate) mod worker;
+
+use std::process::Command;
+use std::time::Duration;
+
+use ptc_codegen::algebra::{Poly, Symbol};
+use ptc_codegen::expansion::ClosedForms;
+use ptc_codegen::expression::{Expression, Variable};
+use ptc_codegen::mapping::{Custom, Form, Mapping};
+use serde_json::{Value, json};
+
+use super::Part;
+use crate::cli::report::Failure;
+use child::Wrong;
+use postfix::{Names, Polynomials};
+
+/// The hidden subcommand that is the worker.
+pub(crate) const WORKER: &str = "symbolica-worker";
+
+/// How long a run waits for its turn, and then for its worker, unless the environment says otherwise.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// The variable of the environment with that time in seconds.
+const PATIENCE_KEY: &str = "PTC_ENGINE_TIMEOUT";
+
+/// The closed forms of a ring: r_1 and D of each atom go to the worker.
+pub(super) fn of_ring(n: usize, ring: &Mapping, part: Part) -> Result<ClosedForms, Failure> {
+    let polys = || ring.derivations.iter().map(|(_, poly)| poly).chain([&ring.r1]);
+    let atoms = ring.derivations.iter().map(|(atom, _)| *atom);
+    let mut symbols: Vec<Symbol> = atoms.chain(polys().flat_map(Poly::symbols)).collect();
+    symbols.sort_unstable();
+    symbols.dedup();
+    let place = |symbol: &Symbol| symbols.binary_search(symbol).unwrap_or(symbols.len());
+    let derivation =
+        |(atom, poly): &(Symbol, Poly)| json!([place(atom), postfix::of_poly(poly, &place)]);
+    let answer = ask(&json!({
+        "n": n,
+        "r1": postfix::of_poly(&ring.r1, &place),
+        "derivations": ring.derivations.iter().map(derivation).collect::<Vec<_>>(),
+        "bell": part == Part::All,
+    }))?;
+    let poly = |text: &Value| {
+        let poly = postfix::read(text.as_str()?, &Polynomials(&symbols))?;
+        Some(ring.canonical(&poly))
+    };
+    let row = |row: &Value| row.as_array()?.iter().map(poly).collect::<Option<Vec<_>>>();
+    let read = || {
+        let r = row(&answer["r"])?;
+        let bell = answer["bell"].as_array()?.iter().map(row).collect::<Option<Vec<_>>>()?;
+        let rows = if part == Part::All { n + 1 } else { 0 };
+        let whole = bell.iter().enumerate().all(|(i, row)| row.len() == i + 1);
+        (r.len() == n && bell.len() == rows && whole).then_some(ClosedForms { r, bell })
+    };
+    read().ok_or_else(|| failure(&Wrong::Garbled(answer.to_string())))
+}
+
+/// r_1, ..., r_n of a mapping that the user wrote down: kappa, or tau - mu, goes to the worker.
+pub(super) fn of_custom(n: usize, custom: &Custom) -> Result<Vec<Expression>, Failure> {
+    let (key, form, variable) = match &custom.form {
+        Form::Kappa(kappa) => ("kappa", &kappa.form, Variable::TimeToGo),
+        Form::Complement(form) => ("complement", form, Variable::SinceStart),
+    };
+    let mut names = Names::new(variable.into());
+    let text = postfix::of_expression(form, &mut names);
+    let answer = ask(&json!({ "n": n, key: text }))?;
+    let read = || {
+        let expression = |text: &Value| postfix::read(text.as_str()?, &names);
+        let r: Option<Vec<_>> = answer["r"].as_array()?.iter().map(expression).collect();
+        r.filter(|r| r.len() == n)
+    };
+    read().ok_or_else(|| failure(&Wrong::Garbled(answer.to_string())))
+}
+
+/// The worker's answer, once no other run has one.
+fn ask(request: &Value) -> Result<Value, Failure> {
+    let patience = patience()?;
+    let turn = turn::take(patience).map_err(|wrong| failure(&wrong))?;
+    let program = std::env::current_exe().map_err(|error| failure(&Wrong::Start(error)))?;
+    let mut command = Command::new(program);
+    command.arg(WORKER);
+    let answer = child::ask(command, &request.to_string(), patience);
+    drop(turn);
+    answer.map_err(|wrong| failure(&wrong))
+}
+
+fn patience() -> Result<Duration, Failure> {
+    let Some(text) = std::env::var_os(PATIENCE_KEY) else { return Ok(PATIENCE) };
+    let seconds = text.to_str().and_then(|text| text.parse().ok());
+    seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).ok_or_else(|| {
+        Failure::because(
+            format!("{PATIENCE_KEY} is `{}`, which is no time", text.display()),
+            "give a number of seconds, for example 300",
+        )
+    })
+}
+
+/// What is told of a worker that gave no closed forms.
+fn failure(wrong: &Wrong) -> Failure {
+    let leave = "or leave `--engine` out";
+    let help = match wrong {
+        Wrong::Start(_) => format!("see that this program's file can be run, {leave}"),
+        Wrong::Place(..) => {
+            format!("give a file that can be locked in {}, {leave}", turn::FILE_KEY)
+        }
+        Wrong::Busy(..) | Wrong::Late(_) => {
+            format!("wait for it to end, give more seconds in {PATIENCE_KEY}, {leave}")
+        }
+        Wrong::Aborted(_) => format!(
+            "without a licence key Symbolica runs once for each user: end the other program that uses it, set \
+             a key (https://symbolica.io/license/), {leave}"
+        ),
+        Wrong::Ended(..) => format!("try again; where memory is short give a lower n, {leave}"),
+        Wrong::Refused(_) | Wrong::Garbled(_) => {
+            format!("this is a mistake in ptc-codegen: report it with the command, {leave}")
+        }
+    };
+    let mut failure = Failure::because(wrong.to_string(), &help);
+    for notice in &mut failure.notices {
+        notice.notes.extend(wrong.said());
+    }
+    failure
+}
