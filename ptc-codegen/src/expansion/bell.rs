@@ -157,4 +157,19 @@ mod tests {
             Poly::term(integer(1), Monomial::power(Symbol::indexed(Kind::R, 1), 30))
         );
     }
+
+    /// The sum of the coefficients of B_{i,j} is the number of ways to split i things into j parts,
+    /// which the Stirling numbers count; beyond 34 the factorials leave machine integers.
+    #[test]
+    fn coefficients_are_counts_of_any_size() {
+        let sum = |i, j| bell(i, j).terms().fold(integer(0), |sum, (_, c)| sum + c);
+        let power = |base: i64, exponent| num_traits::pow(integer(base), exponent);
+        for i in [5, 34, 35, 40] {
+            let two = power(2, i - 1) - integer(1);
+            assert_eq!(sum(i, 2), two, "S({i}, 2)");
+            let three = (power(3, i) - integer(3) * power(2, i) + integer(3)) / integer(6);
+            assert_eq!(sum(i, 3), three, "S({i}, 3)");
+        }
+        assert_eq!(text(&bell(36, 35)), "630*r1^34*r2");
+    }
 }

@@ -83,3 +83,18 @@ pub fn b(mapping: &Mapping, n: usize) -> Vec<Poly> {
     last.truncate(n);
     last
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text;
+
+    #[test]
+    fn the_matrix_and_its_next_row_are_those_of_the_letter() {
+        let free = Mapping::free(3);
+        let texts = |row: &[Poly]| row.iter().map(text).collect::<Vec<_>>();
+        let rows: Vec<_> = matrix(&free, 3).iter().map(|row| texts(row)).collect();
+        assert_eq!(rows, [["1", "0", "0"], ["0", "r1", "0"], ["0", "r2", "r1^2"]]);
+        assert_eq!(texts(&b(&free, 3)), ["0", "r3", "3*r1*r2"]);
+    }
+}
