@@ -19,6 +19,7 @@ pub mod expression;
 pub mod law;
 pub mod lower;
 pub mod mapping;
+pub mod plant;
 pub mod program;
 pub mod reference;
 pub mod selftest;

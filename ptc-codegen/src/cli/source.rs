@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
 
 use super::report::{Failure, Notice, Quote, quoted};
@@ -129,11 +130,19 @@ impl Parsed<'_> {
 
     /// The spec that the file and the flags ask for.
     pub(crate) fn read(&self) -> Result<Spec, Failure> {
-        let (spec, found) = match read(&self.entries) {
-            Ok(spec) => (Some(spec), Vec::new()),
-            Err(found) => (None, found),
-        };
-        self.finish(spec, found)
+        self.read_with_plant().map(|(spec, _)| spec)
+    }
+
+    /// The same with the plant, if the design has one.
+    pub(crate) fn read_with_plant(&self) -> Result<(Spec, Option<Plant>), Failure> {
+        let read = read(&self.entries).and_then(|spec| {
+            let plant = plant::read(&self.entries, &spec)?;
+            Ok((spec, plant))
+        });
+        match read {
+            Ok(both) => self.finish(Some(both), Vec::new()),
+            Err(found) => self.finish(None, found),
+        }
     }
 
     /// `value`, unless something was wrong with what was given or is told in `found`.
