@@ -23,6 +23,8 @@ pub mod plant;
 pub mod program;
 pub mod reference;
 pub mod selftest;
+#[cfg(feature = "simulation")]
+pub mod simulate;
 pub mod spec;
 
 use check::examine::examine;
