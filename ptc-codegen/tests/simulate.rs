@@ -38,7 +38,7 @@ fn continuous(text: &str, set: &[(Parameter, f64)], x0: &[f64], shares: &[f64]) 
 }
 
 /// T/tau from 1 to 1e-9.
-fn shares() -> Vec<f64> {
+fn shares_to_the_end() -> Vec<f64> {
     (0..=90).map(|i| 10f64.powf(-f64::from(i) / 10.0)).collect()
 }
 
@@ -51,14 +51,14 @@ fn close(found: f64, wanted: f64, what: &str) {
 fn exact_solutions_of_order_1_and_2() {
     let first = "n = 1\nmu = \"exp(a=0.1)\"\ngains = 1\ntau = 1\n";
     for (share, x, _) in
-        continuous(&first.replace("gains = 1", "gains = [1]"), &[], &[2.0], &shares())
+        continuous(&first.replace("gains = 1", "gains = [1]"), &[], &[2.0], &shares_to_the_end())
     {
         close(x[0], 2.0 * share.powi(10), "order 1");
         let part = x[0] / (2.0 * share.powi(10));
         assert!((part - 1.0).abs() < 1e-10, "x keeps its digits at {share:e}: {part}");
     }
     let second = "n = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\ntau = 1\n";
-    for (t, x, u) in continuous(second, &[], &[1.0, 0.0], &shares()) {
+    for (t, x, u) in continuous(second, &[], &[1.0, 0.0], &shares_to_the_end()) {
         close(x[0], 3.0 * t * t - 2.0 * t * t * t, "x1");
         close(x[1], -6.0 * t + 6.0 * t * t, "x2");
         close(u, 3.0 - 6.0 * t, "u");
@@ -69,7 +69,7 @@ fn exact_solutions_of_order_1_and_2() {
 #[test]
 fn the_exact_solution_of_the_rational_family() {
     let text = "n = 2\nmu = \"rational(a=1)\"\ngains = [1, 2]\ntau = 10\n";
-    for (share, x, _) in continuous(text, &[], &[-1.0, -1.0], &shares()) {
+    for (share, x, _) in continuous(text, &[], &[-1.0, -1.0], &shares_to_the_end()) {
         let s = (1.0 - share) / share;
         let slope = 10.0 / (share * 10.0).powi(2);
         close(x[0], -(1.0 + 11.0 * s) * (-s).exp(), "x1");
@@ -81,18 +81,45 @@ const EXAMPLE: &str = include_str!("../../tests/designs/example4.toml");
 
 const PLANT: &str = "\n[plant]\nf = \"0.1 - t^3*exp(-t)*sin(x1/(u + 0.001)) - 0.5*u\"\n";
 
+/// tau, t/tau, x and u from x(0) = 1, by tools/example4.py.
+const FIGURE_1: [(f64, f64, f64, f64); 15] = [
+    (1.0, 0.01, 0.5198589312448563, -31.204202622268294),
+    (1.0, 0.1, 0.13339577672445824, -3.172723239591071),
+    (1.0, 0.5, 0.007532663939375625, -0.2524594676761148),
+    (1.0, 0.9, 0.0013992587630849323, -0.2318719720532364),
+    (1.0, 0.99, 0.0001379590072062699, -0.22808862579191128),
+    (2.0, 0.01, 0.5204151804186649, -15.648789831043572),
+    (2.0, 0.1, 0.13779072947295648, -1.6536302801005023),
+    (2.0, 0.5, 0.016121105604107296, -0.2744500405277648),
+    (2.0, 0.9, 0.003091025725642942, -0.25689842417130937),
+    (2.0, 0.99, 0.0002792721971043827, -0.2309207078576544),
+    (5.0, 0.01, 0.5220805312296891, -6.315789470861373),
+    (5.0, 0.1, 0.15213174520140382, -0.7525604180713475),
+    (5.0, 0.5, 0.07661233692713434, -0.585205423575285),
+    (5.0, 0.9, 0.009130466349755954, -0.30690737600098206),
+    (5.0, 0.99, 0.0007079424476619864, -0.23433208893668342),
+];
+
 #[test]
 fn example_4_of_the_letter() {
     let text = format!("{EXAMPLE}{PLANT}");
-    for (tau, wanted) in [(1.0, 0.007532663939), (2.0, 0.016121105604), (5.0, 0.076612336927)] {
-        let shares = [0.5, 1e-6, 1e-9];
+    for values in FIGURE_1.chunks(5) {
+        let tau = values[0].0;
+        let shares: Vec<_> = values.iter().map(|(_, part, ..)| 1.0 - part).collect();
         let seen = continuous(&text, &[(Parameter::Tau, tau)], &[1.0], &shares);
-        let x = seen[0].1[0];
-        assert!((x - wanted).abs() <= 1e-12, "tau = {tau}: {x}, {:e} off", x - wanted);
-        for (share, x, u) in &seen[1..] {
-            let slope = x[0] / (share * tau);
-            assert!((slope - 12.1 / 879.0).abs() <= 1e-6, "tau = {tau}, {share:e}: {slope}");
-            assert!((u + 200.0 / 879.0).abs() <= 1e-5, "tau = {tau}, {share:e}: {u}");
+        for ((_, part, wanted, wanted_u), (_, x, u)) in values.iter().zip(seen) {
+            assert!((x[0] - wanted).abs() <= 1e-13, "tau = {tau} at {part}: {} {wanted}", x[0]);
+            assert!((u / wanted_u - 1.0).abs() <= 1e-11, "tau = {tau} at {part}: {u} {wanted_u}");
+        }
+        for (share, x, u) in
+            continuous(&text, &[(Parameter::Tau, tau)], &[1.0], &shares_to_the_end())
+        {
+            assert!(x[0].abs() <= 1.1, "|x| stays below phi |x(0)|: {}", x[0]);
+            if share <= 1e-7 {
+                let slope = x[0] / (share * tau);
+                assert!((slope - 12.1 / 879.0).abs() <= 1e-8, "tau = {tau}, {share:e}: {slope}");
+                assert!((u + 200.0 / 879.0).abs() <= 1e-6, "tau = {tau}, {share:e}: {u}");
+            }
         }
     }
 }
@@ -146,7 +173,7 @@ fn both_sides_of_the_equivalence_agree() {
 #[test]
 fn a_disturbance_of_the_rational_family_is_followed_to_the_end() {
     let text = "n = 1\nmu = \"rational(a=1)\"\ngains = [3]\ntau = 2\n[plant]\nf = 1\n";
-    for (share, x, u) in continuous(text, &[], &[1.0], &shares()) {
+    for (share, x, u) in continuous(text, &[], &[1.0], &shares_to_the_end()) {
         let time_to_go = 2.0 * share;
         let balance = time_to_go.powi(2) / 6.0 * (1.0 + time_to_go / 3.0);
         if share < 1e-3 {

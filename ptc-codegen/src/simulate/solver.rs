@@ -101,10 +101,11 @@ pub(super) fn integrate<F: Fn(f64, &State, &mut State)>(
             .atol(vec![accuracy.absolute; MAX_ORDER])
             .h0(h)
             .max_steps(usize::MAX);
-        implicit.init(system, at, last.max(at + 2.0 * h), state).map(|_| implicit)
+        let begun = implicit.init(system, at, last.max(at + 2.0 * h), state);
+        begun.map(|_| implicit).map_err(|error| failure(&error))
     };
     let (at, state, h) = (explicit.t(), *explicit.y(), explicit.h());
-    let mut implicit = restarted(at, &state, h).map_err(|error| (at, failure(&error)))?;
+    let mut implicit = restarted(at, &state, h).map_err(|failure| (at, failure))?;
     let many = || {
         Failure::new(
             format!("the integration takes more than {} steps", accuracy.steps),
@@ -125,6 +126,9 @@ fn here(method: &impl OrdinaryNumericalMethod<f64, State>) -> (f64, State) {
     (method.t(), *method.y())
 }
 
+/// What gives a method another step.
+type SetStep<'a, M> = &'a dyn Fn(&mut M, f64) -> Result<(), Failure>;
+
 /// What is left of a run.
 struct Pass<'a> {
     points: &'a [f64],
@@ -138,7 +142,7 @@ impl Pass<'_> {
         &mut self,
         method: &mut M,
         system: &Rates<F>,
-        set_step: &dyn Fn(&mut M, f64) -> Result<(), Error<f64, State>>,
+        set_step: SetStep<'_, M>,
         visit: &mut dyn FnMut(usize, f64, &State),
     ) -> Result<(), (f64, Option<Failure>)>
     where
@@ -158,11 +162,11 @@ impl Pass<'_> {
             }
             self.left -= 1;
             let cut = at + wanted > *point;
-            let failed = |error| (at, Some(failure(&error)));
+            let failed = |failure| (at, Some(failure));
             if cut {
                 set_step(method, point - at).map_err(failed)?;
             }
-            method.step(system).map_err(failed)?;
+            method.step(system).map_err(|error| (at, Some(failure(&error))))?;
             let longer = method.h().max(wanted);
             if cut && method.t() > at && longer > method.h() {
                 set_step(method, longer).map_err(failed)?;
