@@ -20,6 +20,8 @@ pub mod law;
 pub mod lower;
 pub mod mapping;
 pub mod plant;
+#[cfg(feature = "simulation")]
+pub mod plot;
 pub mod program;
 pub mod reference;
 pub mod selftest;

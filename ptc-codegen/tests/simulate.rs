@@ -185,3 +185,18 @@ fn a_disturbance_of_the_rational_family_is_followed_to_the_end() {
         }
     }
 }
+
+/// Of order 3 the later states are far below the rounding of the first one's part in their rate.
+#[test]
+fn a_disturbance_of_a_higher_order_does_not_stop_the_integration() {
+    let text = "n = 3\nmu = \"rational(a=1)\"\npoles = [-4, -5, -6]\ntau = 2\nu_max = 50\n\
+                [plant]\nf = \"0.3*sin(5*t) - d*x2*abs(x2)\"\ng = 0.9\nd = 0.1\n";
+    let seen = continuous(text, &[], &[1.0, -0.4, 0.3], &shares_to_the_end());
+    let (share, x, u) = seen.last().expect("an end");
+    // The balance of f + 0.9 u = 0, and of xi_3' = r_1^3 f_mu - 120 xi_1 with f_mu = f + (0.9 - 1) u.
+    let f = 0.3 * 10f64.sin();
+    let r1 = (2.0 * share).powi(2) / 2.0;
+    assert!((u + f / 0.9).abs() < 1e-6, "{u}");
+    let balance = r1.powi(3) * (f / 0.9) / 120.0;
+    assert!((x[0] / balance - 1.0).abs() < 1e-4, "{} {balance}", x[0]);
+}

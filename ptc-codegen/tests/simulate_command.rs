@@ -69,6 +69,15 @@ fn the_csv_holds_what_was_asked_for() {
     assert_eq!(told, "wrote out/run.csv\n");
     assert_eq!(fs::read_to_string(folder.join("out/run.csv")).expect("a file"), several);
     assert_eq!(fs::read_dir(folder.join("out")).expect("a folder").count(), 1);
+
+    let told =
+        stdout(&folder, &["stage.toml", "--x0=1,0", "-o", "out/one.csv", "--plot", "out/run.svg"]);
+    assert_eq!(told, "wrote out/one.csv\nwrote out/run.svg\n");
+    let svg = fs::read_to_string(folder.join("out/run.svg")).expect("a file");
+    assert!(svg.contains("stage: n = 2, exp, continuous") && svg.contains("tau = 1 s"));
+    let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--at=0.5", "--plot", "out/run.PNG"]);
+    assert!(told.starts_with("tau,t,") && told.lines().count() == 2, "the CSV alone: {told}");
+    assert!(fs::read(folder.join("out/run.PNG")).expect("a file").starts_with(b"\x89PNG"));
 }
 
 #[test]
@@ -166,6 +175,14 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             &["cannot make the folder stage.toml"],
         ),
         (&["stage.toml", "--x0=1,0", "-o", "."], &["cannot write ."]),
+        (
+            &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
+            &["`run.pdf` says no kind", ".svg or .png"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],
+            &["cannot make the folder"],
+        ),
     ] {
         let (code, out, told) = run(&folder, arguments);
         assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments:?}: {told}");

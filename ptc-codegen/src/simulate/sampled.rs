@@ -6,7 +6,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::plant::Motion;
-use super::solver::{Rates, State, integrate};
+use super::solver::{Rates, State, across};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::plant::Plant;
 use crate::spec::{Parameter, Spec};
@@ -44,7 +44,7 @@ pub struct Sampled {
 }
 
 /// Accuracy of the motion between two samples, where u is constant.
-const BETWEEN: Accuracy = Accuracy { relative: 1e-11, absolute: 1e-14, steps: 10_000 };
+const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
 
 impl Sampled {
     /// The loop of a controller and a plant, to be run with many values.
@@ -114,11 +114,7 @@ impl Sampled {
             let t = from + (to - from) * s;
             rates[n - 1] = (to - from) * motion.borrow_mut().last(t, &x.as_slice()[..n], u);
         };
-        let mut end = x;
-        let mut seen = |_, _, x: &State| end = *x;
-        integrate(&Rates { order: n, rates }, x, &[0.0, 1.0], BETWEEN, &mut seen)
-            .map_err(|(_, failure)| failure)?;
-        Ok(end)
+        across(&Rates { order: n, rates }, x, BETWEEN)
     }
 }
 

@@ -64,70 +64,164 @@ pub(super) fn integrate<F: Fn(f64, &State, &mut State)>(
     visit: &mut dyn FnMut(usize, f64, &State),
 ) -> Result<(), (f64, Failure)> {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok(()) };
-    // The error is a mean over all components, most of which may be unused.
-    #[allow(clippy::cast_precision_loss)]
-    let relative = accuracy.relative * (system.order as f64 / MAX_ORDER as f64).sqrt();
-    // As many as the order of the method takes for the accuracy.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let most = (EXPLICIT * (1e-12 / accuracy.relative).powf(0.125)) as usize;
     visit(0, *first, &start);
-    if points.len() == 1 {
-        return Ok(());
-    }
+    let wanted = Wanted::new(system.order, accuracy);
     let mut explicit = ExplicitRungeKutta::dop853()
-        .rtol(relative)
-        .atol(accuracy.absolute)
-        .h0(1e-3)
+        .rtol(wanted.relative)
+        .atol(wanted.floors(&start).to_vec())
+        .h0(FIRST)
         .max_steps(usize::MAX);
     let begun = explicit.init(system, *first, last.max(first + 1.0), &start);
     begun.map_err(|error| (*first, failure(&error)))?;
+    // As many as the order of the method takes for the accuracy.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let most = (EXPLICIT * (1e-12 / accuracy.relative).powf(0.125)) as usize;
     let mut pass = Pass { points, next: 1, left: most.min(accuracy.steps) };
-    let cut = |method: &mut _, h| {
-        OrdinaryNumericalMethod::<f64, State>::set_h(method, h);
+    let set_step = of(&explicit, |method, h| {
+        method.set_h(h);
         Ok(())
-    };
-    match pass.run(&mut explicit, system, &cut, visit) {
-        Ok(()) => return Ok(()),
-        Err((at, Some(failure))) if !explicit.y().iter().all(|x| x.is_finite()) => {
-            return Err((at, failure));
+    });
+    let weigh = of(&explicit, |method, _| {
+        for (i, floor) in wanted.floors(method.y()).into_iter().enumerate() {
+            method.atol[i] = floor;
         }
-        Err(_) => {}
+        Ok(())
+    });
+    match pass.run(&mut explicit, system, (&set_step, &weigh), visit) {
+        Ok(()) => Ok(()),
+        Err((at, Some(failure))) if !finite(explicit.y()) => Err((at, failure)),
+        Err(_) => {
+            pass.left = accuracy.steps.saturating_sub(most);
+            let begun = (explicit.t(), *explicit.y(), explicit.h());
+            stiff(system, begun, pass, accuracy, visit)
+        }
     }
-    pass.left = accuracy.steps.saturating_sub(most);
-    let restarted = |at, state: &State, h| {
-        // It scales the tolerances once for each component, one that they share several times.
-        let mut implicit = ImplicitRungeKutta::radau5()
-            .rtol(vec![relative; MAX_ORDER])
-            .atol(vec![accuracy.absolute; MAX_ORDER])
-            .h0(h)
-            .max_steps(usize::MAX);
-        let begun = implicit.init(system, at, last.max(at + 2.0 * h), state);
-        begun.map(|_| implicit).map_err(|error| failure(&error))
-    };
-    let (at, state, h) = (explicit.t(), *explicit.y(), explicit.h());
-    let mut implicit = restarted(at, &state, h).map_err(|failure| (at, failure))?;
-    let many = || {
+}
+
+/// The rest of a run by the implicit method.
+fn stiff<F: Fn(f64, &State, &mut State)>(
+    system: &Rates<F>,
+    (mut at, mut state, mut h): (f64, State, f64),
+    mut pass: Pass<'_>,
+    accuracy: Accuracy,
+    visit: &mut dyn FnMut(usize, f64, &State),
+) -> Result<(), (f64, Failure)> {
+    let mut wanted = Wanted::new(system.order, accuracy);
+    loop {
+        let begin = |at, state: &State, h| {
+            // It scales a tolerance once for each component, one that they share several times.
+            let mut method = ImplicitRungeKutta::radau5()
+                .rtol(vec![wanted.relative; MAX_ORDER])
+                .atol(wanted.floors(state).to_vec())
+                .h0(h)
+                .max_steps(usize::MAX);
+            let begun = method.init(system, at, at + 2.0 * h, state);
+            begun.map(|_| method).map_err(|error| failure(&error))
+        };
+        let mut method = begin(at, &state, h).map_err(|failure| (at, failure))?;
+        // It keeps matrices of its step, so another step begins anew.
+        let set_step = of(&method, |method, h| {
+            *method = begin(method.t(), &method.y().clone(), h)?;
+            Ok(())
+        });
+        let weigh = of(&method, |method, _| {
+            for (i, floor) in wanted.floors(method.y()).into_iter().enumerate() {
+                method.atol[i] = floor * method.rtol[i] / wanted.relative;
+            }
+            Ok(())
+        });
+        match pass.run(&mut method, system, (&set_step, &weigh), visit) {
+            Ok(()) => return Ok(()),
+            // What the rounding of the rates does not bear is asked for less strictly.
+            Err((_, Some(_))) if finite(method.y()) && wanted.relative < LOOSEST => {
+                wanted.relative *= 100.0;
+                (at, state, h) = (method.t(), *method.y(), FIRST);
+            }
+            Err((at, wrong)) => {
+                let many = format!("the integration takes more than {} steps", accuracy.steps);
+                let help = "see that f, g and the law are smooth where the state goes";
+                return Err((at, wrong.unwrap_or_else(|| Failure::new(many, help))));
+            }
+        }
+    }
+}
+
+/// Integrates over 0..1 from `start`, where a single step often does.
+///
+/// # Errors
+/// As [`integrate`].
+pub(super) fn across<F: Fn(f64, &State, &mut State)>(
+    system: &Rates<F>,
+    start: State,
+    accuracy: Accuracy,
+) -> Result<State, Failure> {
+    let wanted = Wanted::new(system.order, accuracy);
+    let mut method = ExplicitRungeKutta::dopri5()
+        .rtol(wanted.relative)
+        .atol(accuracy.absolute)
+        .h0(1.0)
+        .max_steps(usize::MAX);
+    method.init(system, 0.0, 1.0, &start).map_err(|error| failure(&error))?;
+    let mut pass = Pass { points: &[0.0, 1.0], next: 1, left: accuracy.steps };
+    let set_step = of(&method, |method, h| {
+        method.set_h(h);
+        Ok(())
+    });
+    let weigh = of(&method, |_, _| Ok(()));
+    let end = pass.run(&mut method, system, (&set_step, &weigh), &mut |_, _, _| {});
+    let stiff = || {
         Failure::new(
-            format!("the integration takes more than {} steps", accuracy.steps),
-            "see that f, g and the law are smooth where the state goes",
+            "the plant moves too fast for its sample period",
+            "give a shorter sample period",
         )
     };
-    // It keeps matrices of its step, so another step begins anew.
-    let cut = &|method: &mut _, h| {
-        let (at, state) = here(method);
-        *method = restarted(at, &state, h)?;
-        Ok(())
-    };
-    let end = pass.run(&mut implicit, system, cut, visit);
-    end.map_err(|(at, wrong)| (at, wrong.unwrap_or_else(many)))
+    end.map_err(|(_, wrong)| wrong.unwrap_or_else(stiff))?;
+    Ok(*method.y())
 }
 
-fn here(method: &impl OrdinaryNumericalMethod<f64, State>) -> (f64, State) {
-    (method.t(), *method.y())
+/// First step, in sigma.
+const FIRST: f64 = 1e-3;
+
+/// Relative accuracy that is not loosened further.
+const LOOSEST: f64 = 1e-7;
+
+/// What is accurate enough for the methods.
+struct Wanted {
+    relative: f64,
+    absolute: f64,
 }
 
-/// What gives a method another step.
-type SetStep<'a, M> = &'a dyn Fn(&mut M, f64) -> Result<(), Failure>;
+impl Wanted {
+    fn new(order: usize, accuracy: Accuracy) -> Self {
+        // Their error is a mean over all components, most of which may be unused.
+        #[allow(clippy::cast_precision_loss)]
+        let used = (order as f64 / MAX_ORDER as f64).sqrt();
+        Self { relative: accuracy.relative * used, absolute: accuracy.absolute }
+    }
+
+    /// Errors below which a component counts as accurate. Where the loop is slow against its time
+    /// constants each state is much smaller than those before it, in whose rounding its rate drowns.
+    fn floors(&self, state: &State) -> [f64; MAX_ORDER] {
+        let mut most = 0.0_f64;
+        std::array::from_fn(|i| {
+            let floor = self.relative * most + self.absolute;
+            most = most.max(state[i].abs());
+            floor
+        })
+    }
+}
+
+fn finite(state: &State) -> bool {
+    state.iter().all(|x| x.is_finite())
+}
+
+/// A closure on methods of the type of `_method`, which has no name.
+fn of<M, F: Fn(&mut M, f64) -> Result<(), Failure>>(_method: &M, closure: F) -> F {
+    closure
+}
+
+/// What changes a method: gives it another step, and tells it what is accurate enough.
+type Change<'a, M> = &'a dyn Fn(&mut M, f64) -> Result<(), Failure>;
 
 /// What is left of a run.
 struct Pass<'a> {
@@ -142,7 +236,7 @@ impl Pass<'_> {
         &mut self,
         method: &mut M,
         system: &Rates<F>,
-        set_step: SetStep<'_, M>,
+        (set_step, weigh): (Change<'_, M>, Change<'_, M>),
         visit: &mut dyn FnMut(usize, f64, &State),
     ) -> Result<(), (f64, Option<Failure>)>
     where
@@ -166,12 +260,13 @@ impl Pass<'_> {
             if cut {
                 set_step(method, point - at).map_err(failed)?;
             }
+            weigh(method, at).map_err(failed)?;
             method.step(system).map_err(|error| (at, Some(failure(&error))))?;
             let longer = method.h().max(wanted);
             if cut && method.t() > at && longer > method.h() {
                 set_step(method, longer).map_err(failed)?;
             }
-            if !method.y().iter().all(|x| x.is_finite()) {
+            if !finite(method.y()) {
                 return Err((at, Some(too_large())));
             }
         }

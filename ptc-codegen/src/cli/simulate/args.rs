@@ -44,6 +44,9 @@ pub(crate) struct Simulate {
     /// File for the CSV, its folder made if it is missing; `-` is the standard output
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub(crate) out: PathBuf,
+    /// Picture of the runs, states, u and bounds over time and x1 in stretched time; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
     /// Sampled loop: step of the actuator; what acts is a multiple of it
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
     pub(crate) u_step: Option<String>,

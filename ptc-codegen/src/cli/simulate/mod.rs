@@ -2,6 +2,7 @@
 
 mod args;
 mod input;
+mod picture;
 mod run;
 
 use ptc_codegen::plant::Plant;
@@ -9,6 +10,7 @@ use ptc_codegen::simulate::{Failure as Ended, Values};
 use ptc_codegen::spec::{Parameter, Spec};
 
 pub(crate) use args::{EXAMPLES, Simulate};
+use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::report::Failure;
@@ -16,9 +18,11 @@ use super::write;
 
 /// Runs `simulate`.
 pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
+    let kind = request.plot.as_deref().map(Kind::of).transpose()?;
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let mut runs = Vec::new();
+    let mut drawn = None;
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
@@ -35,12 +39,22 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             ));
         }
         runs.push(run);
+        drawn = Some(spec);
     }
     let csv = csv(&runs);
-    if request.out.as_os_str() == "-" {
-        return write::to_stdout(&csv);
+    let mut files = Vec::new();
+    let picture = match (kind, &drawn) {
+        (Some(kind), Some(spec)) => kind.file(spec, &runs)?,
+        _ => Vec::new(),
+    };
+    let printed = request.out.as_os_str() == "-";
+    if !printed {
+        files.push((request.out.clone(), csv.as_bytes()));
     }
-    write::to_stdout(&write::paths(&[(request.out.clone(), csv.as_bytes())])?)
+    files.extend(request.plot.iter().map(|path| (path.clone(), picture.as_slice())));
+    let told = write::paths(&files)?;
+    // What is printed is the CSV alone, for whatever reads it.
+    write::to_stdout(if printed { &csv } else { &told })
 }
 
 fn no_plant() -> Failure {

@@ -2,7 +2,7 @@
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled};
+use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
 use ptc_codegen::spec::{Parameter, Spec};
 
 use super::input::Asked;
@@ -13,12 +13,25 @@ use crate::cli::report::{self, Failure, Notice};
 pub(super) struct Run {
     pub(super) tau: f64,
     pub(super) n: usize,
+    pub(super) t0: f64,
+    pub(super) u_max: f64,
+    /// Whether u is held between the rows.
+    pub(super) held: bool,
     pub(super) rows: Vec<Row>,
+}
+
+impl Run {
+    fn new(spec: &Spec, values: &Values, held: bool, rows: Vec<Row>) -> Self {
+        let [tau, t0, u_max] =
+            [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
+        Self { tau, n: spec.n, t0, u_max, held, rows }
+    }
 }
 
 /// An instant of it.
 pub(super) struct Row {
     pub(super) t: f64,
+    pub(super) stretched: f64,
     pub(super) x: Vec<f64>,
     pub(super) u: f64,
     /// Whether the CSV holds it.
@@ -27,7 +40,13 @@ pub(super) struct Row {
 
 impl Row {
     fn of(sample: Sample<'_>, reported: bool) -> Self {
-        Self { t: sample.t, x: sample.x.to_vec(), u: sample.u, reported }
+        Self {
+            t: sample.t,
+            stretched: sample.stretched,
+            x: sample.x.to_vec(),
+            u: sample.u,
+            reported,
+        }
     }
 }
 
@@ -58,7 +77,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
         })
     });
     end.map_err(|failure| ended(&failure, tau))?;
-    Ok(Run { tau, n: spec.n, rows })
+    Ok(Run::new(spec, &values, false, rows))
 }
 
 /// The emitted controller at each sample.
@@ -90,5 +109,5 @@ pub(super) fn sampled(
         run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
     });
     end.map_err(|failure| ended(&failure, tau))?;
-    Ok(Run { tau, n: spec.n, rows })
+    Ok(Run::new(spec, &values, true, rows))
 }
