@@ -40,7 +40,7 @@ fn worst(spec: &Spec, random: &mut Random) -> f64 {
         Input::Time => t,
         Input::State(j) => x[j - 1],
         Input::StateAtStart(j) => x0[j - 1],
-        Input::Gain(_) | Input::Drift => f64::NAN,
+        Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
     };
     let u = Interpreter::new(&program, &input).value(program.step);
     expected.error(u) / tolerance::of(spec)

@@ -155,7 +155,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
         Input::Time => record.t,
         Input::State(j) => record.x[j - 1],
         Input::StateAtStart(j) => record.x0[j - 1],
-        Input::Gain(_) | Input::Drift => f64::NAN,
+        Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
     };
     if spec.guard == ptc_codegen::spec::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
         return (-2, 0);

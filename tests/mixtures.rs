@@ -67,7 +67,7 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
             Input::StartTime => t0,
             Input::Time => t,
             Input::State(j) | Input::StateAtStart(j) => x[j - 1],
-            Input::Gain(_) | Input::Drift => f64::NAN,
+            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         };
         let call = Call { parameter: &parameter, x0: x, t, x, law: None, after: 0.0 };
         let found = evaluate(definition, &call);

@@ -19,9 +19,14 @@ pub mod expression;
 pub mod law;
 pub mod lower;
 pub mod mapping;
+pub mod plant;
+#[cfg(feature = "simulation")]
+pub mod plot;
 pub mod program;
 pub mod reference;
 pub mod selftest;
+#[cfg(feature = "simulation")]
+pub mod simulate;
 pub mod spec;
 
 use check::examine::examine;

@@ -76,7 +76,7 @@ fn worst(spec: &Spec) -> f64 {
             Input::Time => t,
             Input::State(j) => x[j - 1],
             Input::StateAtStart(j) => x0[j - 1],
-            Input::Gain(_) | Input::Drift => f64::NAN,
+            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         };
         let mut own = Interpreter::new(&program, &input);
         let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };

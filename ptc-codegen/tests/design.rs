@@ -140,7 +140,12 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "`[param]` is no table of a design",
             "did you mean `params`?",
         ),
-        ("[limits]\nx = 1", "limits", "`[limits]` is no table of a design", "params and envelope"),
+        (
+            "[limits]\nx = 1",
+            "limits",
+            "`[limits]` is no table of a design",
+            "params, envelope and plant",
+        ),
         (
             "[params.a]\nx = 1",
             "params.a",
@@ -148,10 +153,15 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "holds no tables",
         ),
         ("[[params]]\ntau = 1", "params", "`[[params]]` begins a list of tables", "`[params]`"),
-        ("[[axes]]\ntau = 1", "axes", "`[[axes]]` is no table of a design", "params and envelope"),
+        (
+            "[[axes]]\ntau = 1",
+            "axes",
+            "`[[axes]]` is no table of a design",
+            "params, envelope and plant",
+        ),
         ("parms.tau = 1", "parms.tau", "`parms` is no table of a design", "`params`?"),
         ("params.a.b = 1", "params.a.b", "`params.a` is no table of a design", "holds no tables"),
-        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params and envelope"),
+        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params, envelope and plant"),
         (
             "\"params.a\" = 1",
             "\"params.a\"",

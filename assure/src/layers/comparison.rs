@@ -197,7 +197,7 @@ impl Reference {
             Input::StartTime => parameter(Parameter::StartTime),
             Input::Time => record.t,
             Input::State(j) => record.x[j - 1],
-            Input::StateAtStart(_) | Input::Gain(_) | Input::Drift => f64::NAN,
+            Input::StateAtStart(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         };
         let mut interpreter = Interpreter::new(&self.program, &input);
         let terms = self.program.gains.iter().zip(&record.x);

@@ -29,6 +29,7 @@ Examples:
   ptc-codegen new roll                                roll.toml, a design file to begin with
   ptc-codegen check roll.toml                         does the design keep its promise?
   ptc-codegen emit roll.toml --lang c -o out          out/roll.h and out/roll.c
+  ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
 Exit codes: 0 done, 1 a design is refused or --check found drift, 2 bad input or a place that
@@ -58,6 +59,14 @@ pub(crate) enum Command {
                           ptc-codegen show <SUBJECT> <DESIGN> [--format <FORMAT>]"
     )]
     Show(Show),
+    /// Run the closed loop of a design with its plant
+    #[cfg(feature = "simulation")]
+    #[command(
+        after_help = super::simulate::EXAMPLES,
+        override_usage = "ptc-codegen simulate <DESIGN> --x0 <X1,...,XN> [OPTIONS]\n       \
+                          ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
+    )]
+    Simulate(super::simulate::Simulate),
     /// Write a design file to begin with, which tells every key
     #[command(after_help = NEW_EXAMPLES)]
     New(New),

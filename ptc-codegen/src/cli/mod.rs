@@ -13,6 +13,8 @@ mod new;
 mod project;
 mod report;
 mod show;
+#[cfg(feature = "simulation")]
+mod simulate;
 mod source;
 mod write;
 
@@ -45,6 +47,8 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Emit(request) => emit::emit(&request),
         Command::Check(request) => check::check(&request),
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
+        #[cfg(feature = "simulation")]
+        Command::Simulate(request) => simulate::simulate(&request),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
         #[cfg(feature = "symbolica")]

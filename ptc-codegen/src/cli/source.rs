@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
 
 use super::report::{Failure, Notice, Quote, quoted};
@@ -65,13 +66,44 @@ impl Source {
 
     /// Notes one `--param NAME=VALUE`. Where there is no `=` the value is empty, which is told.
     pub(crate) fn give_parameter(&mut self, text: &str) {
-        let (parameter, value) = match text.split_once('=') {
+        self.give_named("params", "--param", text);
+    }
+
+    /// Notes one `--plant NAME=VALUE`.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn give_plant(&mut self, text: &str) {
+        self.give_named(plant::TABLE, "--plant", text);
+    }
+
+    fn give_named(&mut self, table: &str, flag: &str, text: &str) {
+        let (name, value) = match text.split_once('=') {
             Some((name, _)) => (name, name.len() + 1),
             None => (text, text.len()),
         };
-        let key = format!("params.{}", parameter.trim());
+        let key = format!("{table}.{}", name.trim());
         let key = design::canonical(&key).to_owned();
-        self.given.push(Flag { key, name: "--param".to_owned(), text: text.to_owned(), value });
+        self.given.push(Flag { key, name: flag.to_owned(), text: text.to_owned(), value });
+    }
+
+    /// Whether a flag gives `key`.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn gives(&self, key: &str) -> bool {
+        self.given.iter().any(|flag| flag.key == key)
+    }
+
+    /// The same with one of the values that the flag of `key` lists, for each of them.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn each(&self, key: &str) -> Vec<Self> {
+        let Some(index) = self.given.iter().position(|flag| flag.key == key) else {
+            return vec![self.clone()];
+        };
+        let (name, values) = self.given[index].text.split_at(self.given[index].value);
+        let one = |value: &str| {
+            let mut source = self.clone();
+            source.given[index].text = format!("{name}{value}");
+            source
+        };
+        values.split(',').map(one).collect()
     }
 
     /// The same flags over the keys of a design file, if one is given.
@@ -110,8 +142,9 @@ impl Source {
                     parsed.entries.push(Entry { key: flag.key.clone(), place: key_place, value });
                 }
                 Err(mut diagnostic) => {
-                    if flag.name == "--param" {
-                        diagnostic.help.push_str("; the flag is --param NAME=VALUE");
+                    if ["--param", "--plant"].contains(&flag.name.as_str()) {
+                        let told = format!("; the flag is {} NAME=VALUE", flag.name);
+                        diagnostic.help.push_str(&told);
                     }
                     parsed.found.push(diagnostic);
                 }
@@ -129,11 +162,19 @@ impl Parsed<'_> {
 
     /// The spec that the file and the flags ask for.
     pub(crate) fn read(&self) -> Result<Spec, Failure> {
-        let (spec, found) = match read(&self.entries) {
-            Ok(spec) => (Some(spec), Vec::new()),
-            Err(found) => (None, found),
-        };
-        self.finish(spec, found)
+        self.read_with_plant().map(|(spec, _)| spec)
+    }
+
+    /// The same with the plant, if the design has one.
+    pub(crate) fn read_with_plant(&self) -> Result<(Spec, Option<Plant>), Failure> {
+        let read = read(&self.entries).and_then(|spec| {
+            let plant = plant::read(&self.entries, &spec)?;
+            Ok((spec, plant))
+        });
+        match read {
+            Ok(both) => self.finish(Some(both), Vec::new()),
+            Err(found) => self.finish(None, found),
+        }
     }
 
     /// `value`, unless something was wrong with what was given or is told in `found`.

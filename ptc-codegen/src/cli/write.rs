@@ -28,28 +28,38 @@ pub(crate) fn files(folder: &Path, files: &[File]) -> Result<String, Failure> {
 
 /// Writes files of any content, by their names, as [`files`] does.
 pub(crate) fn bytes(folder: &Path, files: &[(&str, &[u8])]) -> Result<String, Failure> {
+    let files: Vec<_> = files.iter().map(|(name, content)| (folder.join(name), *content)).collect();
+    // Without a file too the folder is there.
     fs::create_dir_all(folder).map_err(|error| failed("cannot make the folder", folder, &error))?;
+    paths(&files)
+}
+
+/// Writes files of any content to their paths, as [`files`] does.
+pub(crate) fn paths(files: &[(PathBuf, &[u8])]) -> Result<String, Failure> {
     let mut pending = Vec::new();
     let mut told = String::new();
-    for (name, content) in files {
-        let path = folder.join(name);
+    for (path, content) in files {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)
+                .map_err(|error| failed("cannot make the folder", folder, &error))?;
+        }
         // A file that keeps its time stamp is not built again.
-        if fs::read(&path).is_ok_and(|there| there == *content) {
+        if fs::read(path).is_ok_and(|there| there == *content) {
             told.push_str(&format!("unchanged {}\n", path.display()));
             continue;
         }
         // Found before the first file is renamed, not at the second.
         if path.is_dir() {
             let error = io::Error::from(ErrorKind::IsADirectory);
-            return Err(failed("cannot write", &path, &error));
+            return Err(failed("cannot write", path, &error));
         }
-        let temporary = Temporary::new(folder, name, content)
-            .map_err(|error| failed("cannot write", &path, &error))?;
+        let temporary =
+            Temporary::new(path, content).map_err(|error| failed("cannot write", path, &error))?;
         told.push_str(&format!("wrote {}\n", path.display()));
         pending.push((temporary, path));
     }
     for (temporary, path) in pending {
-        fs::rename(&temporary.0, &path).map_err(|error| failed("cannot write", &path, &error))?;
+        fs::rename(&temporary.0, path).map_err(|error| failed("cannot write", path, &error))?;
     }
     Ok(told)
 }
@@ -58,9 +68,9 @@ pub(crate) fn bytes(folder: &Path, files: &[(&str, &[u8])]) -> Result<String, Fa
 struct Temporary(PathBuf);
 
 impl Temporary {
-    fn new(folder: &Path, name: &str, content: &[u8]) -> io::Result<Self> {
-        let path = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-        let temporary = Self(path);
+    fn new(path: &Path, content: &[u8]) -> io::Result<Self> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = Self(path.with_file_name(format!(".{name}.{}.tmp", std::process::id())));
         let mut writer = fs::OpenOptions::new().write(true).create_new(true).open(&temporary.0)?;
         writer.write_all(content)?;
         writer.flush()?;

@@ -31,7 +31,7 @@ use reader::Reader;
 use statement::statements;
 
 /// The tables of a design. Everything else stands at the top.
-const TABLES: [&str; 2] = ["params", "envelope"];
+const TABLES: [&str; 3] = ["params", "envelope", "plant"];
 
 /// Parameters that every controller has: their keys are the same with and without `params.`.
 const COMMON: [&str; 4] = ["tau", "t0", "eps", "u_max"];

@@ -101,7 +101,8 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal = "the tables are params and envelope; all other keys stand above the first";
+        let legal =
+            "the tables are params, envelope and plant; all other keys stand above the first";
         let first = name.split('.').next().unwrap_or(name);
         let help = match near_miss(first, TABLES) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),

@@ -1,6 +1,7 @@
 //! A design file to begin with, made of the table of keys so that it tells them all.
 
 use super::TABLES;
+use crate::plant;
 use crate::spec::{KEYS, KeyInfo, number};
 
 /// Keys without which there is no controller: their examples are no comments.
@@ -23,6 +24,8 @@ pub fn template(name: Option<&str>) -> String {
             text.push_str(&entry(info, name));
         }
     }
+    text.push_str(&format!("\n[{}]\n", plant::TABLE));
+    text.extend(plant::KEYS.iter().map(|info| entry(info, None)));
     text
 }
 

@@ -191,6 +191,7 @@ fn input_name(input: Input) -> String {
         Input::State(j) => format!("x{j}"),
         Input::StateAtStart(j) => format!("x{j}_0"),
         Input::Drift => "f".to_owned(),
+        Input::Control => "u".to_owned(),
         Input::Gain(j) => format!("gain{j}"),
     }
 }

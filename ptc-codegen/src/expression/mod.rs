@@ -40,6 +40,8 @@ pub enum Variable {
     Elapsed,
     /// Time-to-go T = tau - Dt.
     TimeToGo,
+    /// Control u.
+    Control,
     /// State `x_j` of the plant, from 1.
     State(usize),
     /// State `xi_j` of the infinite-time system, from 1.

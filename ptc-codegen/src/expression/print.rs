@@ -13,6 +13,7 @@ impl fmt::Display for Variable {
             Self::StretchedTime => f.write_str("t_kappa"),
             Self::Elapsed => f.write_str("dt"),
             Self::TimeToGo => f.write_str("T"),
+            Self::Control => f.write_str("u"),
             Self::State(j) => write!(f, "x{j}"),
             Self::Xi(j) => write!(f, "xi{j}"),
             Self::StateAtStart(j) => write!(f, "x{j}_0"),

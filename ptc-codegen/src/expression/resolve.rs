@@ -19,6 +19,10 @@ pub enum Subject {
     InputGain,
     /// A family's own kappa, in time-to-go T.
     Family,
+    /// f(x, u, t) of the plant, t the time.
+    Drift,
+    /// The plant's own g(x, t), where it differs from the controller's.
+    PlantGain,
 }
 
 impl Subject {
@@ -29,6 +33,8 @@ impl Subject {
             Self::Kappa | Self::Family => "kappa",
             Self::Law => "pi0",
             Self::InputGain => "g",
+            Self::Drift => "plant.f",
+            Self::PlantGain => "plant.g",
         }
     }
 
@@ -41,6 +47,12 @@ impl Subject {
             Self::Law => {
                 "xi1..xin, t or t_kappa (stretched time), dt, tau, t0, the latched x1_0..xn_0 and xi1_0..xin_0, and parameters"
             }
+            Self::Drift => {
+                "x1..xn, u, t (time), dt, tau, t0, the latched x1_0..xn_0, parameters and names of [plant]"
+            }
+            Self::PlantGain => {
+                "x1..xn, t (time), dt, tau, t0, the latched x1_0..xn_0, parameters and names of [plant]"
+            }
             Self::InputGain => {
                 "x1..xn, t (time), dt, tau, t0, t_kappa, the latched x1_0..xn_0, and parameters"
             }
@@ -48,15 +60,16 @@ impl Subject {
     }
 
     fn admits(self, variable: Variable) -> bool {
+        let of_plant = matches!(self, Self::InputGain | Self::Drift | Self::PlantGain);
         match variable {
             Variable::SinceStart => self == Self::Mu,
             Variable::TimeToGo => self == Self::Family,
-            Variable::Elapsed => matches!(self, Self::Kappa | Self::Law | Self::InputGain),
-            Variable::StretchedTime | Variable::StateAtStart(_) => {
-                matches!(self, Self::Law | Self::InputGain)
-            }
+            Variable::Elapsed => of_plant || matches!(self, Self::Kappa | Self::Law),
+            Variable::StretchedTime => matches!(self, Self::Law | Self::InputGain),
+            Variable::StateAtStart(_) => of_plant || self == Self::Law,
             Variable::Xi(_) | Variable::XiAtStart(_) => self == Self::Law,
-            Variable::Time | Variable::State(_) => self == Self::InputGain,
+            Variable::Time | Variable::State(_) => of_plant,
+            Variable::Control => self == Self::Drift,
         }
     }
 }
@@ -196,6 +209,7 @@ impl Resolver<'_, '_> {
             ("t", _) => Some(Variable::Time),
             ("dt", _) => Some(Variable::Elapsed),
             ("T", Subject::Family) => Some(Variable::TimeToGo),
+            ("u", Subject::Drift | Subject::PlantGain) => Some(Variable::Control),
             _ => None,
         };
         if let Some(variable) = variable {

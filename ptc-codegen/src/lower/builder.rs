@@ -22,6 +22,17 @@ pub(super) struct Builder<'a> {
     at_start: bool,
     /// tau - mu(t), where time is the stretched one and the time-to-go follows from it.
     complement: Option<Expression>,
+    /// The plant, where time is time-to-go and the state that of the infinite-time system.
+    pub(super) plant: Option<PlantPoint>,
+}
+
+/// Where the plant is while the infinite-time system is computed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PlantPoint {
+    /// States x_1..x_n.
+    pub(super) states: Vec<Value>,
+    /// Control u, once it is known.
+    pub(super) control: Option<Value>,
 }
 
 impl<'a> Builder<'a> {
@@ -41,6 +52,7 @@ impl<'a> Builder<'a> {
             step: nothing,
             gains: Vec::new(),
             axis: None,
+            watched: Vec::new(),
         };
         Self {
             spec,
@@ -51,6 +63,7 @@ impl<'a> Builder<'a> {
             states: [Vec::new(), Vec::new()],
             at_start: false,
             complement: None,
+            plant: None,
         }
     }
 
@@ -94,6 +107,11 @@ impl<'a> Builder<'a> {
     /// tau - mu(t), where time is stretched time.
     pub(super) fn followed(&self) -> Option<&Expression> {
         self.complement.as_ref().filter(|_| !self.at_start)
+    }
+
+    /// Whether time is the time-to-go itself.
+    pub(super) fn counts_down(&self) -> bool {
+        self.plant.is_some() && !self.at_start
     }
 
     /// Whether values at the start are being computed.

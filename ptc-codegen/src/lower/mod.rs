@@ -6,6 +6,7 @@
 
 mod associated;
 mod builder;
+mod closed_loop;
 mod coefficient;
 mod coefficients;
 mod cotangent;
@@ -28,6 +29,8 @@ use crate::algebra::Poly;
 use crate::law::{Form, Law};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{After, Fixed, Guard, Parameter, Spec, What};
+
+pub use closed_loop::{ClosedLoop, closed_loop, plant};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {

@@ -93,7 +93,19 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        if let (true, Some(plant)) = (self.counts_down(), self.plant.clone()) {
+            match variable {
+                Variable::Time => return self.time_of_plant(),
+                Variable::Elapsed => return self.elapsed_of_plant(),
+                Variable::State(j) => return plant.states[j - 1],
+                Variable::Control => {
+                    return plant.control.unwrap_or_else(|| self.push(Op::Input(Input::Control)));
+                }
+                _ => {}
+            }
+        }
         match variable {
+            Variable::Control => self.push(Op::Input(Input::Control)),
             Variable::Time => self.push(Op::Input(Input::Time)),
             Variable::Elapsed => self.since_start(),
             Variable::TimeToGo => self.time_to_go(),

@@ -149,6 +149,28 @@ pub(super) fn xi(
     xi
 }
 
+/// x = BB_n\[mu\] xi as r_1^(j-1) x_j, j = 1..n: BB_n\[kappa\] x = xi solved from the first row on.
+pub(super) fn scaled_states(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Value> {
+    let n = b.spec.n;
+    let factorial = factorials(n);
+    let powers = powers(b, taylor);
+    let mut scaled: Vec<Value> = Vec::with_capacity(n);
+    for i in 1..=n {
+        let mut sum = b.xi(i);
+        for j in 2..i {
+            let factor = ratio(factorial[i - 1].clone(), &factorial[j - 1]);
+            let entry = b.times(&factor, &powers[j - 2][i - j - 1]);
+            let term = b.times(&entry, &Coefficient::Value(scaled[j - 1]));
+            if !term.is_zero() {
+                let term = b.coefficient(&term);
+                sum = b.sub(sum, term);
+            }
+        }
+        scaled.push(sum);
+    }
+    scaled
+}
+
 fn ratio(numerator: BigInt, denominator: &BigInt) -> Coefficient {
     Coefficient::Exact(BigRational::new(numerator, denominator.clone()))
 }

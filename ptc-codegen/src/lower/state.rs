@@ -54,6 +54,9 @@ impl Builder<'_> {
 
     /// State xi_j of the infinite-time system.
     pub(super) fn xi(&mut self, j: usize) -> Value {
+        if self.counts_down() {
+            return self.push(Op::Input(Input::State(j)));
+        }
         let index = usize::from(self.is_at_start());
         if self.states[index].is_empty() {
             let taylor = self.taylor();

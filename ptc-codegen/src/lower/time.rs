@@ -7,6 +7,10 @@ use crate::spec::Parameter;
 impl Builder<'_> {
     /// Time past the deadline, -T, held at -eps.
     pub(super) fn late(&mut self) -> Value {
+        if self.plant.is_some() {
+            let time_to_go = self.push(Op::Input(Input::Time));
+            return self.push(Op::Neg(time_to_go));
+        }
         let past = self.past();
         let hold_from = self.hold_from();
         let late = self.push(Op::Min(past, hold_from));
@@ -35,6 +39,18 @@ impl Builder<'_> {
         self.name(past, "past", "time past the deadline, negative before it")
     }
 
+    /// Elapsed time tau - T, where time is the time-to-go.
+    pub(super) fn elapsed_of_plant(&mut self) -> Value {
+        let (tau, time_to_go) = (self.parameter(Parameter::Tau), self.time_to_go());
+        self.sub(tau, time_to_go)
+    }
+
+    /// Time t, where time is the time-to-go.
+    pub(super) fn time_of_plant(&mut self) -> Value {
+        let (start, elapsed) = (self.push(Op::Input(Input::StartTime)), self.elapsed_of_plant());
+        self.add(start, elapsed)
+    }
+
     /// -eps, where the hold begins.
     pub(super) fn hold_from(&mut self) -> Value {
         let eps = self.parameter(Parameter::Eps);
@@ -49,6 +65,9 @@ impl Builder<'_> {
         }
         if let Some(complement) = self.followed().cloned() {
             return self.scalar(&complement);
+        }
+        if self.counts_down() {
+            return self.push(Op::Input(Input::Time));
         }
         let late = self.late();
         let time_to_go = self.push(Op::Neg(late));

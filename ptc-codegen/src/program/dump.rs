@@ -73,6 +73,7 @@ fn input_text(input: Input) -> String {
         Input::State(j) => format!("state x{j}"),
         Input::StateAtStart(j) => format!("state x{j} at the start"),
         Input::Drift => "drift f".to_owned(),
+        Input::Control => "control u".to_owned(),
         Input::Gain(j) => format!("gain {j}"),
     }
 }

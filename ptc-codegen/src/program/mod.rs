@@ -10,12 +10,16 @@
 //!
 //! Passes keep every bit: the interpreter gives the same results before and after each of them.
 
+mod arithmetic;
 pub mod cost;
 pub mod dump;
 pub mod interpret;
+pub mod machine;
 pub mod number;
 pub mod passes;
 pub mod rows;
+
+pub use arithmetic::apply;
 
 use std::hash::{Hash, Hasher};
 
@@ -59,6 +63,8 @@ pub enum Input {
     Gain(usize),
     /// The plant's own f, where the associated system is computed.
     Drift,
+    /// The control u, where the plant is computed.
+    Control,
 }
 
 impl Input {
@@ -68,7 +74,7 @@ impl Input {
             Self::Parameter(_) => Stage::Init,
             Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
-            Self::State(_) | Self::Gain(_) | Self::Drift => Stage::Step,
+            Self::State(_) | Self::Gain(_) | Self::Drift | Self::Control => Stage::Step,
         }
     }
 }
@@ -252,6 +258,8 @@ pub struct Program {
     pub gains: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; none where there are no gains.
     pub axis: Option<Value>,
+    /// What a simulation reads beside these; none in a program that is emitted.
+    pub watched: Vec<Value>,
 }
 
 /// Values that the frame of the emitted functions uses.
@@ -283,6 +291,7 @@ impl Program {
         let mut outputs = vec![self.step, late, hold_from, eps];
         outputs.extend(self.axis);
         outputs.extend(&self.gains);
+        outputs.extend(&self.watched);
         outputs.extend(self.limits.past);
         outputs.extend(self.limits.start_time);
         outputs.extend(self.limits.u_max);

@@ -286,6 +286,8 @@ impl Arithmetic {
             Variable::Time => Term::given(time.clone()),
             Variable::Elapsed => Term::given(elapsed.clone()),
             Variable::TimeToGo => Term::given(to_go.clone()),
+            // No expression of a controller knows its own result.
+            Variable::Control => Term::given(double(f64::NAN, bits)),
             Variable::State(j) => Term::given(states(call.x, j)),
             Variable::StateAtStart(j) => Term::given(states(call.x0, j)),
             Variable::Xi(j) => xi[j - 1].clone(),

@@ -46,7 +46,7 @@ impl Trial<'_> {
             Input::State(j) => self.x[j - 1],
             Input::StateAtStart(j) => self.x0[j - 1],
             Input::Gain(j) => gains[j - 1],
-            Input::Drift => f64::NAN,
+            Input::Drift | Input::Control => f64::NAN,
         }
     }
 

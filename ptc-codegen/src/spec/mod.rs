@@ -14,6 +14,7 @@ pub use name::Name;
 pub use parameter::{Domain, Fixed, Parameter};
 pub use parse::parse;
 pub use read::{Entry, read};
+pub(crate) use read::{known, real};
 pub(crate) use value::shorten;
 pub use value::{Argument, Node, Operator, Value, number};
 

@@ -1,7 +1,7 @@
 //! Intervals that hold what a program computes, not what exact arithmetic would.
 
 use crate::expression::Function;
-use crate::program::{Op, interpret, number};
+use crate::program::{self, Op, number};
 use crate::spec::Precision;
 
 /// Numbers between two bounds, and possibly infinities and NaN besides.
@@ -74,7 +74,7 @@ pub(super) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
     }
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for corner in corners(op, &operands) {
-        match interpret::apply(op, &corner, precision) {
+        match program::apply(op, &corner, precision) {
             Some(value) if !value.is_nan() => {
                 low = low.min(value);
                 high = high.max(value);
@@ -202,7 +202,7 @@ mod tests {
                         [a, b].into_iter().take(op.operands().len()).map(draw).collect();
                     let (boxes, points): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
                     let bound = apply(op, &boxes, precision);
-                    let value = interpret::apply(op, &points, precision).expect("numbers");
+                    let value = program::apply(op, &points, precision).expect("numbers");
                     prop_assert!(
                         (bound.low <= value && value <= bound.high)
                             || (bound.special && !value.is_finite()),

@@ -45,7 +45,7 @@ impl<'a> Numbers<'a> {
             Input::StartTime => -self.tau,
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
-            Input::Gain(_) | Input::Drift => f64::NAN,
+            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         }
     }
 

@@ -4,7 +4,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::{append, rebuild};
 use crate::expression::Function;
-use crate::program::{Definition, Op, Program, Value, interpret, number};
+use crate::program::{self, Definition, Op, Program, Value, number};
 
 /// Replaces operations on numbers by the number they give at run time, bit for bit; removes
 /// multiplications and divisions by 1 and double negations, and moves signs of numbers into the
@@ -75,7 +75,7 @@ fn computed(program: &Program, op: &Op) -> Option<Op> {
         .iter()
         .map(|v| constant(program, *v).map(|n| number::round(n, program.precision)))
         .collect();
-    let result = interpret::apply(op, &numbers.filter(|n| !n.is_empty())?, program.precision)?;
+    let result = program::apply(op, &numbers.filter(|n| !n.is_empty())?, program.precision)?;
     // A zero may carry a sign that a rational cannot hold.
     number::exact(result).filter(|value| !value.is_zero()).map(Op::Number)
 }

@@ -31,7 +31,7 @@ pub(super) fn complex(node: &Node) -> Option<Complex> {
 }
 
 /// The real number that `node` stands for: `inf`, a number, or numbers with operators between them.
-pub(super) fn real(node: &Node) -> Option<Fixed> {
+pub(crate) fn real(node: &Node) -> Option<Fixed> {
     match &node.value {
         Value::Number(value) => Some(value.clone()),
         _ => match complex(node)? {

@@ -7,6 +7,9 @@ mod parameters;
 
 use std::collections::BTreeMap;
 
+pub(crate) use constant::real;
+pub(crate) use parameters::known;
+
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
@@ -77,6 +80,8 @@ impl<'a> Reader<'a> {
                     self.twice(&entry.key, entry.place);
                 }
             }
+            // What moves the plant is no part of the controller: `plant::read` reads it.
+            (None, Some("plant")) => {}
             (None, _) => self.unknown(&entry.key, entry.place, name),
         }
     }

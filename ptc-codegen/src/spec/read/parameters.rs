@@ -12,7 +12,7 @@ const COMMON: [Parameter; 4] =
     [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
 
 /// The parameters that have a name of their own, `own` being those of the mapping.
-pub(super) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
+pub(crate) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
     COMMON.into_iter().chain(own).collect()
 }
 

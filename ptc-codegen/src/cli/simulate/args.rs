@@ -1,0 +1,62 @@
+//! The flags of `simulate`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::cli::args::{Design, SpecFlags};
+
+pub(crate) const EXAMPLES: &str = "\
+The plant xn' = f + g*u stands in the design, under [plant]: f and g are expressions in x1..xn, t
+and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
+
+What the design leaves to run time needs a value here: --tau, --eps, --t0 (0 unless it is given),
+--u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
+
+Without a sample period the law acts at every instant, and time-to-go falls to 1e-9 tau. With
+--sample-time, --u-step, --noise or --delay the emitted controller itself is in the loop, bit for
+bit, and u is held in between; every sample is reported.
+
+CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers read back as they were.
+
+Examples:
+  ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
+  ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
+  ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
+  ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
+
+/// What is asked of a simulation.
+#[derive(Debug, Args)]
+pub(crate) struct Simulate {
+    #[command(flatten)]
+    pub(crate) design: Design,
+    /// State x1..xn at the start
+    #[arg(long, value_name = "X1,...,XN", allow_hyphen_values = true)]
+    pub(crate) x0: String,
+    #[command(flatten)]
+    pub(crate) spec: SpecFlags,
+    /// A key of [plant]: f, g, or a symbol that they use; repeatable
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) plant: Vec<String>,
+    /// Report exactly at these fractions of tau, each from 0 to below 1, and nowhere else
+    #[arg(long, value_name = "FRACTIONS", allow_hyphen_values = true)]
+    pub(crate) at: Option<String>,
+    /// File for the CSV, its folder made if it is missing; `-` is the standard output
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    pub(crate) out: PathBuf,
+    /// Picture of the runs, states, u and bounds over time and x1 in stretched time; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Sampled loop: step of the actuator; what acts is a multiple of it
+    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
+    pub(crate) u_step: Option<String>,
+    /// Sampled loop: bound of the noise on each measured state, or one for all
+    #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
+    pub(crate) noise: Option<String>,
+    /// Sampled loop: seed of the noise
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Sampled loop: u acts one sample late
+    #[arg(long)]
+    pub(crate) delay: bool,
+}

@@ -1,0 +1,202 @@
+//! Numbers on the command line of a simulation.
+
+use std::ops::Range;
+
+use num_traits::{One, Signed, ToPrimitive};
+use ptc_codegen::algebra::BigRational;
+use ptc_codegen::simulate::Loop;
+use ptc_codegen::spec::{Fixed, Spec, number};
+
+use super::Simulate;
+use crate::cli::report::{Failure, Notice, Quote};
+
+/// What a run is asked for, beside the design.
+pub(super) struct Asked {
+    pub(super) x0: Vec<f64>,
+    /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
+    pub(super) at: Vec<(f64, f64)>,
+    /// The sampled loop, if it is asked for.
+    pub(super) around: Option<Loop>,
+}
+
+/// Most samples of a run: what is more is a period that was mistyped.
+const MAX_SAMPLES: f64 = 1e7;
+
+/// Reads what is asked for.
+pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
+    let n = spec.n;
+    let x0 = List::new("--x0", &request.x0)?;
+    if x0.items.len() != n {
+        let given = x0.items.len();
+        let message = format!("--x0 has {given} of the {n} states of a plant of order n = {n}");
+        return Err(x0.wrong(
+            None,
+            message,
+            "give one number for each of x1..xn, separated by commas",
+        ));
+    }
+    let around = around(request, spec)?;
+    let at = request.at.as_deref().map(|text| List::new("--at", text)).transpose()?;
+    if let (Some(at), Some(_)) = (&at, &around) {
+        let message = "--at asks for instants between the samples".to_owned();
+        let help = "the sampled loop reports every sample: leave --at out, or the flags of the sampled loop";
+        return Err(at.wrong(None, message, help));
+    }
+    let at = at.as_ref().map(instants).transpose()?.unwrap_or_default();
+    Ok(Asked { x0: x0.doubles()?, at, around })
+}
+
+/// 1 - fraction and fraction, each exact but for one rounding.
+fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
+    let one = BigRational::one();
+    let share = |(value, range): &(BigRational, Range<usize>)| {
+        if value.is_negative() || *value >= one {
+            let message = "a fraction of tau outside [0, 1)".to_owned();
+            let help = "0 is the start, and 1 the deadline, where the gains are infinite; 0.999999999 is as near as any";
+            return Err(at.wrong(Some(range), message, help));
+        }
+        let nearest = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
+        Ok((nearest(&(&one - value)), nearest(value)))
+    };
+    at.items.iter().map(share).collect()
+}
+
+/// The sampled loop, if any of its flags is given.
+fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
+    let by_flag = request.spec.0.gives("sample_time");
+    let flags = [
+        (request.u_step.is_some(), "--u-step"),
+        (request.noise.is_some(), "--noise"),
+        (request.delay, "--delay"),
+    ];
+    let Some(asked) = flags
+        .iter()
+        .find(|(given, _)| *given)
+        .map(|(_, flag)| *flag)
+        .or(by_flag.then_some("--sample-time"))
+    else {
+        return Ok(None);
+    };
+    let Some(period) = spec.promises.sample_time.as_ref().and_then(to_f64) else {
+        return Err(Failure::because(
+            format!("{asked} is of the sampled loop, which has no sample period"),
+            "give --sample-time, or sample_time in the design",
+        ));
+    };
+    let tau = spec.fixed.get(&ptc_codegen::spec::Parameter::Tau).and_then(to_f64);
+    if tau.is_some_and(|tau| tau / period > MAX_SAMPLES) {
+        return Err(Failure::because(
+            format!(
+                "a sample period of {period} s makes more than {MAX_SAMPLES:e} samples up to the deadline"
+            ),
+            "give a longer --sample-time",
+        ));
+    }
+    let mut around =
+        Loop { period, seed: request.seed, delay: usize::from(request.delay), ..Loop::default() };
+    if let Some(text) = &request.u_step {
+        let step = List::new("--u-step", text)?;
+        let [(value, _)] = &step.items[..] else {
+            return Err(step.wrong(
+                None,
+                "--u-step is one number".to_owned(),
+                "give the step of the actuator, for example --u-step 0.01",
+            ));
+        };
+        if !value.is_positive() {
+            return Err(step.wrong(
+                None,
+                "a step of the actuator that is not > 0".to_owned(),
+                "leave --u-step out for an actuator without steps",
+            ));
+        }
+        around.u_step = step.doubles()?[0];
+    }
+    if let Some(text) = &request.noise {
+        let noise = List::new("--noise", text)?;
+        let count = noise.items.len();
+        if count != 1 && count != spec.n {
+            let message = format!("--noise has {count} bounds for {} states", spec.n);
+            return Err(noise.wrong(
+                None,
+                message,
+                "give one bound for all states, or one for each",
+            ));
+        }
+        if let Some((_, range)) = noise.items.iter().find(|(value, _)| value.is_negative()) {
+            let message = "a bound of the noise below 0".to_owned();
+            return Err(noise.wrong(
+                Some(range),
+                message,
+                "noise is drawn evenly from -bound to bound",
+            ));
+        }
+        let bounds = noise.doubles()?;
+        around.noise = (0..spec.n).map(|j| bounds[if count == 1 { 0 } else { j }]).collect();
+    }
+    Ok(Some(around))
+}
+
+fn to_f64(value: &Fixed) -> Option<f64> {
+    value.number().and_then(ToPrimitive::to_f64)
+}
+
+/// Numbers separated by commas, with their places in the text.
+struct List<'a> {
+    flag: &'static str,
+    text: &'a str,
+    items: Vec<(BigRational, Range<usize>)>,
+}
+
+impl<'a> List<'a> {
+    fn new(flag: &'static str, text: &'a str) -> Result<Self, Failure> {
+        let mut list = Self { flag, text, items: Vec::new() };
+        let mut start = 0;
+        for item in text.split(',') {
+            let range = start..start + item.len();
+            start = range.end + 1;
+            let value = number(item.trim()).and_then(|value| value.number().cloned());
+            let Some(value) = value else {
+                let message = format!("{flag} holds `{item}`, which is no number");
+                return Err(list.wrong(
+                    Some(&range),
+                    message,
+                    "give decimal numbers separated by commas, for example 1,-0.5,0",
+                ));
+            };
+            list.items.push((value, range));
+        }
+        Ok(list)
+    }
+
+    /// The items rounded to doubles.
+    fn doubles(&self) -> Result<Vec<f64>, Failure> {
+        let one = |(value, range): &(BigRational, Range<usize>)| {
+            let near = value.to_f64().filter(|near| near.is_finite());
+            near.ok_or_else(|| {
+                let message = format!("{} holds a number outside the range of f64", self.flag);
+                self.wrong(Some(range), message, "give a number within 1.7e308")
+            })
+        };
+        self.items.iter().map(one).collect()
+    }
+
+    /// A mistake in one of the items, or in all.
+    fn wrong(&self, range: Option<&Range<usize>>, title: String, help: &str) -> Failure {
+        let before = self.flag.len() + 2;
+        let range = range.cloned().unwrap_or(0..self.text.len());
+        let line = self.text.replace(|c: char| c.is_ascii_control(), " ");
+        let quote = Quote {
+            file: None,
+            text: format!("{} \"{line}\"", self.flag),
+            range: before + range.start..before + range.end,
+            label: "not legal",
+        };
+        Failure::bad_input(vec![Notice {
+            code: Some("bad-value"),
+            quote: Some(quote),
+            help: Some(help.to_owned()),
+            ..Notice::of(title)
+        }])
+    }
+}

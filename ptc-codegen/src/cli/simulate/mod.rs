@@ -1,0 +1,116 @@
+//! `simulate`: the closed loop of a design with its plant, as CSV and as a picture.
+
+mod args;
+mod input;
+mod picture;
+mod run;
+
+use ptc_codegen::plant::Plant;
+use ptc_codegen::simulate::{Failure as Ended, Values};
+use ptc_codegen::spec::{Parameter, Spec};
+
+pub(crate) use args::{EXAMPLES, Simulate};
+use picture::Kind;
+use run::{Run, continuous, sampled};
+
+use super::report::Failure;
+use super::write;
+
+/// Runs `simulate`.
+pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
+    let kind = request.plot.as_deref().map(Kind::of).transpose()?;
+    let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
+    request.plant.iter().for_each(|text| source.give_plant(text));
+    let mut runs = Vec::new();
+    let mut drawn = None;
+    for source in source.each("tau") {
+        let given = source.parse();
+        let (spec, plant) = given.read_with_plant()?;
+        let plant = plant.ok_or_else(no_plant)?;
+        let asked = input::read(request, &spec)?;
+        let run = match &asked.around {
+            None => continuous(&spec, &plant, &asked)?,
+            Some(around) => sampled(&spec, &plant, &asked, around)?,
+        };
+        if runs.iter().any(|other: &Run| other.tau.to_bits() == run.tau.to_bits()) {
+            return Err(Failure::because(
+                format!("tau = {} is given twice", run.tau),
+                "give each tau once: --tau 1,2,5",
+            ));
+        }
+        runs.push(run);
+        drawn = Some(spec);
+    }
+    let csv = csv(&runs);
+    let mut files = Vec::new();
+    let picture = match (kind, &drawn) {
+        (Some(kind), Some(spec)) => kind.file(spec, &runs)?,
+        _ => Vec::new(),
+    };
+    let printed = request.out.as_os_str() == "-";
+    if !printed {
+        files.push((request.out.clone(), csv.as_bytes()));
+    }
+    files.extend(request.plot.iter().map(|path| (path.clone(), picture.as_slice())));
+    let told = write::paths(&files)?;
+    // What is printed is the CSV alone, for whatever reads it.
+    write::to_stdout(if printed { &csv } else { &told })
+}
+
+fn no_plant() -> Failure {
+    Failure::because(
+        "the design has no plant to simulate".to_owned(),
+        "write `[plant]` into the design file, and under it `f = \"...\"`, or `f = 0` for a chain of \
+         integrators; or give --plant f=0",
+    )
+}
+
+/// What a run needs and lacks, all at once.
+fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
+    let values = Values::of(spec, plant);
+    let missing = values.missing(spec, plant, emitted);
+    if missing.is_empty() {
+        return Ok(values);
+    }
+    let symbols = plant.symbols(spec);
+    let (mut names, mut flags) = (Vec::<String>::new(), Vec::<String>::new());
+    for parameter in missing {
+        let name = parameter.spelling();
+        let flag = match parameter {
+            Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
+                format!("--{name} VALUE").replace('_', "-")
+            }
+            Parameter::Eps => "--eps VALUE or --sample-time VALUE".to_owned(),
+            Parameter::Gain(_) => "--gains or --poles".to_owned(),
+            _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
+            _ => format!("--param {name}=VALUE"),
+        };
+        names.push(name);
+        if !flags.contains(&flag) {
+            flags.push(flag);
+        }
+    }
+    let (verb, one) = if names.len() == 1 { ("has", "a value") } else { ("have", "values") };
+    let title =
+        format!("{} {verb} no value in the design, and a run needs {one}", names.join(", "));
+    Err(Failure::because(title, &format!("give {}", flags.join(", "))))
+}
+
+/// Why a run ended early, with the tau of the run.
+fn ended(failure: &Ended, tau: f64) -> Failure {
+    Failure::because(format!("tau = {tau}: {}", failure.message), &failure.help)
+}
+
+fn csv(runs: &[Run]) -> String {
+    let n = runs.first().map_or(0, |run| run.n);
+    let states: String = (1..=n).map(|j| format!(",x{j}")).collect();
+    let mut text = format!("tau,t{states},u\n");
+    for run in runs {
+        for row in run.rows.iter().filter(|row| row.reported) {
+            text.push_str(&format!("{:?},{:?}", run.tau, row.t));
+            row.x.iter().for_each(|x| text.push_str(&format!(",{x:?}")));
+            text.push_str(&format!(",{:?}\n", row.u));
+        }
+    }
+    text
+}

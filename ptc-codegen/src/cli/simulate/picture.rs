@@ -1,0 +1,71 @@
+//! The picture of the runs.
+
+use std::path::Path;
+
+use num_traits::ToPrimitive;
+use ptc_codegen::plot::{Figure, Trace};
+use ptc_codegen::spec::Spec;
+
+use super::run::Run;
+use crate::cli::report::Failure;
+
+/// What a picture is written as.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    Svg,
+    Png,
+}
+
+impl Kind {
+    /// The kind of the file at `path`.
+    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        match extension.as_ref().and_then(|extension| extension.to_str()) {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Failure::because(
+                format!("`{}` says no kind of picture", path.display()),
+                "give a file that ends in .svg or .png, for example --plot run.svg",
+            )),
+        }
+    }
+
+    /// The file of the runs of a design.
+    pub(super) fn file(self, spec: &Spec, runs: &[Run]) -> Result<Vec<u8>, Failure> {
+        let figure = figure(spec, runs);
+        let drawn = match self {
+            Self::Svg => figure.svg().map(String::into_bytes),
+            Self::Png => figure.png(),
+        };
+        let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
+        drawn.map_err(|wrong| {
+            Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
+        })
+    }
+}
+
+fn figure(spec: &Spec, runs: &[Run]) -> Figure {
+    let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
+    let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
+    let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
+    Figure {
+        title: format!("{}: n = {}, {}, {loops}", spec.name(), spec.n, spec.mapping_name()),
+        traces: runs.iter().map(trace).collect(),
+        u_max: bound,
+        x_max: bounds.collect(),
+    }
+}
+
+fn trace(run: &Run) -> Trace {
+    let column = |of: &dyn Fn(&super::run::Row) -> f64| run.rows.iter().map(of).collect::<Vec<_>>();
+    Trace {
+        label: format!("tau = {} s", run.tau),
+        start: run.t0,
+        deadline: run.t0 + run.tau,
+        t: column(&|row| row.t),
+        stretched: column(&|row| row.stretched),
+        x: (0..run.n).map(|j| column(&|row| row.x[j])).collect(),
+        u: column(&|row| row.u),
+        held: run.held,
+    }
+}

@@ -1,0 +1,113 @@
+//! One run for one tau, kept for the CSV and the picture.
+
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::plant::Plant;
+use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
+use ptc_codegen::spec::{Parameter, Spec};
+
+use super::input::Asked;
+use super::{complete, ended};
+use crate::cli::report::{self, Failure, Notice};
+
+/// A run.
+pub(super) struct Run {
+    pub(super) tau: f64,
+    pub(super) n: usize,
+    pub(super) t0: f64,
+    pub(super) u_max: f64,
+    /// Whether u is held between the rows.
+    pub(super) held: bool,
+    pub(super) rows: Vec<Row>,
+}
+
+impl Run {
+    fn new(spec: &Spec, values: &Values, held: bool, rows: Vec<Row>) -> Self {
+        let [tau, t0, u_max] =
+            [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
+        Self { tau, n: spec.n, t0, u_max, held, rows }
+    }
+}
+
+/// An instant of it.
+pub(super) struct Row {
+    pub(super) t: f64,
+    pub(super) stretched: f64,
+    pub(super) x: Vec<f64>,
+    pub(super) u: f64,
+    /// Whether the CSV holds it.
+    pub(super) reported: bool,
+}
+
+impl Row {
+    fn of(sample: Sample<'_>, reported: bool) -> Self {
+        Self {
+            t: sample.t,
+            stretched: sample.stretched,
+            x: sample.x.to_vec(),
+            u: sample.u,
+            reported,
+        }
+    }
+}
+
+/// Time-to-go as parts of tau: even in time, and from 0.01 on even in its logarithm down to 1e-9.
+fn grid() -> Vec<f64> {
+    let even = (0..200).map(|i| f64::from(200 - i) / 200.0);
+    let last = (1..=140).map(|i| 10f64.powf(-2.0 - f64::from(i) / 20.0));
+    even.filter(|share| *share >= 0.01).chain(last).collect()
+}
+
+/// The law at every instant, mapped back from infinite time.
+pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
+    let values = complete(spec, plant, false)?;
+    let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
+    let mut shares = grid();
+    shares.extend(asked.at.iter().map(|(share, _)| share));
+    shares.sort_by(|a, b| b.total_cmp(a));
+    shares.dedup();
+    let mut rows = Vec::with_capacity(shares.len());
+    let mut index = 0;
+    let end = Continuous::new(spec, plant).and_then(|mut run| {
+        run.run(&values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
+            let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
+            let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);
+            let reported = asked.at.is_empty() || at.is_some();
+            rows.push(Row::of(Sample { t, ..sample }, reported));
+            index += 1;
+        })
+    });
+    end.map_err(|failure| ended(&failure, tau))?;
+    Ok(Run::new(spec, &values, false, rows))
+}
+
+/// The emitted controller at each sample.
+pub(super) fn sampled(
+    spec: &Spec,
+    plant: &Plant,
+    asked: &Asked,
+    around: &Loop,
+) -> Result<Run, Failure> {
+    let report = examine(spec);
+    let warned: Vec<_> = report
+        .refusals()
+        .map(|outcome| Notice {
+            warns: true,
+            help: outcome.fix.clone(),
+            ..Notice::of(format!(
+                "the check {} refuses the design: {}",
+                outcome.name, outcome.summary
+            ))
+        })
+        .collect();
+    report::print(&warned);
+    // The checks set eps where a sample period or an error is promised.
+    let spec = &report.spec;
+    let values = complete(spec, plant, true)?;
+    let tau = values.get(Parameter::Tau);
+    let mut rows = Vec::new();
+    let end = Sampled::new(spec, plant).and_then(|mut run| {
+        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
+    });
+    end.map_err(|failure| ended(&failure, tau))?;
+    Ok(Run::new(spec, &values, true, rows))
+}

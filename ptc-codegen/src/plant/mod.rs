@@ -1,0 +1,69 @@
+//! The plant that a controller is simulated with: x1' = x2, ..., xn' = f(x, u, t) + g(x, t) u.
+//!
+//! ```toml
+//! [plant]
+//! f = "-damping*x2 - gust*sin(3*t)"
+//! g = "0.8"
+//! damping = 0.4
+//! gust = [0, 0.2]
+//! ```
+//!
+//! f is 0 and g the controller's own unless they are given; a g that differs is an error of the
+//! gain. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
+
+mod read;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+pub use read::read;
+
+use crate::expression::Expression;
+use crate::spec::{Fixed, KeyInfo, Parameter, Spec};
+
+/// The table of a design file that holds the plant.
+pub const TABLE: &str = "plant";
+
+/// The keys of the table that are no symbols.
+pub static KEYS: [KeyInfo; 2] = [
+    KeyInfo {
+        key: "f",
+        meaning: "what moves the plant xn' = f + g*u beside its input; 0 where it is not given",
+        legal: "an expression in x1..xn, u and t",
+        example: "-0.4*x2 + 0.1*sin(3*t)",
+    },
+    KeyInfo {
+        key: "g",
+        meaning: "true input gain of the plant; that of the controller where it is not given",
+        legal: "an expression in x1..xn and t",
+        example: "0.8",
+    },
+];
+
+/// What moves the state of a chain of integrators.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plant {
+    /// f(x, u, t), in units of xn per s.
+    pub f: Expression,
+    /// The true g(x, t); none for the controller's own.
+    pub g: Option<Expression>,
+    /// Symbols with a value.
+    pub fixed: BTreeMap<Parameter, Fixed>,
+    /// Symbols that are uncertain, with least and greatest value.
+    pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
+}
+
+impl Default for Plant {
+    fn default() -> Self {
+        let (fixed, bounds) = (BTreeMap::new(), BTreeMap::new());
+        Self { f: Expression::integer(0), g: None, fixed, bounds }
+    }
+}
+
+impl Plant {
+    /// The symbols of the plant that are no parameters of its controller.
+    pub fn symbols(&self, spec: &Spec) -> BTreeSet<Parameter> {
+        let of_controller: BTreeSet<_> = spec.parameters().into_iter().collect();
+        let used = std::iter::once(&self.f).chain(&self.g).flat_map(Expression::parameters);
+        used.filter(|parameter| !of_controller.contains(parameter)).collect()
+    }
+}

@@ -1,0 +1,202 @@
+//! From the entries of the table `[plant]` to a plant: all mistakes at once.
+
+use std::collections::BTreeMap;
+
+use super::{KEYS, Plant, TABLE};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::spec::{Entry, Node, Parameter, Spec, Value, known, real, shorten};
+
+/// What stands at a key, and where the key is.
+type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
+
+/// Reads the plant of the controller that `spec` asks for; none where the design has none.
+///
+/// # Errors
+/// Every mistake in the table `[plant]`.
+pub fn read(entries: &[Entry], spec: &Spec) -> Result<Option<Plant>, Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    let mut given = Given::new();
+    for entry in entries {
+        let Some(name) = entry.key.strip_prefix(TABLE).and_then(|rest| rest.strip_prefix('.'))
+        else {
+            continue;
+        };
+        if given.insert(name, (entry.place, &entry.value)).is_some() {
+            let message = format!("key `{}` is given twice", entry.key);
+            let help = "leave one of the two out";
+            found.push("repeated-key", entry.key.as_str(), Some(entry.place), message, help);
+        }
+    }
+    if given.is_empty() {
+        return found.finish(Some(None));
+    }
+    let plant = plant(&given, spec, &mut found);
+    found.finish(Some(Some(plant)))
+}
+
+fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
+    let known = known(spec.time_mapping.parameters());
+    let mut whole = true;
+    let mut expression = |subject: Subject| {
+        let key = subject.key().trim_start_matches("plant.");
+        let (_, node) = given.get(key)?;
+        let read = resolve(node, Scope { subject, n: spec.n, known: &known }, found);
+        whole &= read.is_some();
+        read
+    };
+    let f = expression(Subject::Drift).unwrap_or(Expression::integer(0));
+    let g = expression(Subject::PlantGain);
+    if g.as_ref().is_some_and(|g| normal(g) == Expression::integer(0)) {
+        let place = given.get("g").map(|(_, node)| node.place);
+        let message = "g = 0: the input does not move the plant";
+        found.push("bad-value", "plant.g", place, message, "g(x, t) is not 0");
+    }
+    let mut plant = Plant { f, g, ..Plant::default() };
+    let symbols: Vec<_> = plant.symbols(spec).into_iter().collect();
+    for (name, (place, node)) in given {
+        if KEYS.iter().any(|info| info.key == *name) {
+            continue;
+        }
+        match symbols.iter().find(|symbol| symbol.spelling() == *name) {
+            Some(symbol) => value(&mut plant, name, *symbol, node, found),
+            // What could not be read may use it.
+            None if whole => unused(name, *place, spec, &symbols, found),
+            None => {}
+        }
+    }
+    plant
+}
+
+/// A number, or `[least, greatest]`, for a symbol.
+fn value(plant: &mut Plant, name: &str, symbol: Parameter, node: &Node, found: &mut Diagnostics) {
+    let finite = |node: &Node| real(node).filter(|value| value.number().is_some());
+    if let Value::List(items) = &node.value
+        && let [least, greatest] = items.as_slice()
+        && let (Some(least), Some(greatest)) = (finite(least), finite(greatest))
+        && least.number() < greatest.number()
+    {
+        plant.bounds.insert(symbol, (least, greatest));
+        return;
+    }
+    match finite(node) {
+        Some(value) if !value.leaves(crate::spec::Precision::F64) => {
+            plant.fixed.insert(symbol, value);
+        }
+        _ => {
+            let (message, help) = match &node.value {
+                Value::List(_) => {
+                    ("is no pair of bounds", "bounds are [least, greatest] with least < greatest")
+                }
+                _ => (
+                    "is no finite number",
+                    "a symbol of the plant is a finite number, or bounds [least, greatest] where it is uncertain",
+                ),
+            };
+            let key = format!("plant.{name}");
+            found.push(
+                "bad-value",
+                key.as_str(),
+                Some(node.place),
+                format!("{key} {message}"),
+                help,
+            );
+        }
+    }
+}
+
+/// A key that is neither f nor g nor the name of a symbol of these.
+fn unused(name: &str, place: Place, spec: &Spec, symbols: &[Parameter], found: &mut Diagnostics) {
+    let key = format!("plant.{name}");
+    if spec.parameters().iter().any(|parameter| parameter.spelling() == name) {
+        let message = format!("`{name}` is a parameter of the controller");
+        let help = format!(
+            "give it under [params]; the plant's own needs another name, such as true_{name}"
+        );
+        found.push("conflict", key, Some(place), message, help);
+        return;
+    }
+    let names: Vec<_> = KEYS
+        .iter()
+        .map(|info| info.key.to_owned())
+        .chain(symbols.iter().map(|s| s.spelling()))
+        .collect();
+    let meant = near_miss(name, names.iter().map(String::as_str));
+    let meant = meant.map(|meant| format!("did you mean `{meant}`? ")).unwrap_or_default();
+    let all = names.join(", ");
+    let help = format!("{meant}[plant] holds f, g and the symbols that they use; here {all}");
+    found.push(
+        "unknown-key",
+        key,
+        Some(place),
+        format!("nothing of the plant is called `{}`", shorten(name)),
+        help,
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design;
+
+    fn of(design: &str) -> Result<Option<Plant>, Vec<Diagnostic>> {
+        let text = format!("n = 2\nmu = \"exp\"\ng = \"gain\"\n{design}");
+        let (entries, found) = design::read(&text, &mut |range| Place(range.start));
+        assert_eq!(found, []);
+        read(&entries, &crate::spec::read(&entries).expect("a controller"))
+    }
+
+    #[test]
+    fn a_plant_has_its_expressions_and_symbols() {
+        assert_eq!(of(""), Ok(None));
+        let text =
+            "[plant]\nf = \"-d*x2 + w*sin(t)*u/tau\"\ng = \"gain*b\"\nd = 0.4\nw = [0, 1e-1]\n";
+        let plant = of(text).expect("a plant").expect("a table");
+        assert_eq!(plant.f.to_string(), "-d*x2 + w*sin(t)*u/tau");
+        assert_eq!(plant.g.map(|g| g.to_string()).as_deref(), Some("gain*b"));
+        let names = |p: &Parameter| p.spelling();
+        assert_eq!(plant.fixed.keys().map(names).collect::<Vec<_>>(), ["d"]);
+        let (bounded, (least, greatest)) = plant.bounds.first_key_value().expect("bounds");
+        let shown = (names(bounded), least.to_string(), greatest.to_string());
+        assert_eq!(shown, ("w".to_owned(), "0".to_owned(), "1e-1".to_owned()));
+        assert_eq!(of("plant.f = 0\n").map(|p| p.map(|p| p.g)), Ok(Some(None)));
+    }
+
+    #[test]
+    fn mistakes_are_told_with_what_is_legal() {
+        for (text, code, message, help) in [
+            ("[plant]\nf = \"x3\"", "bad-expression", "`x3` does not exist", "1..=2"),
+            (
+                "[plant]\nf = \"xi1\"",
+                "bad-expression",
+                "`xi1` is not known where plant.f",
+                "u, t (time)",
+            ),
+            ("[plant]\ng = \"u\"", "bad-expression", "`u` is not known where plant.g", "x1..xn"),
+            ("[plant]\ng = 0", "bad-value", "g = 0", "not 0"),
+            ("[plant]\nf = \"d*x1\"\ndd = 1", "unknown-key", "called `dd`", "did you mean `d`?"),
+            ("[plant]\nf = \"gain*x1\"\ngain = 1", "conflict", "`gain` is a parameter", "[params]"),
+            (
+                "[plant]\nf = \"d*x1\"\nd = inf",
+                "bad-value",
+                "plant.d is no finite number",
+                "finite",
+            ),
+            (
+                "[plant]\nf = \"d*x1\"\nd = [2, 1]",
+                "bad-value",
+                "plant.d is no pair",
+                "least < greatest",
+            ),
+            ("[plant]\nf = 1\nf = 2", "repeated-key", "`plant.f` is given twice", "leave one"),
+        ] {
+            let found = of(text).expect_err(text);
+            let [wrong] = &found[..] else { panic!("{text}: {found:?}") };
+            assert_eq!(wrong.code, code, "{text}: {wrong:?}");
+            assert!(wrong.message.contains(message), "{text}: {}", wrong.message);
+            assert!(wrong.help.contains(help), "{text}: {}", wrong.help);
+            assert!(wrong.place.is_some(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Pictures of runs: states, control and bounds over time, and the view in stretched time.
+//!
+//! The same drawing becomes SVG and PNG. The page is white, which prints; where a reader's page is
+//! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
+
+mod panel;
+mod range;
+mod style;
+
+use plotters::backend::BitMapBackend;
+use plotters::drawing::DrawingArea;
+use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
+
+use panel::Panel;
+
+/// What is drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figure {
+    /// A line above all.
+    pub title: String,
+    /// The runs, one a tau.
+    pub traces: Vec<Trace>,
+    /// Bound of |u|; none where it has none.
+    pub u_max: Option<f64>,
+    /// Bounds of |x_i|; empty where there are none.
+    pub x_max: Vec<f64>,
+}
+
+/// One run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// What it is called in the legend.
+    pub label: String,
+    /// Start time in s.
+    pub start: f64,
+    /// Deadline t0 + tau in s.
+    pub deadline: f64,
+    /// Times in s.
+    pub t: Vec<f64>,
+    /// Stretched times since the start in s; NaN where they are not known.
+    pub stretched: Vec<f64>,
+    /// `x[j]` is state j + 1 at these times.
+    pub x: Vec<Vec<f64>>,
+    /// Control at these times.
+    pub u: Vec<f64>,
+    /// Whether u is held from each of these times to the next.
+    pub held: bool,
+}
+
+/// Size of a panel, and of the line above all, in pixels.
+const PANEL: (u32, u32) = (460, 250);
+const HEAD: u32 = 56;
+
+impl Figure {
+    /// As the text of an SVG file.
+    ///
+    /// # Errors
+    /// A drawing that cannot be made, such as one of values that are no numbers.
+    pub fn svg(&self) -> Result<String, String> {
+        let mut text = String::new();
+        self.draw(SVGBackend::with_string(&mut text, self.size()).into_drawing_area())?;
+        Ok(style::with_dark_page(&text))
+    }
+
+    /// As the bytes of a PNG file.
+    ///
+    /// # Errors
+    /// As [`Self::svg`].
+    pub fn png(&self) -> Result<Vec<u8>, String> {
+        let (width, height) = self.size();
+        let mut pixels = vec![0; 3 * width as usize * height as usize];
+        self.draw(BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area())?;
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let written = encoder.write_header().and_then(|mut writer| {
+            writer.write_image_data(&pixels)?;
+            writer.finish()
+        });
+        written.map_err(|error| error.to_string())?;
+        Ok(bytes)
+    }
+
+    fn size(&self) -> (u32, u32) {
+        let rows = u32::try_from(Panel::all(self).len().div_ceil(2)).unwrap_or(1);
+        (2 * PANEL.0, HEAD + rows * PANEL.1)
+    }
+
+    fn draw<B: DrawingBackend>(
+        &self,
+        area: DrawingArea<B, plotters::coord::Shift>,
+    ) -> Result<(), String> {
+        style::register_letters()?;
+        let told = |error: &dyn std::fmt::Display| error.to_string();
+        area.fill(&style::PAGE).map_err(|e| told(&e))?;
+        let (head, body) = area.split_vertically(HEAD);
+        style::head(self, &head).map_err(|e| told(&e))?;
+        let panels = Panel::all(self);
+        let places = body.split_evenly((panels.len().div_ceil(2), 2));
+        for (panel, place) in panels.iter().zip(&places) {
+            panel.draw(self, place)?;
+        }
+        area.present().map_err(|e| told(&e))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figure() -> Figure {
+        let t: Vec<_> = (0..=50).map(|i| f64::from(i) / 50.0).collect();
+        let trace = |label: &str, held| Trace {
+            label: label.to_owned(),
+            deadline: 1.0,
+            stretched: t.iter().map(|t| if held { f64::NAN } else { -(1.001 - t).ln() }).collect(),
+            x: vec![t.iter().map(|t| 1.0 - t).collect(), t.iter().map(|_| -1.0).collect()],
+            u: t.iter().map(|t| t - 0.5).collect(),
+            t: t.clone(),
+            held,
+            ..Trace::default()
+        };
+        Figure {
+            title: "two runs".to_owned(),
+            traces: vec![trace("one", false), trace("two", true)],
+            u_max: Some(0.6),
+            x_max: vec![1.2],
+        }
+    }
+
+    #[test]
+    fn svg_has_every_part_and_a_dark_page() {
+        let svg = figure().svg().expect("a drawing");
+        assert_eq!(svg, figure().svg().expect("the same drawing"));
+        for part in [
+            "two runs",
+            "one",
+            "x1",
+            "x2",
+            "x1 = xi1 in stretched time",
+            "prefers-color-scheme: dark",
+        ] {
+            assert!(svg.contains(part), "{part}");
+        }
+        // The bound of u on both sides, and that of x1, in dashes.
+        assert!(svg.matches("stroke=\"#A02030\"").count() > 100);
+        let colours = svg.matches("stroke=\"#1B5FA8\"").count();
+        assert!(colours >= 1 + 4 + 3, "legend, lines and deadlines: {colours}");
+    }
+
+    #[test]
+    fn png_is_the_same_drawing() {
+        let bytes = figure().png().expect("a drawing");
+        let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
+        let mut reader = decoder.read_info().expect("a head");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        let frame = reader.next_frame(&mut pixels).expect("pixels");
+        assert_eq!((frame.width, frame.height), figure().size());
+        let of = |colour: [u8; 3]| pixels.chunks(3).filter(|pixel| **pixel == colour).count();
+        assert!(of([255, 255, 255]) > 100_000, "a white page");
+        assert!(of([0x1b, 0x5f, 0xa8]) > 1000 && of([0xa0, 0x20, 0x30]) > 300, "lines and bounds");
+    }
+
+    #[test]
+    fn runs_of_nothing_are_drawn_too() {
+        let still = Trace {
+            x: vec![vec![0.0; 2]],
+            u: vec![0.0; 2],
+            t: vec![0.0, 1.0],
+            stretched: vec![0.0, f64::INFINITY],
+            deadline: 1.0,
+            ..Trace::default()
+        };
+        assert!(Figure { traces: vec![still], ..Figure::default() }.png().is_ok());
+        assert!(Figure::default().svg().is_ok());
+    }
+}

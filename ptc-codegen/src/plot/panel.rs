@@ -1,0 +1,178 @@
+//! One panel: a quantity of every run, with its axes and bounds.
+
+use plotters::chart::{ChartBuilder, ChartContext};
+use plotters::coord::Shift;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::types::RangedCoordf64;
+use plotters::drawing::DrawingArea;
+use plotters::element::PathElement;
+use plotters::prelude::DrawingBackend;
+use plotters::series::{DashedLineSeries, LineSeries};
+use plotters::style::{Color, ShapeStyle};
+
+use super::{Figure, Trace, range, style};
+
+/// What a panel shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Panel {
+    /// State of this index from 0, over time.
+    State(usize),
+    /// Control over time.
+    Control,
+    /// The first state over stretched time: xi_1 = x_1.
+    Stretched,
+}
+
+/// Part of tau at the start in which u may be so large that the rest would be a flat line.
+const OUTSET: f64 = 0.02;
+
+type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+impl Panel {
+    /// The panels of a figure.
+    pub(super) fn all(figure: &Figure) -> Vec<Self> {
+        let order = figure.traces.first().map_or(0, |trace| trace.x.len());
+        let known = |trace: &Trace| trace.stretched.iter().any(|s| s.is_finite());
+        let stretched = figure.traces.iter().any(known).then_some(Self::Stretched);
+        (0..order).map(Self::State).chain([Self::Control]).chain(stretched).collect()
+    }
+
+    /// Draws it.
+    pub(super) fn draw<B: DrawingBackend>(
+        self,
+        figure: &Figure,
+        area: &DrawingArea<B, Shift>,
+    ) -> Result<(), String> {
+        let told = |error: &dyn std::fmt::Display| error.to_string();
+        let (across, (up, cut)) = (self.across(figure), self.up(figure));
+        let mut chart = ChartBuilder::on(area)
+            .margin(10)
+            .margin_right(22)
+            .x_label_area_size(42)
+            .y_label_area_size(62)
+            .caption(self.title(cut), style::text(17))
+            .build_cartesian_2d(across.0..across.1, up.0..up.1)
+            .map_err(|e| told(&e))?;
+        chart
+            .configure_mesh()
+            .light_line_style(style::PAGE)
+            .bold_line_style(style::GRID)
+            .axis_style(style::FRAME)
+            .label_style(style::text(14))
+            .x_labels(7)
+            .y_labels(6)
+            .x_label_formatter(&|x| range::label(*x))
+            .y_label_formatter(&|y| range::label(*y))
+            .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
+            .draw()
+            .map_err(|e| told(&e))?;
+        if let Some(bound) = self.bound(figure) {
+            for level in [bound, -bound].into_iter().filter(|y| (up.0..=up.1).contains(y)) {
+                let points = vec![(across.0, level), (across.1, level)];
+                dashed(&mut chart, points, (4, 3), style::BOUND.stroke_width(1))?;
+            }
+        }
+        for (index, trace) in figure.traces.iter().enumerate() {
+            if self != Self::Stretched {
+                let line = vec![(trace.deadline, up.0), (trace.deadline, up.1)];
+                let line = PathElement::new(line, style::deadline(index));
+                chart.draw_series([line]).map_err(|e| told(&e))?;
+            }
+            let inside = |(x, y): &(f64, f64)| *x <= across.1 && y.is_finite();
+            let points: Vec<_> = self.points(trace).into_iter().filter(inside).collect();
+            let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
+            dashed(&mut chart, points, style::dash(index), style::line(index))?;
+        }
+        Ok(())
+    }
+
+    fn title(self, cut: bool) -> String {
+        match self {
+            Self::State(index) => format!("x{}", index + 1),
+            Self::Control if cut => format!("u, to scale from t0 + {OUTSET} tau on"),
+            Self::Control => "u".to_owned(),
+            Self::Stretched => "x1 = xi1 in stretched time".to_owned(),
+        }
+    }
+
+    fn bound(self, figure: &Figure) -> Option<f64> {
+        match self {
+            Self::State(index) => figure.x_max.get(index).copied(),
+            Self::Control => figure.u_max,
+            Self::Stretched => None,
+        }
+    }
+
+    fn points(self, trace: &Trace) -> Vec<(f64, f64)> {
+        let along =
+            |x: &[f64], y: &[f64]| -> Vec<_> { x.iter().copied().zip(y.iter().copied()).collect() };
+        match self {
+            Self::State(index) => along(&trace.t, &trace.x[index]),
+            Self::Control if trace.held => {
+                let steps = trace.t.windows(2).zip(&trace.u);
+                steps.flat_map(|(t, u)| [(t[0], *u), (t[1], *u)]).collect()
+            }
+            Self::Control => along(&trace.t, &trace.u),
+            Self::Stretched => along(&trace.stretched, &trace.x[0]),
+        }
+    }
+
+    /// The shown part of the horizontal axis.
+    fn across(self, figure: &Figure) -> (f64, f64) {
+        let traces = figure.traces.iter();
+        if self == Self::Stretched {
+            let end = traces.map(settled).fold(0.0, f64::max);
+            return (0.0, if end > 0.0 { end } else { 1.0 });
+        }
+        let start = traces.clone().map(|trace| trace.start).fold(f64::INFINITY, f64::min);
+        let last = |trace: &Trace| trace.t.last().copied().unwrap_or(0.0).max(trace.deadline);
+        let end = traces.map(last).fold(f64::NEG_INFINITY, f64::max);
+        if start < end && (end - start).is_finite() { (start, end) } else { (0.0, 1.0) }
+    }
+
+    /// The shown part of the vertical axis, and whether it leaves out the outset of u.
+    fn up(self, figure: &Figure) -> ((f64, f64), bool) {
+        let all = || {
+            figure.traces.iter().flat_map(|trace| self.points(trace).into_iter().map(|(_, y)| y))
+        };
+        let peak = all().filter(|y| y.is_finite()).fold(0.0_f64, |peak, y| peak.max(y.abs()));
+        // A bound that is far away would make a flat line of the run.
+        let near = self.bound(figure).filter(|bound| *bound <= 2.0 * peak);
+        let whole = range::of(all().chain(near).chain(near.map(|bound| -bound)));
+        let later = |trace: &Trace| {
+            let from = trace.start + OUTSET * (trace.deadline - trace.start);
+            self.points(trace).into_iter().filter(move |(t, _)| *t >= from).map(|(_, y)| y)
+        };
+        let rest = range::of(figure.traces.iter().flat_map(later));
+        match self {
+            Self::Control if whole.1 - whole.0 > 4.0 * (rest.1 - rest.0) => (rest, true),
+            _ => (whole, false),
+        }
+    }
+}
+
+/// The stretched time up to which there is something to see: x_1 above a hundredth of its peak, and
+/// half as much again; at most that of T = tau/100.
+fn settled(trace: &Trace) -> f64 {
+    let peak = trace.x[0].iter().fold(0.0_f64, |peak, x| peak.max(x.abs()));
+    let seen = trace.stretched.iter().zip(&trace.x[0]).filter(|(_, x)| x.abs() > peak / 100.0);
+    let last = seen.map(|(s, _)| *s).fold(0.0, f64::max);
+    let tau = trace.deadline - trace.start;
+    let before =
+        trace.stretched.iter().zip(&trace.t).filter(|(_, t)| trace.deadline - *t >= tau / 100.0);
+    let most = before.map(|(s, _)| *s).fold(0.0, f64::max);
+    if last > 0.0 { (1.5 * last).min(most) } else { most }
+}
+
+fn dashed<B: DrawingBackend>(
+    chart: &mut Chart<'_, B>,
+    points: Vec<(f64, f64)>,
+    (dash, gap): (u32, u32),
+    style: ShapeStyle,
+) -> Result<(), String> {
+    let drawn = match gap {
+        0 => chart.draw_series(LineSeries::new(points, style)).map(|_| ()),
+        _ => chart.draw_series(DashedLineSeries::new(points, dash, gap, style)).map(|_| ()),
+    };
+    drawn.map_err(|error| error.to_string())
+}

@@ -1,0 +1,159 @@
+//! Operations on numbers, in the precision of a program: one place for their bits.
+
+use super::{Op, number};
+use crate::expression::Function;
+use crate::spec::Precision;
+
+/// An operation that numbers alone decide; its operands are places of numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Arithmetic {
+    Number(f64),
+    Neg(usize),
+    Add(usize, usize),
+    Sub(usize, usize),
+    Mul(usize, usize),
+    Div(usize, usize),
+    Quotient(usize, usize),
+    Power(usize, u32),
+    Max(usize, usize),
+    Min(usize, usize),
+    Call(Function, usize),
+    Pow(usize, usize),
+}
+
+impl Arithmetic {
+    /// `op` on the numbers at `a` and `b`; none for operations that need more than numbers.
+    pub(super) fn of(op: &Op, a: usize, b: usize, precision: Precision) -> Option<Self> {
+        Some(match op {
+            Op::Number(value) => Self::Number(number::round(value, precision)),
+            Op::Neg(_) => Self::Neg(a),
+            Op::Add(..) => Self::Add(a, b),
+            Op::Sub(..) => Self::Sub(a, b),
+            Op::Mul(..) => Self::Mul(a, b),
+            Op::Div(..) => Self::Div(a, b),
+            Op::Quotient(..) => Self::Quotient(a, b),
+            Op::Power(_, k) => Self::Power(a, *k),
+            Op::Max(..) => Self::Max(a, b),
+            Op::Min(..) => Self::Min(a, b),
+            Op::Call(function, _) => Self::Call(*function, a),
+            Op::Pow(..) => Self::Pow(a, b),
+            Op::Input(_)
+            | Op::Law(_)
+            | Op::Rows { .. }
+            | Op::Element(..)
+            | Op::Unknown
+            | Op::Root(_) => return None,
+        })
+    }
+
+    /// The result on the numbers that `at` gives.
+    pub(super) fn result(&self, at: impl Fn(usize) -> f64, precision: Precision) -> f64 {
+        let settle = |result| number::settle(result, precision);
+        match *self {
+            Self::Number(value) => value,
+            Self::Neg(a) => -at(a),
+            Self::Add(a, b) => settle(at(a) + at(b)),
+            Self::Sub(a, b) => settle(at(a) - at(b)),
+            Self::Mul(a, b) => settle(at(a) * at(b)),
+            Self::Div(a, b) => settle(at(a) / at(b)),
+            Self::Quotient(a, b) => {
+                let divisor = at(b);
+                if divisor != 0.0 && !divisor.is_nan() { settle(at(a) / divisor) } else { f64::NAN }
+            }
+            Self::Power(a, k) => power(at(a), k, precision),
+            Self::Max(a, b) => {
+                let (a, b) = (at(a), at(b));
+                if a < b { b } else { a }
+            }
+            Self::Min(a, b) => {
+                let (a, b) = (at(a), at(b));
+                if a < b { a } else { b }
+            }
+            Self::Call(function, a) => call(function, at(a), precision),
+            #[allow(clippy::cast_possible_truncation)]
+            Self::Pow(a, b) => match precision {
+                Precision::F64 => at(a).powf(at(b)),
+                Precision::F32 => f64::from((at(a) as f32).powf(at(b) as f32)),
+            },
+        }
+    }
+}
+
+/// The way of an operation that is emitted with a branch.
+pub(super) fn way(operation: &Arithmetic, at: impl Fn(usize) -> f64) -> Option<&'static str> {
+    match *operation {
+        Arithmetic::Min(a, b) | Arithmetic::Max(a, b) => {
+            Some(if at(a) < at(b) { "less" } else { "not less" })
+        }
+        Arithmetic::Call(Function::Sign, a) | Arithmetic::Quotient(_, a) => Some(match at(a) {
+            a if a > 0.0 => "positive",
+            a if a < 0.0 => "negative",
+            _ => "zero",
+        }),
+        _ => None,
+    }
+}
+
+/// The result of an operation on numbers; `None` for operations that need more than numbers.
+pub fn apply(op: &Op, operands: &[f64], precision: Precision) -> Option<f64> {
+    if op.operands().len() != operands.len() {
+        return None;
+    }
+    let arithmetic = Arithmetic::of(op, 0, 1, precision)?;
+    Some(arithmetic.result(|i| operands[i], precision))
+}
+
+/// A function of one number.
+type Real<R> = fn(R) -> R;
+
+/// A function of the platform; a float one may differ from the rounded double one in the last bit.
+#[allow(clippy::cast_possible_truncation)]
+fn call(function: Function, a: f64, precision: Precision) -> f64 {
+    let (double, single): (Real<f64>, Real<f32>) = match function {
+        Function::Abs => (f64::abs, f32::abs),
+        Function::Sign => (|a| sign(a, 0.0, 1.0), |a| sign(a, 0.0, 1.0)),
+        Function::Sqrt => (f64::sqrt, f32::sqrt),
+        Function::Exp => (f64::exp, f32::exp),
+        Function::Ln => (f64::ln, f32::ln),
+        Function::Sin => (f64::sin, f32::sin),
+        Function::Cos => (f64::cos, f32::cos),
+        Function::Tan => (f64::tan, f32::tan),
+        Function::Atan => (f64::atan, f32::atan),
+        Function::Sinh => (f64::sinh, f32::sinh),
+        Function::Cosh => (f64::cosh, f32::cosh),
+        Function::Tanh => (f64::tanh, f32::tanh),
+        Function::Atanh => (f64::atanh, f32::atanh),
+    };
+    match precision {
+        Precision::F64 => double(a),
+        Precision::F32 => f64::from(single(a as f32)),
+    }
+}
+
+/// 1, -1, or a itself where it is a zero or no number.
+fn sign<R: PartialOrd + std::ops::Neg<Output = R> + Copy>(a: R, zero: R, one: R) -> R {
+    if a > zero {
+        one
+    } else if a < zero {
+        -one
+    } else {
+        a
+    }
+}
+
+/// a^k by the chain that [`passes::chains`](super::passes) writes out.
+fn power(a: f64, k: u32, precision: Precision) -> f64 {
+    let mut square = a;
+    let mut product = None;
+    let mut left = k;
+    loop {
+        if left & 1 == 1 {
+            product = Some(product.map_or(square, |p| number::settle(p * square, precision)));
+        }
+        left >>= 1;
+        if left == 0 {
+            return product.unwrap_or(1.0);
+        }
+        square = number::settle(square * square, precision);
+    }
+}

@@ -1,0 +1,234 @@
+//! A program as operations on numbered slots: compiled once, run many times, the same bits each time.
+//!
+//! What the emitted code computes in `init`, `arm`, `tick` and `step` is run stage by stage, without
+//! a search and, but for the loops of [`Op::Rows`], without an allocation.
+
+use super::arithmetic::{Arithmetic, way};
+use super::{Input, Op, Program, Root, Stage, Value, number, rows};
+use crate::spec::Precision;
+
+/// The user's own law of xi_1..xi_n and stretched time.
+pub type UserLaw<'a> = &'a dyn Fn(&[f64]) -> f64;
+
+/// A program that runs.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    precision: Precision,
+    steps: Vec<Step>,
+    /// Of each stage, the values that become known in it, in order of computation.
+    due: [Vec<usize>; 5],
+    slots: Slots,
+}
+
+/// What the values are at present.
+#[derive(Clone, Debug)]
+struct Slots {
+    numbers: Vec<f64>,
+    /// By the value that is an array.
+    arrays: Vec<Vec<f64>>,
+    arguments: Vec<f64>,
+}
+
+/// How one value comes about.
+#[derive(Clone, Debug)]
+enum Step {
+    Arithmetic(Arithmetic),
+    /// Set from outside, or by the loop of a root.
+    Given(Option<Input>),
+    Law(Vec<usize>),
+    Rows {
+        tail: Vec<usize>,
+        weights: Vec<usize>,
+    },
+    Element(usize, usize),
+    Root(Root, Vec<usize>),
+}
+
+/// What sees the way that an operation with several ways took.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(Value, &'static str);
+
+impl Machine {
+    /// The machine of `program`, which computes `outputs`. Values are NaN until they are computed.
+    pub fn new(program: &Program, outputs: &[Value]) -> Self {
+        let steps: Vec<_> =
+            (0..program.values.len()).map(|i| Step::new(program, Value(i))).collect();
+        let mut due: [Vec<usize>; 5] = Default::default();
+        for value in program.needed(outputs) {
+            let definition = program.get(value);
+            if !definition.looped {
+                due[definition.stage as usize].push(value.0);
+            }
+        }
+        let count = steps.len();
+        let slots = Slots {
+            numbers: vec![f64::NAN; count],
+            arrays: vec![Vec::new(); count],
+            arguments: Vec::new(),
+        };
+        let mut machine = Self { precision: program.precision, steps, due, slots };
+        for (index, definition) in program.values.iter().enumerate() {
+            if definition.stage == Stage::Generation {
+                machine.compute(index, None, &mut |_, _| {});
+            }
+        }
+        machine
+    }
+
+    /// Where `input` is held, if the outputs ask for it.
+    pub fn slot(&self, input: Input) -> Option<Slot> {
+        let mut asked = self.due.iter().flatten();
+        asked
+            .find(|i| matches!(&self.steps[**i], Step::Given(Some(own)) if *own == input))
+            .map(|i| Slot(*i))
+    }
+
+    /// The inputs that the outputs ask for.
+    pub fn inputs(&self) -> impl Iterator<Item = (Input, Slot)> {
+        self.due.iter().flatten().filter_map(|i| match &self.steps[*i] {
+            Step::Given(Some(input)) => Some((*input, Slot(*i))),
+            _ => None,
+        })
+    }
+
+    /// Sets an input, in the precision of the program. An input that nothing asks for has no slot.
+    pub fn set(&mut self, slot: Option<Slot>, value: f64) {
+        if let Some(Slot(index)) = slot {
+            self.slots.numbers[index] = number::settle(value, self.precision);
+        }
+    }
+
+    /// Computes what the inputs of `stage` decide, those of earlier stages being computed.
+    pub fn run(&mut self, stage: Stage, law: Option<UserLaw<'_>>) {
+        for index in &self.due[stage as usize] {
+            self.slots.compute(&self.steps, *index, self.precision, law, &mut |_, _| {});
+        }
+    }
+
+    /// The number that `value` has.
+    pub fn get(&self, value: Value) -> f64 {
+        self.slots.numbers[value.0]
+    }
+
+    /// Computes one value from its operands.
+    pub(super) fn compute(&mut self, index: usize, law: Option<UserLaw<'_>>, watch: Watch<'_>) {
+        self.slots.compute(&self.steps, index, self.precision, law, watch);
+    }
+
+    /// Sets one value, whatever it is.
+    pub(super) fn put(&mut self, index: usize, value: f64) {
+        self.slots.numbers[index] = value;
+    }
+}
+
+/// Where a machine holds an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot(usize);
+
+impl Step {
+    fn new(program: &Program, value: Value) -> Self {
+        let slots = |values: &[Value]| values.iter().map(|v| v.0).collect::<Vec<_>>();
+        match &program.get(value).op {
+            Op::Input(input) => Self::Given(Some(*input)),
+            Op::Unknown => Self::Given(None),
+            Op::Law(arguments) => Self::Law(slots(arguments)),
+            Op::Rows { tail, weights } => Self::Rows { tail: slots(tail), weights: slots(weights) },
+            Op::Element(array, index) => Self::Element(array.0, *index),
+            Op::Root(root) => {
+                let body = program.needed(&[root.residual, root.next, root.size]);
+                let of_loop = |v: &Value| program.get(*v).looped && *v != root.unknown;
+                Self::Root(*root, body.into_iter().filter(of_loop).map(|v| v.0).collect())
+            }
+            op => {
+                let operands = slots(&op.operands());
+                let operand = |i: usize| operands.get(i).copied().unwrap_or(value.0);
+                let arithmetic = Arithmetic::of(op, operand(0), operand(1), program.precision);
+                arithmetic.map_or(Self::Given(None), Self::Arithmetic)
+            }
+        }
+    }
+}
+
+impl Slots {
+    fn compute(
+        &mut self,
+        steps: &[Step],
+        index: usize,
+        precision: Precision,
+        law: Option<UserLaw<'_>>,
+        watch: Watch<'_>,
+    ) {
+        self.numbers[index] = match &steps[index] {
+            Step::Arithmetic(arithmetic) => {
+                let at = |i: usize| self.numbers[i];
+                if let Some(way) = way(arithmetic, at) {
+                    watch(Value(index), way);
+                }
+                arithmetic.result(at, precision)
+            }
+            Step::Given(_) => return,
+            Step::Law(arguments) => {
+                self.arguments.clear();
+                self.arguments.extend(arguments.iter().map(|i| self.numbers[*i]));
+                law.map_or(f64::NAN, |law| law(&self.arguments))
+            }
+            Step::Rows { tail, weights } => {
+                let numbers = |slots: &[usize]| -> Vec<f64> {
+                    slots.iter().map(|i| self.numbers[*i]).collect()
+                };
+                let add = |a, b| number::settle(a + b, precision);
+                let mul = |a, b| number::settle(a * b, precision);
+                self.arrays[index] = rows::rows(&numbers(tail), &numbers(weights), add, mul);
+                // An array is no number.
+                f64::NAN
+            }
+            Step::Element(array, element) => self.arrays[*array][*element],
+            Step::Root(root, body) => self.root(steps, (index, root, body), precision, law, watch),
+        };
+    }
+
+    fn root(
+        &mut self,
+        steps: &[Step],
+        (index, root, body): (usize, &Root, &[usize]),
+        precision: Precision,
+        law: Option<UserLaw<'_>>,
+        watch: Watch<'_>,
+    ) -> f64 {
+        let value = Value(index);
+        let at = |slots: &Self, value: Value| slots.numbers[value.0];
+        let (mut low, mut high, mut y) =
+            (at(self, root.low), at(self, root.high), at(self, root.start));
+        let mut ended = "exhausted";
+        for _ in 0..root.rounds {
+            self.numbers[root.unknown.0] = y;
+            for value in body {
+                self.compute(steps, *value, precision, law, watch);
+            }
+            let right = at(self, root.residual) > 0.0;
+            if right {
+                low = y;
+            } else {
+                high = y;
+            }
+            let next = at(self, root.next);
+            let proposal = match () {
+                () if next >= low && next <= high => "inside",
+                () if next >= low => "beyond",
+                () => "before",
+            };
+            watch(value, if right { "right" } else { "left" });
+            watch(value, proposal);
+            y = if next >= low && next <= high {
+                next
+            } else {
+                number::settle(0.5 * number::settle(low + high, precision), precision)
+            };
+            if at(self, root.size) <= at(self, root.tolerance) {
+                ended = "ended";
+                break;
+            }
+        }
+        watch(value, ended);
+        y
+    }
+}

@@ -1,0 +1,125 @@
+//! The associated infinite-time system, mapped back to the plant.
+
+use std::cell::RefCell;
+
+use super::solver::{Rates, State, integrate};
+use super::{Accuracy, Failure, Sample, Values, controller};
+use crate::lower::{ClosedLoop, closed_loop};
+use crate::plant::Plant;
+use crate::program::machine::{Machine, Slot};
+use crate::program::{Input, Stage, passes};
+use crate::reference::Status;
+use crate::spec::{Fixed, Parameter, Precision, Spec};
+
+/// The law of Theorem 1 with its plant, in infinite time: no eps, no sample period; u is clipped to
+/// u_max where the design fixes one.
+///
+/// What a u that is clipped, and a plant whose g is another than the controller's, add to the
+/// associated system is g_plant u - g u_law beside f.
+#[derive(Clone, Debug)]
+pub struct Continuous {
+    n: usize,
+    closed: ClosedLoop,
+    machine: Machine,
+    time_to_go: Option<Slot>,
+    state: Vec<Option<Slot>>,
+}
+
+impl Continuous {
+    /// The loop of a controller and a plant, to be run with many values.
+    ///
+    /// # Errors
+    /// The law is a function of the user's program.
+    pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
+        controller::has_text(spec, false)?;
+        let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
+        spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        let mut closed = closed_loop(&spec, &plant.f, plant.g.as_ref());
+        closed.program = passes::optimise(closed.program, &mut |_, _| {});
+        let machine = Machine::new(&closed.program, &closed.program.outputs());
+        let time_to_go = machine.slot(Input::Time);
+        let state = (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect();
+        Ok(Self { n: spec.n, closed, machine, time_to_go, state })
+    }
+
+    /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
+    /// from at most 1 and end above 0.
+    ///
+    /// # Errors
+    /// A parameter without a value, or a loop that leaves the range of numbers.
+    pub fn run(
+        &mut self,
+        values: &Values,
+        x0: &[f64],
+        shares: &[f64],
+        accuracy: Accuracy,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) -> Result<(), Failure> {
+        values.give(&mut self.machine)?;
+        for (j, x) in (1..).zip(x0) {
+            let slot = self.machine.slot(Input::StateAtStart(j));
+            self.machine.set(slot, *x);
+        }
+        self.machine.run(Stage::Init, None);
+        self.machine.run(Stage::Arm, None);
+        let mut start = State::zeros();
+        for (xi, value) in start.iter_mut().zip(self.closed.xi_at_start()) {
+            *xi = self.machine.get(*value);
+        }
+        let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
+        let n = self.n;
+        let here = RefCell::new(self);
+        let rates = |sigma: f64, xi: &State, rates: &mut State| {
+            let mut here = here.borrow_mut();
+            here.at(tau * (-sigma).exp(), xi);
+            let pace = here.machine.get(here.closed.pace());
+            for i in 0..n - 1 {
+                rates[i] = pace * xi[i + 1];
+            }
+            rates[n - 1] = here.machine.get(here.closed.program.step);
+        };
+        // The run begins at the start, whether or not it is asked for.
+        let mut points = vec![0.0];
+        points.extend(shares.iter().map(|share| -share.ln()));
+        let mut x = vec![0.0; n];
+        let mut seen = |index: usize, _, xi: &State| {
+            let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) else {
+                return;
+            };
+            let mut here = here.borrow_mut();
+            let time_to_go = tau * share;
+            here.at(time_to_go, xi);
+            let get = |value| here.machine.get(value);
+            for (x, value) in x.iter_mut().zip(here.closed.states()) {
+                *x = get(*value);
+            }
+            visit(Sample {
+                t: t0 + (tau - time_to_go),
+                time_to_go,
+                stretched: get(here.closed.stretched()),
+                x: &x,
+                u: get(here.closed.control()),
+                status: Status::Ok,
+            });
+        };
+        let end = integrate(&Rates { order: n, rates }, start, &points, accuracy, &mut seen);
+        end.map_err(|(sigma, failure)| failure.at(t0, tau, (-sigma).exp()))
+    }
+
+    fn at(&mut self, time_to_go: f64, xi: &State) {
+        self.machine.set(self.time_to_go, time_to_go);
+        self.machine.run(Stage::Tick, None);
+        for (slot, xi) in self.state.iter().zip(xi) {
+            self.machine.set(*slot, *xi);
+        }
+        self.machine.run(Stage::Step, None);
+    }
+}
+
+impl Failure {
+    /// The same with the instant at which it happened.
+    pub(super) fn at(self, t0: f64, tau: f64, share: f64) -> Self {
+        let t = t0 + tau * (1.0 - share);
+        Self { message: format!("{}, at t = {t} s, T/tau = {share:.2e}", self.message), ..self }
+    }
+}

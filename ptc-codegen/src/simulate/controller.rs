@@ -1,0 +1,123 @@
+//! The emitted controller: its own program with the frame around it, bit for bit what the C computes.
+
+use super::{Failure, Values};
+use crate::law::Law;
+use crate::lower::lower;
+use crate::program::machine::{Machine, Slot};
+use crate::program::{Input, Limits, Stage, Value, passes};
+use crate::reference::Status;
+use crate::spec::{After, Domain, Feedback, Guard, Parameter, Spec, What};
+
+/// A controller that runs.
+#[derive(Clone, Debug)]
+pub struct Controller {
+    machine: Machine,
+    limits: Limits,
+    step: Value,
+    guard: Guard,
+    after: After,
+    time: Option<Slot>,
+    state: Vec<Option<Slot>>,
+    parameters: Vec<(Parameter, Domain)>,
+    start: f64,
+}
+
+impl Controller {
+    /// The controller that a spec asks for.
+    ///
+    /// # Errors
+    /// A law or an end that is a function of the user's program.
+    pub fn new(spec: &Spec) -> Result<Self, Failure> {
+        has_text(spec, true)?;
+        let spec = Spec { what: What::Controller, ..spec.clone() };
+        let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+        let mut outputs = program.outputs();
+        outputs.retain(|value| Some(*value) != program.axis && !program.gains.contains(value));
+        outputs.push(program.step);
+        let machine = Machine::new(&program, &outputs);
+        Ok(Self {
+            time: machine.slot(Input::Time),
+            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
+            machine,
+            limits: program.limits,
+            step: program.step,
+            guard: spec.guard,
+            after: spec.after,
+            parameters: spec.run_time_parameters().map(|p| (p, spec.domain(p))).collect(),
+            start: f64::NAN,
+        })
+    }
+
+    /// `init`: gives the parameters and starts at the t0 of the values, from `x0`.
+    ///
+    /// # Errors
+    /// A parameter without a value, or outside its domain.
+    pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+        values.give(&mut self.machine)?;
+        for (parameter, domain) in &self.parameters {
+            let value = values.get(*parameter);
+            let legal = match domain {
+                Domain::Finite | Domain::Within => value.is_finite(),
+                Domain::Positive => value.is_finite() && value > 0.0,
+                Domain::PositiveOrInfinite => value > 0.0,
+                Domain::BelowTau => value > 0.0 && value < values.get(Parameter::Tau),
+            };
+            if !legal {
+                let name = parameter.spelling();
+                return Err(Failure::new(
+                    format!("{name} = {value} is outside its domain"),
+                    format!("{name} ({}) is {}", parameter.meaning(), domain.text()),
+                ));
+            }
+        }
+        self.machine.run(Stage::Init, None);
+        for (j, x) in (1..).zip(x0) {
+            let slot = self.machine.slot(Input::StateAtStart(j));
+            self.machine.set(slot, *x);
+        }
+        self.start = values.get(Parameter::StartTime);
+        self.machine.run(Stage::Arm, None);
+        Ok(())
+    }
+
+    /// `step`: u and its status; u is 0 where the status is negative.
+    pub fn step(&mut self, t: f64, x: &[f64]) -> (f64, Status) {
+        let finite = t.is_finite() && x.iter().all(|x| x.is_finite());
+        if self.guard == Guard::Full && !(finite && t >= self.start) {
+            return (0.0, Status::Input);
+        }
+        self.machine.set(self.time, t);
+        self.machine.run(Stage::Tick, None);
+        for (slot, x) in self.state.iter().zip(x) {
+            self.machine.set(*slot, *x);
+        }
+        self.machine.run(Stage::Step, None);
+        let get = |value| self.machine.get(value);
+        let over = self.limits.past.is_some_and(|past| get(past) >= 0.0);
+        let u = if over && self.after != After::Hold { 0.0 } else { get(self.step) };
+        if self.guard == Guard::Result && !finite {
+            return (0.0, Status::Range);
+        }
+        match self.limits.u_max.map(get) {
+            Some(limit) if u > limit => (limit, Status::Saturated),
+            Some(limit) if u < -limit => (-limit, Status::Saturated),
+            _ if !u.is_finite() => (0.0, Status::Range),
+            _ if over => (u, Status::After),
+            _ if get(self.limits.late) >= get(self.limits.hold_from) => (u, Status::Hold),
+            _ => (u, Status::Ok),
+        }
+    }
+}
+
+/// Whether a simulation has all of the controller: no function of the user's program.
+pub(super) fn has_text(spec: &Spec, after: bool) -> Result<(), Failure> {
+    let key = match (&spec.feedback, spec.after) {
+        (Feedback::Extern, _) => "pi0",
+        (_, After::Extern) if after => "after",
+        _ => return Ok(()),
+    };
+    Err(Failure::new(
+        format!("`{key} = extern` is a function of your program, which a simulation does not have"),
+        format!("give `{key}` another value for the simulation"),
+    ))
+}

@@ -1,0 +1,86 @@
+//! The closed loop of a design with its plant, run before it is built.
+//!
+//! Theorem 1 is an equivalence: the plant under the controller over \[t0, t0 + tau) is the associated
+//! infinite-time system over \[t0, inf), [th:1-4] and [th:1-7]. [`Continuous`] integrates the one and
+//! maps back, so that nothing runs into a singularity; [`Direct`] integrates the other with the
+//! emitted program in the loop; [`Sampled`] is the loop as it will run, with a zero-order hold,
+//! noise, quantisation and delay.
+//!
+//! Both of the first step in sigma = -ln(T/tau), the stretched time of `exp` with a = 1: whatever the
+//! mapping, an output T/tau is met exactly and the deadline is never passed.
+
+mod continuous;
+mod controller;
+mod direct;
+mod plant;
+mod sampled;
+mod solver;
+mod values;
+
+use std::fmt;
+
+pub use continuous::Continuous;
+pub use controller::Controller;
+pub use direct::Direct;
+pub use sampled::{Loop, Sampled};
+pub use values::Values;
+
+use crate::reference::Status;
+
+/// One instant of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<'a> {
+    /// Time t in s.
+    pub t: f64,
+    /// Time-to-go T in s.
+    pub time_to_go: f64,
+    /// Stretched time since the start, kappa(t - t0), in s; NaN where it is not computed.
+    pub stretched: f64,
+    /// State x_1..x_n of the plant.
+    pub x: &'a [f64],
+    /// Control u, as it acts on the plant.
+    pub u: f64,
+    /// What the controller says of it.
+    pub status: Status,
+}
+
+/// How exactly a run is integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Bound of the error of a step, as a part of each state.
+    pub relative: f64,
+    /// Bound of the error of a step below which a state counts as nothing, in its units.
+    pub absolute: f64,
+    /// Most steps of a run.
+    pub steps: usize,
+}
+
+impl Default for Accuracy {
+    /// What a printed digit needs: 1e-12, and no bound from which on a state is not followed.
+    fn default() -> Self {
+        Self { relative: 1e-12, absolute: 1e-280, steps: 200_000 }
+    }
+}
+
+/// Why a run ended early.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// What happened, and when.
+    pub message: String,
+    /// What may help.
+    pub help: String,
+}
+
+impl Failure {
+    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), help: help.into() }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}", self.message, self.help)
+    }
+}
+
+impl std::error::Error for Failure {}

@@ -1,0 +1,131 @@
+//! The loop as it will run: the emitted controller at each sample, u held in between.
+
+use std::cell::RefCell;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+use super::plant::Motion;
+use super::solver::{Rates, State, across};
+use super::{Accuracy, Controller, Failure, Sample, Values};
+use crate::plant::Plant;
+use crate::spec::{Parameter, Spec};
+
+/// What the loop around the controller is like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// Sample period in s.
+    pub period: f64,
+    /// Step of the actuator, in units of u: what acts is a multiple of it. 0 for none.
+    pub u_step: f64,
+    /// Bounds of the noise on each measured state, drawn evenly from -bound to bound; empty for none.
+    pub noise: Vec<f64>,
+    /// Seed of the noise: the same seed gives the same noise, on any machine.
+    pub seed: u64,
+    /// Samples by which u acts late.
+    pub delay: usize,
+    /// End of the run as a part of tau; after 1 the controller is past its deadline.
+    pub end: f64,
+}
+
+impl Default for Loop {
+    fn default() -> Self {
+        let noise = Vec::new();
+        Self { period: f64::NAN, u_step: 0.0, noise, seed: 0, delay: 0, end: 1.0 }
+    }
+}
+
+/// The plant with a sampled controller.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    n: usize,
+    controller: Controller,
+    motion: Motion,
+}
+
+/// Accuracy of the motion between two samples, where u is constant.
+const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
+
+impl Sampled {
+    /// The loop of a controller and a plant, to be run with many values.
+    ///
+    /// # Errors
+    /// A law or an end that is a function of the user's program.
+    pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
+        let controller = Controller::new(spec)?;
+        Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) })
+    }
+
+    /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts
+    /// from it on, and the state at the end.
+    ///
+    /// # Errors
+    /// A parameter without a value, or a loop that leaves the range of numbers.
+    pub fn run(
+        &mut self,
+        values: &Values,
+        x0: &[f64],
+        around: &Loop,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) -> Result<(), Failure> {
+        self.controller.init(values, x0)?;
+        self.motion.init(values, x0)?;
+        let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
+        let mut random = Pcg64Mcg::seed_from_u64(around.seed);
+        let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
+        let mut measured = x0.to_vec();
+        let mut x = State::zeros();
+        x.as_mut_slice()[..self.n].copy_from_slice(x0);
+        let end = around.end * tau;
+        for index in 0_u32.. {
+            let since = f64::from(index) * around.period;
+            let last = since >= end * (1.0 - 1e-12);
+            let since = if last { end } else { since };
+            let t = t0 + since;
+            for (j, own) in measured.iter_mut().enumerate() {
+                let bound = around.noise.get(j).copied().unwrap_or(0.0);
+                *own = x[j] + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+            }
+            let (u, status) = self.controller.step(t, &measured);
+            late.push_back(quantised(u, around.u_step));
+            let u = late.pop_front().unwrap_or(0.0);
+            let state = &x.as_slice()[..self.n];
+            visit(Sample { t, time_to_go: tau - since, stretched: f64::NAN, x: state, u, status });
+            if last {
+                break;
+            }
+            let until = (f64::from(index + 1) * around.period).min(end);
+            x = self.between(x, u, (t, t0 + until)).map_err(|failure| Failure {
+                message: format!("{}, at t = {t} s", failure.message),
+                ..failure
+            })?;
+        }
+        Ok(())
+    }
+
+    /// The state at the end of a time in which u is constant.
+    fn between(&mut self, x: State, u: f64, (from, to): (f64, f64)) -> Result<State, Failure> {
+        let n = self.n;
+        let motion = RefCell::new(&mut self.motion);
+        let rates = |s: f64, x: &State, rates: &mut State| {
+            for i in 0..n - 1 {
+                rates[i] = (to - from) * x[i + 1];
+            }
+            let t = from + (to - from) * s;
+            rates[n - 1] = (to - from) * motion.borrow_mut().last(t, &x.as_slice()[..n], u);
+        };
+        across(&Rates { order: n, rates }, x, BETWEEN)
+    }
+}
+
+/// The multiple of `step` that is nearest to u.
+fn quantised(u: f64, step: f64) -> f64 {
+    if step > 0.0 { (u / step).round() * step } else { u }
+}
+
+/// A number drawn evenly from -1 to 1.
+fn even(random: &mut Pcg64Mcg) -> f64 {
+    #[allow(clippy::cast_precision_loss)]
+    let bits = (random.next_u64() >> 11) as f64;
+    bits / (1_u64 << 52) as f64 - 1.0
+}

@@ -1,0 +1,78 @@
+//! What a run needs to know: the value of every parameter and symbol.
+
+use std::collections::BTreeMap;
+
+use super::Failure;
+use crate::plant::Plant;
+use crate::program::machine::Machine;
+use crate::program::{Input, number};
+use crate::spec::{Fixed, Parameter, Precision, Spec};
+
+/// The values of the parameters of a controller and the symbols of its plant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values(BTreeMap<Parameter, f64>);
+
+impl Values {
+    /// What the design and the plant fix. The start is at 0 and u without a bound unless they say
+    /// otherwise.
+    pub fn of(spec: &Spec, plant: &Plant) -> Self {
+        let mut values =
+            BTreeMap::from([(Parameter::StartTime, 0.0), (Parameter::UMax, f64::INFINITY)]);
+        let fixed = spec.fixed.iter().chain(&plant.fixed);
+        values.extend(fixed.map(|(parameter, value)| (*parameter, to_f64(value))));
+        Self(values)
+    }
+
+    /// The same with another value of one.
+    #[must_use]
+    pub fn with(mut self, parameter: Parameter, value: f64) -> Self {
+        self.set(parameter, value);
+        self
+    }
+
+    /// Gives one a value.
+    pub fn set(&mut self, parameter: Parameter, value: f64) {
+        self.0.insert(parameter, value);
+    }
+
+    /// The value of one; NaN where it has none.
+    pub fn get(&self, parameter: Parameter) -> f64 {
+        self.0.get(&parameter).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The parameters and symbols without a value, without which the loop of `spec` and `plant` does
+    /// not run; eps only where the emitted code is `emitted`.
+    pub fn missing(&self, spec: &Spec, plant: &Plant, emitted: bool) -> Vec<Parameter> {
+        let all = spec.parameters().into_iter().chain(plant.symbols(spec));
+        let needed = all.filter(|p| emitted || *p != Parameter::Eps);
+        needed.filter(|p| !self.0.contains_key(p)).collect()
+    }
+
+    /// Sets every parameter that `machine` asks for.
+    ///
+    /// # Errors
+    /// One that has no value.
+    pub(super) fn give(&self, machine: &mut Machine) -> Result<(), Failure> {
+        let inputs: Vec<_> = machine.inputs().collect();
+        for (input, slot) in inputs {
+            let parameter = match input {
+                Input::Parameter(parameter) => parameter,
+                Input::StartTime => Parameter::StartTime,
+                _ => continue,
+            };
+            let Some(value) = self.0.get(&parameter) else {
+                let name = parameter.spelling();
+                return Err(Failure::new(
+                    format!("{name} ({}) has no value", parameter.meaning()),
+                    format!("give {name} a value for this run"),
+                ));
+            };
+            machine.set(Some(slot), *value);
+        }
+        Ok(())
+    }
+}
+
+fn to_f64(value: &Fixed) -> f64 {
+    value.number().map_or(f64::INFINITY, |exact| number::round(exact, Precision::F64))
+}

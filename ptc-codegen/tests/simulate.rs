@@ -1,0 +1,202 @@
+//! Simulated trajectories against exact solutions, reference values and each other.
+#![cfg(feature = "simulation")]
+
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::plant::{self, Plant};
+use ptc_codegen::simulate::{Accuracy, Continuous, Direct, Values};
+use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::{design, spec};
+
+/// The controller and the plant of a design.
+fn of(text: &str) -> (Spec, Plant) {
+    let (entries, found) = design::read(text, &mut |_| Place(0));
+    assert_eq!(found, [], "{text}");
+    let spec = spec::read(&entries).expect("a controller");
+    let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
+    (spec, plant)
+}
+
+/// T/tau, x_1..x_n and u.
+type Seen = Vec<(f64, Vec<f64>, f64)>;
+
+fn continuous(text: &str, set: &[(Parameter, f64)], x0: &[f64], shares: &[f64]) -> Seen {
+    let (spec, plant) = of(text);
+    let mut values = Values::of(&spec, &plant);
+    set.iter().for_each(|(parameter, value)| values.set(*parameter, *value));
+    let tau = values.get(Parameter::Tau);
+    let mut seen = Vec::new();
+    let run = Continuous::new(&spec, &plant).expect("a loop").run(
+        &values,
+        x0,
+        shares,
+        Accuracy::default(),
+        &mut |sample| seen.push((sample.time_to_go / tau, sample.x.to_vec(), sample.u)),
+    );
+    run.unwrap_or_else(|failure| panic!("{text}: {failure}"));
+    assert_eq!(seen.len(), shares.len());
+    seen
+}
+
+/// T/tau from 1 to 1e-9.
+fn shares_to_the_end() -> Vec<f64> {
+    (0..=90).map(|i| 10f64.powf(-f64::from(i) / 10.0)).collect()
+}
+
+fn close(found: f64, wanted: f64, what: &str) {
+    let off = (found - wanted).abs();
+    assert!(off <= 1e-10 * wanted.abs().max(1.0), "{what}: {found} is {off:e} off {wanted}");
+}
+
+#[test]
+fn exact_solutions_of_order_1_and_2() {
+    let first = "n = 1\nmu = \"exp(a=0.1)\"\ngains = 1\ntau = 1\n";
+    for (share, x, _) in
+        continuous(&first.replace("gains = 1", "gains = [1]"), &[], &[2.0], &shares_to_the_end())
+    {
+        close(x[0], 2.0 * share.powi(10), "order 1");
+        let part = x[0] / (2.0 * share.powi(10));
+        assert!((part - 1.0).abs() < 1e-10, "x keeps its digits at {share:e}: {part}");
+    }
+    let second = "n = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\ntau = 1\n";
+    for (t, x, u) in continuous(second, &[], &[1.0, 0.0], &shares_to_the_end()) {
+        close(x[0], 3.0 * t * t - 2.0 * t * t * t, "x1");
+        close(x[1], -6.0 * t + 6.0 * t * t, "x2");
+        close(u, 3.0 - 6.0 * t, "u");
+        assert!((x[1] / t - (-6.0 + 6.0 * t)).abs() < 1e-10, "x2/T keeps its digits at T = {t:e}");
+    }
+}
+
+#[test]
+fn the_exact_solution_of_the_rational_family() {
+    let text = "n = 2\nmu = \"rational(a=1)\"\ngains = [1, 2]\ntau = 10\n";
+    for (share, x, _) in continuous(text, &[], &[-1.0, -1.0], &shares_to_the_end()) {
+        let s = (1.0 - share) / share;
+        let slope = 10.0 / (share * 10.0).powi(2);
+        close(x[0], -(1.0 + 11.0 * s) * (-s).exp(), "x1");
+        close(x[1], slope * (11.0 * s - 10.0) * (-s).exp(), "x2");
+    }
+}
+
+const EXAMPLE: &str = include_str!("../../tests/designs/example4.toml");
+
+const PLANT: &str = "\n[plant]\nf = \"0.1 - t^3*exp(-t)*sin(x1/(u + 0.001)) - 0.5*u\"\n";
+
+/// tau, t/tau, x and u from x(0) = 1, by tools/example4.py.
+const FIGURE_1: [(f64, f64, f64, f64); 15] = [
+    (1.0, 0.01, 0.5198589312448563, -31.204202622268294),
+    (1.0, 0.1, 0.13339577672445824, -3.172723239591071),
+    (1.0, 0.5, 0.007532663939375625, -0.2524594676761148),
+    (1.0, 0.9, 0.0013992587630849323, -0.2318719720532364),
+    (1.0, 0.99, 0.0001379590072062699, -0.22808862579191128),
+    (2.0, 0.01, 0.5204151804186649, -15.648789831043572),
+    (2.0, 0.1, 0.13779072947295648, -1.6536302801005023),
+    (2.0, 0.5, 0.016121105604107296, -0.2744500405277648),
+    (2.0, 0.9, 0.003091025725642942, -0.25689842417130937),
+    (2.0, 0.99, 0.0002792721971043827, -0.2309207078576544),
+    (5.0, 0.01, 0.5220805312296891, -6.315789470861373),
+    (5.0, 0.1, 0.15213174520140382, -0.7525604180713475),
+    (5.0, 0.5, 0.07661233692713434, -0.585205423575285),
+    (5.0, 0.9, 0.009130466349755954, -0.30690737600098206),
+    (5.0, 0.99, 0.0007079424476619864, -0.23433208893668342),
+];
+
+#[test]
+fn example_4_of_the_letter() {
+    let text = format!("{EXAMPLE}{PLANT}");
+    for values in FIGURE_1.chunks(5) {
+        let tau = values[0].0;
+        let shares: Vec<_> = values.iter().map(|(_, part, ..)| 1.0 - part).collect();
+        let seen = continuous(&text, &[(Parameter::Tau, tau)], &[1.0], &shares);
+        for ((_, part, wanted, wanted_u), (_, x, u)) in values.iter().zip(seen) {
+            assert!((x[0] - wanted).abs() <= 1e-13, "tau = {tau} at {part}: {} {wanted}", x[0]);
+            assert!((u / wanted_u - 1.0).abs() <= 1e-11, "tau = {tau} at {part}: {u} {wanted_u}");
+        }
+        for (share, x, u) in
+            continuous(&text, &[(Parameter::Tau, tau)], &[1.0], &shares_to_the_end())
+        {
+            assert!(x[0].abs() <= 1.1, "|x| stays below phi |x(0)|: {}", x[0]);
+            if share <= 1e-7 {
+                let slope = x[0] / (share * tau);
+                assert!((slope - 12.1 / 879.0).abs() <= 1e-8, "tau = {tau}, {share:e}: {slope}");
+                assert!((u + 200.0 / 879.0).abs() <= 1e-6, "tau = {tau}, {share:e}: {u}");
+            }
+        }
+    }
+}
+
+/// Every family, with a disturbance and a gain error: x by the associated system and x by the
+/// emitted program in the loop.
+#[test]
+fn both_sides_of_the_equivalence_agree() {
+    let mappings = [
+        "exp(a=1)",
+        "rational(a=1)",
+        "power(a=0.5,m=2)",
+        "power(a=1,m=0.5)",
+        "tan(a=1)",
+        "tanh(a=1)",
+        "algebraic(a=1)",
+        "exp_sum(rates=[0.8,1.6])",
+        "tau*(1 - exp(-t))",
+        "tau*t/(1 + t)",
+    ];
+    for mu in mappings {
+        let text = format!(
+            "n = 3\nmu = \"{mu}\"\ng = \"2 + cos(x1)\"\npoles = [-7, -8, -9]\ntau = 2\nt0 = 0.3\neps = 1e-12\n\
+             u_max = inf\n[plant]\nf = \"0.3*sin(5*t) - 0.1*x2*abs(x2) + 0.02*u\"\ng = \"1.9 + cos(x1)\"\n"
+        );
+        let (spec, plant) = of(&text);
+        let shares = [1.0, 0.9, 0.5, 0.2, 0.1];
+        let x0 = [1.0, -0.4, 0.3];
+        let values = Values::of(&spec, &plant);
+        let mapped = continuous(&text, &[], &x0, &shares);
+        let mut direct = Vec::new();
+        let accuracy = Accuracy { relative: 1e-10, absolute: 1e-18, ..Accuracy::default() };
+        Direct::new(&spec, &plant)
+            .expect("a loop")
+            .run(&values, &x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u)))
+            .unwrap_or_else(|failure| panic!("{mu}: {failure}"));
+        for ((share, x, u), (own, own_u)) in mapped.iter().zip(&direct) {
+            for (a, b) in x.iter().zip(own).chain([(u, own_u)]) {
+                let scale = own.iter().fold(own_u.abs(), |s, x| s.max(x.abs()));
+                assert!(
+                    (a - b).abs() <= 1e-7 * scale,
+                    "{mu} at {share}: {x:?} {u}, {own:?} {own_u}"
+                );
+            }
+        }
+    }
+}
+
+/// Stretched time goes to 1e9 s here, where the loop has a time constant of 1 s: x follows
+/// T^2/(k tau) (1 + 2 T/(k tau) + ...), the balance of f = 1 and u = -k tau x/T^2.
+#[test]
+fn a_disturbance_of_the_rational_family_is_followed_to_the_end() {
+    let text = "n = 1\nmu = \"rational(a=1)\"\ngains = [3]\ntau = 2\n[plant]\nf = 1\n";
+    for (share, x, u) in continuous(text, &[], &[1.0], &shares_to_the_end()) {
+        let time_to_go = 2.0 * share;
+        let balance = time_to_go.powi(2) / 6.0 * (1.0 + time_to_go / 3.0);
+        if share < 1e-3 {
+            assert!((x[0] / balance - 1.0).abs() < 1e-4, "{share:e}: {} {balance}", x[0]);
+            assert!((u + 1.0).abs() < 1e-2, "{share:e}: {u}");
+        }
+        if share < 1e-7 {
+            assert!((x[0] / balance - 1.0).abs() < 1e-9, "{share:e}: {} {balance}", x[0]);
+        }
+    }
+}
+
+/// Of order 3 the later states are far below the rounding of the first one's part in their rate.
+#[test]
+fn a_disturbance_of_a_higher_order_does_not_stop_the_integration() {
+    let text = "n = 3\nmu = \"rational(a=1)\"\npoles = [-4, -5, -6]\ntau = 2\nu_max = 50\n\
+                [plant]\nf = \"0.3*sin(5*t) - d*x2*abs(x2)\"\ng = 0.9\nd = 0.1\n";
+    let seen = continuous(text, &[], &[1.0, -0.4, 0.3], &shares_to_the_end());
+    let (share, x, u) = seen.last().expect("an end");
+    // The balance of f + 0.9 u = 0, and of xi_3' = r_1^3 f_mu - 120 xi_1 with f_mu = f + (0.9 - 1) u.
+    let f = 0.3 * 10f64.sin();
+    let r1 = (2.0 * share).powi(2) / 2.0;
+    assert!((u + f / 0.9).abs() < 1e-6, "{u}");
+    let balance = r1.powi(3) * (f / 0.9) / 120.0;
+    assert!((x[0] / balance - 1.0).abs() < 1e-4, "{} {balance}", x[0]);
+}

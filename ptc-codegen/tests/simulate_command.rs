@@ -1,0 +1,195 @@
+//! `simulate` on the command line: the CSV, and what is told of bad input.
+#![cfg(all(feature = "cli", feature = "simulation"))]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Exit code, standard output and standard error of a run in `folder`.
+fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
+    let command = command.arg("simulate").args(arguments).current_dir(folder).stdin(Stdio::null());
+    let output = command.output().expect("the binary runs");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+fn stdout(folder: &Path, arguments: &[&str]) -> String {
+    let (code, stdout, stderr) = run(folder, arguments);
+    assert_eq!((code, stderr.as_str()), (Some(0), ""), "{arguments:?}");
+    stdout
+}
+
+/// A folder of a test's own that holds `stage.toml`.
+fn folder(test: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("simulate_{test}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder for the test");
+    fs::write(path.join("stage.toml"), STAGE).expect("a design");
+    path
+}
+
+/// x1 = 3T^2 - 2T^3 and u = 3 - 6T from (1, 0) with tau = 1.
+const STAGE: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n\
+                     [params]\ntau = 1\n[plant]\nf = 0\n";
+
+fn rows(csv: &str) -> Vec<Vec<f64>> {
+    csv.lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|n| n.parse().expect("a number")).collect())
+        .collect()
+}
+
+#[test]
+fn the_csv_holds_what_was_asked_for() {
+    let folder = folder("csv");
+    let asked = ["stage.toml", "--x0", "1,0", "--at", "0.9,0.5,0.999999999"];
+    let csv = stdout(&folder, &asked);
+    assert!(csv.starts_with("tau,t,x1,x2,u\n1.0,0.5,0.5"), "{csv}");
+    let seen = rows(&csv);
+    assert_eq!(seen.iter().map(|row| row[1]).collect::<Vec<_>>(), [0.5, 0.9, 0.999999999]);
+    for (row, time_to_go) in seen.iter().zip([0.5, 0.1, 1e-9_f64]) {
+        let wanted = [
+            3.0 * time_to_go.powi(2) - 2.0 * time_to_go.powi(3),
+            -6.0 * time_to_go * (1.0 - time_to_go),
+            3.0 - 6.0 * time_to_go,
+        ];
+        for (found, wanted) in row[2..].iter().zip(wanted) {
+            assert!((found - wanted).abs() <= 1e-10, "{row:?}: {wanted}");
+        }
+    }
+    let several = stdout(&folder, &["stage.toml", "--x0=1,0", "--tau", "1, 2,5"]);
+    let seen = rows(&several);
+    let of = |tau: f64| seen.iter().filter(|row| row[0] == tau).count();
+    assert_eq!((of(1.0), of(2.0), of(5.0)), (seen.len() / 3, seen.len() / 3, seen.len() / 3));
+    assert!(seen.iter().all(|row| row[1] < row[0]), "up to the deadline, not to it");
+    assert!(seen.iter().any(|row| row[0] - row[1] < 1.1e-9 * row[0]));
+
+    let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--tau", "1, 2,5", "-o", "out/run.csv"]);
+    assert_eq!(told, "wrote out/run.csv\n");
+    assert_eq!(fs::read_to_string(folder.join("out/run.csv")).expect("a file"), several);
+    assert_eq!(fs::read_dir(folder.join("out")).expect("a folder").count(), 1);
+
+    let told =
+        stdout(&folder, &["stage.toml", "--x0=1,0", "-o", "out/one.csv", "--plot", "out/run.svg"]);
+    assert_eq!(told, "wrote out/one.csv\nwrote out/run.svg\n");
+    let svg = fs::read_to_string(folder.join("out/run.svg")).expect("a file");
+    assert!(svg.contains("stage: n = 2, exp, continuous") && svg.contains("tau = 1 s"));
+    let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--at=0.5", "--plot", "out/run.PNG"]);
+    assert!(told.starts_with("tau,t,") && told.lines().count() == 2, "the CSV alone: {told}");
+    assert!(fs::read(folder.join("out/run.PNG")).expect("a file").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_plant_and_its_symbols_may_be_flags() {
+    let folder = folder("flags");
+    let flags =
+        ["--n=2", "--mu=exp(a=1)", "--g=2", "--gains=6,5", "--tau=1", "--x0=1,0", "--at=0.5"];
+    let by_flags =
+        stdout(&folder, &[&flags[..], &["--plant", "f=-d*x2", "--plant=d=0.5"]].concat());
+    let file = STAGE.replace("f = 0", "f = \"-d*x2\"\nd = [0, 1]");
+    fs::write(folder.join("uncertain.toml"), file).expect("writable");
+    let over = ["uncertain.toml", "--x0=1,0", "--at=0.5"];
+    assert_eq!(stdout(&folder, &[&over[..], &["--plant=d=0.5"]].concat()), by_flags);
+    let (code, _, told) = run(&folder, &over);
+    assert_eq!(code, Some(2));
+    assert!(told.contains("d has no value") && told.contains("--plant d=VALUE"), "{told}");
+}
+
+#[test]
+fn the_sampled_loop_reports_its_samples() {
+    let folder = folder("sampled");
+    let asked = [
+        "stage.toml",
+        "--x0=0.1,0",
+        "--sample-time=0.01",
+        "--eps=0.05",
+        "--noise=1e-3",
+        "--seed=3",
+        "--delay",
+        "--u-step=0.5",
+    ];
+    let csv = stdout(&folder, &asked);
+    let seen = rows(&csv);
+    assert_eq!(seen.len(), 101);
+    assert_eq!(seen[0][4], 0.0, "one sample late");
+    assert!(seen.iter().all(|row| (row[4] / 0.5).fract() == 0.0), "{csv}");
+    assert_eq!(csv, stdout(&folder, &asked), "the same bytes");
+    // eps follows from the sample period where it is not given.
+    let (code, found, told) = run(&folder, &["stage.toml", "--x0=0.1,0", "--sample-time=0.01"]);
+    assert_eq!((code, found.lines().count()), (Some(0), 102), "{told}");
+}
+
+#[test]
+fn bad_input_gets_one_clear_message_and_no_file() {
+    let folder = folder("wrong");
+    fs::write(folder.join("bare.toml"), STAGE.replace("[plant]\nf = 0\n", "")).expect("writable");
+    fs::write(folder.join("free.toml"), "n = 2\nmu = \"exp\"\nplant.f = \"w*u\"\n")
+        .expect("writable");
+    fs::write(folder.join("wild.toml"), STAGE.replace("f = 0", "f = \"9*x1^3\""))
+        .expect("writable");
+    fs::write(folder.join("typo.toml"), STAGE.replace("f = 0", "f = \"x3\"\nq = 1"))
+        .expect("writable");
+    for (arguments, parts) in [
+        (&["stage.toml"][..], &["--x0"][..]),
+        (&["stage.toml", "--x0=1"], &["1 of the 2 states", "| --x0 \"1\"", "^ not legal"]),
+        (&["stage.toml", "--x0=1,b"], &["`b`, which is no number", "| --x0 \"1,b\""]),
+        (&["stage.toml", "--x0=1,nan"], &["`nan`, which is no number"]),
+        (&["bare.toml", "--x0=1,0"], &["no plant to simulate", "write `[plant]`", "--plant f=0"]),
+        (
+            &["free.toml", "--x0=1,0"],
+            &[
+                "tau, a, k1, k2, w have no value",
+                "--tau VALUE, --param a=VALUE, --gains or --poles, --plant w=VALUE",
+            ],
+        ),
+        (&["typo.toml", "--x0=1,0"], &["`x3` does not exist", "typo.toml:9:6", "f = \"x3\""]),
+        (&["wild.toml", "--x0=90,0"], &["tau = 1: the", "at t = 0.", "T/tau = "]),
+        (&["stage.toml", "--x0=1,0", "--tau=1,2,1.0"], &["tau = 1 is given twice"]),
+        (&["stage.toml", "--x0=1,0", "--tau=1", "--tau=2"], &["cannot be used multiple times"]),
+        (&["stage.toml", "--x0=1,0", "--tau=1,x"], &["--tau \"x\""]),
+        (&["stage.toml", "--x0=1,0", "--at=0.5,1"], &["outside [0, 1)", "| --at \"0.5,1\""]),
+        (&["stage.toml", "--x0=1,0", "--at=-0.5"], &["outside [0, 1)"]),
+        (
+            &["stage.toml", "--x0=1,0", "--at=0.5", "--delay", "--sample-time=1e-2"],
+            &["between the samples"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--delay"],
+            &["--delay is of the sampled loop", "give --sample-time"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=1,2,3"],
+            &["3 bounds for 2 states"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=-1"], &["below 0"]),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--u-step=0"], &["not > 0"]),
+        (
+            &["stage.toml", "--x0=1,0", "--pi0=extern"],
+            &["`pi0 = extern` is a function of your program"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--plant=q"], &["--plant NAME=VALUE"]),
+        (
+            &["stage.toml", "--x0=1,0", "-o", "stage.toml/run.csv"],
+            &["cannot make the folder stage.toml"],
+        ),
+        (&["stage.toml", "--x0=1,0", "-o", "."], &["cannot write ."]),
+        (
+            &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
+            &["`run.pdf` says no kind", ".svg or .png"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],
+            &["cannot make the folder"],
+        ),
+    ] {
+        let (code, out, told) = run(&folder, arguments);
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments:?}: {told}");
+        for part in parts {
+            assert!(told.contains(part), "{arguments:?}: no {part:?} in\n{told}");
+        }
+        assert!(!told.contains("panicked") && !told.contains('\u{1b}'), "{told}");
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 5, "{arguments:?}");
+    }
+}
