@@ -11,13 +11,16 @@ const README: &str = include_str!("../../README.md");
 
 const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
+const SIMULATE: &str = include_str!("../../docs/simulate.md");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 12] = [
+const PAGES: [(&str, &str); 13] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("engines.md", include_str!("../../docs/engines.md")),
+    ("simulate.md", SIMULATE),
     ("assurance/README.md", include_str!("../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
@@ -124,6 +127,8 @@ fn printed(line: &str, folder: &Path) -> String {
 #[test]
 fn pages_show_what_is_printed() {
     let folder = folder("pages");
+    let [stage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("one design") };
+    fs::write(folder.join("stage.toml"), stage).expect("writable");
     for (name, page) in PAGES {
         for block in blocks_of(page, "console") {
             let (line, shown) = block.split_once('\n').expect("a command and its output");

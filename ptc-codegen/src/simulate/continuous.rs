@@ -102,7 +102,17 @@ impl Continuous {
                 status: Status::Ok,
             });
         };
-        let end = integrate(&Rates { order: n, rates }, start, &points, accuracy, &mut seen);
+        // u is kappa'^n times xi, so that this is 1e-18 of what it began with.
+        let power = i32::try_from(n).unwrap_or(i32::MAX);
+        let nothing = |sigma: f64| {
+            let mut here = here.borrow_mut();
+            let time_to_go = tau * (-sigma).exp();
+            here.at(time_to_go, &State::zeros());
+            let slope = time_to_go / here.machine.get(here.closed.pace());
+            1e-18 * start.amax() * slope.min(1.0).powi(power)
+        };
+        let system = Rates { order: n, rates };
+        let end = integrate(&system, start, &points, accuracy, &nothing, &mut seen);
         end.map_err(|(sigma, failure)| failure.at(t0, tau, (-sigma).exp()))
     }
 

@@ -72,7 +72,9 @@ impl Direct {
             let (u, status) = here.borrow_mut().controller.step(t, x);
             visit(Sample { t, time_to_go, stretched: f64::NAN, x, u, status });
         };
-        let end = integrate(&Rates { order: n, rates }, start, &points, accuracy, &mut seen);
+        let system = Rates { order: n, rates };
+        let nothing = |_| 1e-18 * start.amax();
+        let end = integrate(&system, start, &points, accuracy, &nothing, &mut seen);
         end.map_err(|(sigma, failure)| failure.at(t0, tau, (-sigma).exp()))
     }
 }

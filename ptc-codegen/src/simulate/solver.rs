@@ -52,7 +52,9 @@ impl<F: Fn(f64, &State, &mut State)> ODE<f64, State> for Rates<F> {
     }
 }
 
-/// Integrates from `start` at `points[0]` and calls `visit` at each of the ascending `points`.
+/// Integrates from `start` at `points[0]` and calls `visit` at each of the ascending `points`. Where
+/// the loop is stiff, an error below `nothing` of the point counts as nothing, as else a state that
+/// decays would be followed for hundreds of time constants.
 ///
 /// # Errors
 /// The step became too small, the state no number, or the steps too many; with the point reached.
@@ -61,6 +63,7 @@ pub(super) fn integrate<F: Fn(f64, &State, &mut State)>(
     start: State,
     points: &[f64],
     accuracy: Accuracy,
+    nothing: &dyn Fn(f64) -> f64,
     visit: &mut dyn FnMut(usize, f64, &State),
 ) -> Result<(), (f64, Failure)> {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok(()) };
@@ -93,7 +96,7 @@ pub(super) fn integrate<F: Fn(f64, &State, &mut State)>(
         Err(_) => {
             pass.left = accuracy.steps.saturating_sub(most);
             let begun = (explicit.t(), *explicit.y(), explicit.h());
-            stiff(system, begun, pass, accuracy, visit)
+            stiff(system, begun, pass, (accuracy, nothing), visit)
         }
     }
 }
@@ -103,7 +106,7 @@ fn stiff<F: Fn(f64, &State, &mut State)>(
     system: &Rates<F>,
     (mut at, mut state, mut h): (f64, State, f64),
     mut pass: Pass<'_>,
-    accuracy: Accuracy,
+    (accuracy, nothing): (Accuracy, &dyn Fn(f64) -> f64),
     visit: &mut dyn FnMut(usize, f64, &State),
 ) -> Result<(), (f64, Failure)> {
     let mut wanted = Wanted::new(system.order, accuracy);
@@ -112,8 +115,9 @@ fn stiff<F: Fn(f64, &State, &mut State)>(
             // It scales a tolerance once for each component, one that they share several times.
             let mut method = ImplicitRungeKutta::radau5()
                 .rtol(vec![wanted.relative; MAX_ORDER])
-                .atol(wanted.floors(state).to_vec())
+                .atol(wanted.or(nothing(at)).floors(state).to_vec())
                 .h0(h)
+                .h_max(LONGEST)
                 .max_steps(usize::MAX);
             let begun = method.init(system, at, at + 2.0 * h, state);
             begun.map(|_| method).map_err(|error| failure(&error))
@@ -124,8 +128,9 @@ fn stiff<F: Fn(f64, &State, &mut State)>(
             *method = begin(method.t(), &method.y().clone(), h)?;
             Ok(())
         });
-        let weigh = of(&method, |method, _| {
-            for (i, floor) in wanted.floors(method.y()).into_iter().enumerate() {
+        let weigh = of(&method, |method, at| {
+            let floors = wanted.or(nothing(at)).floors(method.y());
+            for (i, floor) in floors.into_iter().enumerate() {
                 method.atol[i] = floor * method.rtol[i] / wanted.relative;
             }
             Ok(())
@@ -182,6 +187,9 @@ pub(super) fn across<F: Fn(f64, &State, &mut State)>(
 /// First step, in sigma.
 const FIRST: f64 = 1e-3;
 
+/// Longest step of the implicit method, in sigma: time-to-go falls by a factor of e.
+const LONGEST: f64 = 1.0;
+
 /// Relative accuracy that is not loosened further.
 const LOOSEST: f64 = 1e-7;
 
@@ -197,6 +205,11 @@ impl Wanted {
         #[allow(clippy::cast_precision_loss)]
         let used = (order as f64 / MAX_ORDER as f64).sqrt();
         Self { relative: accuracy.relative * used, absolute: accuracy.absolute }
+    }
+
+    /// The same with a larger error that counts as nothing.
+    fn or(&self, nothing: f64) -> Self {
+        Self { relative: self.relative, absolute: self.absolute.max(nothing) }
     }
 
     /// Errors below which a component counts as accurate. Where the loop is slow against its time

@@ -15,6 +15,8 @@ pub(super) struct Asked {
     pub(super) x0: Vec<f64>,
     /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
     pub(super) at: Vec<(f64, f64)>,
+    /// Whether the rest of the run is looked at too.
+    pub(super) whole: bool,
     /// The sampled loop, if it is asked for.
     pub(super) around: Option<Loop>,
 }
@@ -43,7 +45,8 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
         return Err(at.wrong(None, message, help));
     }
     let at = at.as_ref().map(instants).transpose()?.unwrap_or_default();
-    Ok(Asked { x0: x0.doubles()?, at, around })
+    let whole = at.is_empty() || request.plot.is_some();
+    Ok(Asked { x0: x0.doubles()?, at, whole, around })
 }
 
 /// 1 - fraction and fraction, each exact but for one rounding.

@@ -61,7 +61,7 @@ fn grid() -> Vec<f64> {
 pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
     let values = complete(spec, plant, false)?;
     let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-    let mut shares = grid();
+    let mut shares = if asked.whole { grid() } else { Vec::new() };
     shares.extend(asked.at.iter().map(|(share, _)| share));
     shares.sort_by(|a, b| b.total_cmp(a));
     shares.dedup();
