@@ -57,7 +57,7 @@ impl Law {
     pub fn new(n: usize, mapping: &Mapping, expanded: Option<&ClosedForms>) -> Self {
         let form = match mapping.r1.inverse() {
             Some(kappa_prime) => Form::Rows {
-                base_inverse: mapping.base_inverse,
+                base_inverse: mapping.base.as_ref().map(|(_, inverse)| *inverse),
                 rows: match expanded {
                     Some(forms) => rows(n, mapping, &kappa_prime, &forms.bell),
                     None => rows(n, mapping, &kappa_prime, &expansion::table(mapping, n)),
@@ -74,8 +74,8 @@ fn rows(n: usize, mapping: &Mapping, kappa_prime: &Poly, table: &[Vec<Poly>]) ->
     (0..n)
         .map(|j| {
             // Where time decides the base it is factored out; else its power joins the coefficients.
-            let factored = match mapping.base_inverse {
-                Some(_) => mapping.base.pow(exponent(n - j)),
+            let factored = match &mapping.base {
+                Some((base, _)) => base.pow(exponent(n - j)),
                 None => Poly::one(),
             };
             let mut row = Poly::zero();

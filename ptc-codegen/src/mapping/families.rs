@@ -187,8 +187,7 @@ fn exp() -> Mapping {
         reciprocals: vec![inverse_time_to_go()],
         evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: term(1, &[(Kind::TimeToGo, 1)]),
-        base_inverse: Some(plain(Kind::InverseTimeToGo)),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
     }
 }
 
@@ -201,8 +200,7 @@ fn rational() -> Mapping {
         reciprocals: vec![inverse_time_to_go()],
         evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1), (Kind::Tau, -1)]),
-        base: term(1, &[(Kind::TimeToGo, 1)]),
-        base_inverse: Some(plain(Kind::InverseTimeToGo)),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
     }
 }
 
@@ -229,8 +227,7 @@ fn power() -> Mapping {
         ],
         evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: term(1, &[(Kind::TimeToGo, 1)]),
-        base_inverse: Some(plain(Kind::InverseTimeToGo)),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
     }
 }
 
@@ -254,8 +251,7 @@ fn tan() -> Mapping {
         }],
         evaluated: vec![(y, term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::CotangentRate, 1)]))],
         rate: term(1, &[(Kind::A, 1)]),
-        base: term(2, &[(Kind::Tau, 1), (Kind::Pi, -1)]),
-        base_inverse: None,
+        base: None,
     }
 }
 
@@ -283,8 +279,7 @@ fn tanh() -> Mapping {
         ],
         evaluated: Vec::new(),
         rate: term(2, &[(Kind::A, 1)]),
-        base: term(1, &[(Kind::TimeToGo, 1)]),
-        base_inverse: Some(plain(Kind::InverseTimeToGo)),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
     }
 }
 
@@ -307,8 +302,7 @@ fn algebraic() -> Mapping {
         }],
         evaluated: Vec::new(),
         rate: term(1, &[(Kind::A, 1)]),
-        base: term(1, &[(Kind::Cosine, 1)]),
-        base_inverse: Some(plain(Kind::Secant)),
+        base: Some((term(1, &[(Kind::Cosine, 1)]), plain(Kind::Secant))),
     }
 }
 
@@ -326,8 +320,7 @@ fn exp_sum(rates: usize) -> Mapping {
         (1..=rates).fold(Poly::zero(), |sum, i| sum.plus(&rate(i).times(&Poly::symbol(mode(i)))));
     let r1 = sum.times(&Poly::symbol(plain(Kind::Tau))).scaled(&count.recip());
     Mapping {
-        base: Poly::one(),
-        base_inverse: None,
+        base: None,
         r1,
         derivations: (1..=rates)
             .map(|i| (mode(i), rate(i).times(&Poly::symbol(mode(i))).scaled(&integer(-1))))

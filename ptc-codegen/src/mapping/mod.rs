@@ -39,10 +39,9 @@ pub struct Mapping {
     pub evaluated: Vec<(Symbol, Poly)>,
     /// The rate of stretched time, a single term: B_{i,j} is rate^i times something free of it.
     pub rate: Poly,
-    /// The single term `base` for which B_{i,j}/base^j holds no time but in the evaluated atoms.
-    pub base: Poly,
-    /// The tick quantity equal to 1/base; none where base depends on parameters only.
-    pub base_inverse: Option<Symbol>,
+    /// The single term `base` for which B_{i,j}/base^j holds no time but in the evaluated atoms, and
+    /// the tick quantity equal to 1/base; none where time does not decide it.
+    pub base: Option<(Poly, Symbol)>,
 }
 
 impl Mapping {
@@ -71,8 +70,7 @@ impl Mapping {
     pub fn free(order: usize) -> Self {
         let r = |k| Symbol::indexed(Kind::R, k);
         Self {
-            base: Poly::one(),
-            base_inverse: None,
+            base: None,
             r1: Poly::symbol(r(1)),
             derivations: (1..=order).map(|k| (r(k), Poly::symbol(r(k + 1)))).collect(),
             reciprocals: Vec::new(),
@@ -89,8 +87,7 @@ impl Mapping {
             .map(|k| (Symbol::indexed(Kind::Derivative, k), s(k + 1).times(&r1)))
             .collect();
         Self {
-            base: r1.clone(),
-            base_inverse: None,
+            base: None,
             r1,
             derivations,
             reciprocals: Vec::new(),
