@@ -23,6 +23,7 @@ pub struct Continuous {
     machine: Machine,
     time_to_go: Option<Slot>,
     state: Vec<Option<Slot>>,
+    here: (f64, State),
 }
 
 impl Continuous {
@@ -39,7 +40,8 @@ impl Continuous {
         let machine = Machine::new(&closed.program, &closed.program.outputs());
         let time_to_go = machine.slot(Input::Time);
         let state = (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect();
-        Ok(Self { n: spec.n, closed, machine, time_to_go, state })
+        let here = (0.0, State::zeros());
+        Ok(Self { n: spec.n, closed, machine, time_to_go, state, here })
     }
 
     /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
@@ -55,17 +57,42 @@ impl Continuous {
         accuracy: Accuracy,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        values.give(&mut self.machine)?;
+        self.start(values, x0)?;
+        self.advance(values, shares, accuracy, visit)
+    }
+
+    /// Stands at t0 in `x0`.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         for (j, x) in (1..).zip(x0) {
             let slot = self.machine.slot(Input::StateAtStart(j));
             self.machine.set(slot, *x);
         }
-        self.machine.run(Stage::Init, None);
-        self.machine.run(Stage::Arm, None);
-        let mut start = State::zeros();
-        for (xi, value) in start.iter_mut().zip(self.closed.xi_at_start()) {
+        self.give(values)?;
+        let mut xi = State::zeros();
+        for (xi, value) in xi.iter_mut().zip(self.closed.xi_at_start()) {
             *xi = self.machine.get(*value);
         }
+        self.here = (0.0, xi);
+        Ok(())
+    }
+
+    /// Goes on from where it stands, with `values` from there on: as [`run`](Self::run), to which a
+    /// disturbance that jumps is several pieces.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn advance(
+        &mut self,
+        values: &Values,
+        shares: &[f64],
+        accuracy: Accuracy,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) -> Result<(), Failure> {
+        self.give(values)?;
+        let (from, start) = self.here;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let n = self.n;
         let here = RefCell::new(self);
@@ -78,11 +105,12 @@ impl Continuous {
             }
             rates[n - 1] = here.machine.get(here.closed.program.step);
         };
-        // The run begins at the start, whether or not it is asked for.
-        let mut points = vec![0.0];
+        // A run begins where it stands, whether or not it is asked for.
+        let mut points = vec![from];
         points.extend(shares.iter().map(|share| -share.ln()));
         let mut x = vec![0.0; n];
-        let mut seen = |index: usize, _, xi: &State| {
+        let mut seen = |index: usize, sigma, xi: &State| {
+            here.borrow_mut().here = (sigma, *xi);
             let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) else {
                 return;
             };
@@ -114,6 +142,13 @@ impl Continuous {
         let system = Rates { order: n, rates };
         let end = integrate(&system, start, &points, accuracy, &nothing, &mut seen);
         end.map_err(|(sigma, failure)| failure.at(t0, tau, (-sigma).exp()))
+    }
+
+    fn give(&mut self, values: &Values) -> Result<(), Failure> {
+        values.give(&mut self.machine)?;
+        self.machine.run(Stage::Init, None);
+        self.machine.run(Stage::Arm, None);
+        Ok(())
     }
 
     fn at(&mut self, time_to_go: f64, xi: &State) {
