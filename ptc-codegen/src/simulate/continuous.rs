@@ -7,7 +7,7 @@ use super::{Accuracy, Failure, Sample, Values, controller};
 use crate::lower::{ClosedLoop, closed_loop};
 use crate::plant::Plant;
 use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, Stage, passes};
+use crate::program::{Input, Program, Stage, Value, passes};
 use crate::reference::Status;
 use crate::spec::{Fixed, Parameter, Precision, Spec};
 
@@ -20,10 +20,18 @@ use crate::spec::{Fixed, Parameter, Precision, Spec};
 pub struct Continuous {
     n: usize,
     closed: ClosedLoop,
+    /// What an integration asks for, many times for each instant that is looked at.
+    rates: Point,
+    outputs: Point,
+    here: (f64, State),
+}
+
+/// Values of the closed loop at one point of it.
+#[derive(Clone, Debug)]
+struct Point {
     machine: Machine,
     time_to_go: Option<Slot>,
     state: Vec<Option<Slot>>,
-    here: (f64, State),
 }
 
 impl Continuous {
@@ -37,11 +45,10 @@ impl Continuous {
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
         let mut closed = closed_loop(&spec, &plant.f, plant.g.as_ref());
         closed.program = passes::optimise(closed.program, &mut |_, _| {});
-        let machine = Machine::new(&closed.program, &closed.program.outputs());
-        let time_to_go = machine.slot(Input::Time);
-        let state = (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect();
+        let rates = Point::new(&spec, &closed.program, &[closed.pace(), closed.program.step]);
+        let outputs = Point::new(&spec, &closed.program, &closed.program.outputs());
         let here = (0.0, State::zeros());
-        Ok(Self { n: spec.n, closed, machine, time_to_go, state, here })
+        Ok(Self { n: spec.n, closed, rates, outputs, here })
     }
 
     /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
@@ -66,14 +73,16 @@ impl Continuous {
     /// # Errors
     /// A parameter without a value.
     pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        for (j, x) in (1..).zip(x0) {
-            let slot = self.machine.slot(Input::StateAtStart(j));
-            self.machine.set(slot, *x);
+        for Point { machine, .. } in [&mut self.rates, &mut self.outputs] {
+            for (j, x) in (1..).zip(x0) {
+                let slot = machine.slot(Input::StateAtStart(j));
+                machine.set(slot, *x);
+            }
         }
         self.give(values)?;
         let mut xi = State::zeros();
         for (xi, value) in xi.iter_mut().zip(self.closed.xi_at_start()) {
-            *xi = self.machine.get(*value);
+            *xi = self.outputs.machine.get(*value);
         }
         self.here = (0.0, xi);
         Ok(())
@@ -98,12 +107,12 @@ impl Continuous {
         let here = RefCell::new(self);
         let rates = |sigma: f64, xi: &State, rates: &mut State| {
             let mut here = here.borrow_mut();
-            here.at(tau * (-sigma).exp(), xi);
-            let pace = here.machine.get(here.closed.pace());
+            here.rates.at(tau * (-sigma).exp(), xi);
+            let pace = here.rates.machine.get(here.closed.pace());
             for i in 0..n - 1 {
                 rates[i] = pace * xi[i + 1];
             }
-            rates[n - 1] = here.machine.get(here.closed.program.step);
+            rates[n - 1] = here.rates.machine.get(here.closed.program.step);
         };
         // A run begins where it stands, whether or not it is asked for.
         let mut points = vec![from];
@@ -116,8 +125,8 @@ impl Continuous {
             };
             let mut here = here.borrow_mut();
             let time_to_go = tau * share;
-            here.at(time_to_go, xi);
-            let get = |value| here.machine.get(value);
+            here.outputs.at(time_to_go, xi);
+            let get = |value| here.outputs.machine.get(value);
             for (x, value) in x.iter_mut().zip(here.closed.states()) {
                 *x = get(*value);
             }
@@ -135,8 +144,8 @@ impl Continuous {
         let nothing = |sigma: f64| {
             let mut here = here.borrow_mut();
             let time_to_go = tau * (-sigma).exp();
-            here.at(time_to_go, &State::zeros());
-            let slope = time_to_go / here.machine.get(here.closed.pace());
+            here.rates.at(time_to_go, &State::zeros());
+            let slope = time_to_go / here.rates.machine.get(here.closed.pace());
             1e-18 * start.amax() * slope.min(1.0).powi(power)
         };
         let system = Rates { order: n, rates };
@@ -145,10 +154,23 @@ impl Continuous {
     }
 
     fn give(&mut self, values: &Values) -> Result<(), Failure> {
-        values.give(&mut self.machine)?;
-        self.machine.run(Stage::Init, None);
-        self.machine.run(Stage::Arm, None);
+        for Point { machine, .. } in [&mut self.rates, &mut self.outputs] {
+            values.give(machine)?;
+            machine.run(Stage::Init, None);
+            machine.run(Stage::Arm, None);
+        }
         Ok(())
+    }
+}
+
+impl Point {
+    fn new(spec: &Spec, program: &Program, outputs: &[Value]) -> Self {
+        let machine = Machine::new(program, outputs);
+        Self {
+            time_to_go: machine.slot(Input::Time),
+            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
+            machine,
+        }
     }
 
     fn at(&mut self, time_to_go: f64, xi: &State) {
