@@ -17,7 +17,7 @@ mod trial;
 
 pub use objective::{Kind, Objective};
 pub use read::{KEYS, OBJECTIVE_KEYS, read};
-pub use run::{CHUNK, chunks, sample};
+pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting, Signal};
 pub use tally::{Tally, Worst};
 pub use trial::{Instant, Outcome, Trial};

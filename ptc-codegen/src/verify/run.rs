@@ -7,14 +7,21 @@ use rayon::prelude::*;
 use super::record::Row;
 use super::{Campaign, Trial};
 
-/// Scenarios that one core runs at a time, and that are lost at most by an interruption.
-pub const CHUNK: u64 = 512;
+/// Fewest scenarios of a chunk, which one core runs at a time and an interruption loses at most.
+const CHUNK: u64 = 64;
 
-/// The chunks of a range, in order.
+/// Most chunks of a range, each of which is a file while the range is run.
+const MOST: u64 = 4096;
+
+/// The chunks of a range, in order. They follow from the range alone.
 pub fn chunks(range: Range<u64>) -> Vec<Range<u64>> {
-    let starts = range.clone().step_by(usize::try_from(CHUNK).unwrap_or(usize::MAX));
-    starts.map(|start| start..range.end.min(start + CHUNK)).collect()
+    let size = (range.end - range.start).div_ceil(MOST).next_power_of_two().max(CHUNK);
+    let starts = range.clone().step_by(usize::try_from(size).unwrap_or(usize::MAX));
+    starts.map(|start| start..range.end.min(start + size)).collect()
 }
+
+/// What takes a chunk that is done.
+pub type Done<'a, E> = &'a (dyn Fn(&Range<u64>, Vec<Row>) -> Result<(), E> + Sync);
 
 /// Runs the chunks and hands each over as it is done, in whatever order.
 ///
@@ -24,7 +31,7 @@ pub fn sample<E: Send>(
     campaign: &Campaign,
     trial: &Trial,
     chunks: &[Range<u64>],
-    done: &(dyn Fn(&Range<u64>, Vec<Row>) -> Result<(), E> + Sync),
+    done: Done<'_, E>,
 ) -> Result<(), E> {
     chunks.par_iter().try_for_each_init(
         || trial.clone(),

@@ -77,7 +77,7 @@ impl Campaign {
         };
         let mut all: Vec<_> = (0..self.coordinates()).map(|_| even()).collect();
         // The worst of a box is often one of its corners, which chance alone does not meet.
-        if index % 4 == 0 {
+        if index.is_multiple_of(4) {
             all[..self.of_box()].iter_mut().for_each(|c| *c = c.round());
         }
         Scenario(all)
