@@ -219,6 +219,11 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             &[],
             &["no signal", "did you mean `sine`?"],
         ),
+        (
+            with("f = 0", "f = \"b*u\"\nb = [-3, 0]"),
+            &["--scenarios=40"],
+            &["the gain of the plant is 0 or has another sign than g", "b = -", "|b| < |g|"],
+        ),
         (with("f = 0", "f = \"d\""), &[], &["d without a value"]),
         (with("gains = [6, 5]\n", ""), &[], &["k1, k2 without a value"]),
         (with("tau = 1\n", ""), &[], &["tau has no value"]),

@@ -6,6 +6,7 @@
 //! Theorem 1; a [`Tally`] holds what is kept of many, by reductions in which no order counts; and
 //! [`search`] goes on from the worst one. [`record`] keeps one row a scenario.
 
+mod keys;
 pub mod objective;
 mod read;
 pub mod record;
@@ -15,13 +16,15 @@ pub mod search;
 mod tally;
 mod trial;
 
+pub use keys::{KEYS, OBJECTIVE_KEYS};
 pub use objective::{Kind, Objective};
-pub use read::{KEYS, OBJECTIVE_KEYS, read};
+pub use read::read;
 pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting, Signal};
 pub use tally::{Tally, Worst};
 pub use trial::{Instant, Outcome, Trial};
 
+use crate::expression::{Expression, Variable};
 use crate::plant::Plant;
 use crate::spec::{Fixed, Parameter, Spec};
 
@@ -85,6 +88,18 @@ impl Campaign {
         lines.push(format!("tolerance = {tolerance:?}, search = {search}"));
         lines.extend(self.objectives.iter().map(ToString::to_string));
         lines.join("\n")
+    }
+
+    /// What a gain that is not known must keep, |b| < |g|: the plant's own gain, with what f makes of
+    /// u, has the sign of the controller's g.
+    pub fn gain(&self) -> Objective {
+        let Plant { f, g, .. } = self.disturbed();
+        let control = Expression::from(Variable::Control);
+        let with = |u: i64| f.substitute(&|e| (*e == control).then(|| Expression::integer(u)));
+        let own = self.spec.input_gain.clone().unwrap_or(Expression::integer(1));
+        let true_gain = with(1).sub(with(0)).add(g.unwrap_or(own.clone()));
+        let low = Some(Expression::integer(0));
+        Objective { kind: Kind::Within { h: true_gain.div(own), low, high: None } }
     }
 
     /// The names of the columns of a row, after the index.

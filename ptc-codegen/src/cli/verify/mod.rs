@@ -82,11 +82,25 @@ fn campaign(request: &Verify) -> Result<Campaign, Failure> {
 
 /// An objective that fails at t0, whatever the control does, says nothing of the loop.
 fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
+    let wrong =
+        |wrong: ptc_codegen::simulate::Failure| Failure::because(wrong.message, &wrong.help);
+    let of_gain = Campaign { objectives: vec![campaign.gain()], ..campaign.clone() };
+    let mut gain = Trial::new(&of_gain).map_err(wrong)?;
     // Every fourth scenario is a corner of the boxes.
     for index in 0..campaign.scenarios.min(1024) {
-        let setting = campaign.setting(&campaign.scenario(index));
+        let scenario = campaign.scenario(index);
+        let setting = campaign.setting(&scenario);
+        if gain.at_start(&setting).map_err(wrong)?.iter().any(|excess| *excess >= 0.0) {
+            return Err(Failure::because(
+                format!(
+                    "the gain of the plant is 0 or has another sign than g, at {}",
+                    told(campaign, &scenario)
+                ),
+                "Theorem 1 asks for |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
+            ));
+        }
         let excess = trial.at_start(&setting);
-        let excess = excess.map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+        let excess = excess.map_err(wrong)?;
         for (number, (objective, excess)) in (1..).zip(campaign.objectives.iter().zip(excess)) {
             if objective.is_of_state() && excess > 0.0 {
                 return Err(Failure::because(

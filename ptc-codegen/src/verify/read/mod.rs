@@ -1,107 +1,18 @@
 //! From the entries of `[verify]`, `[disturbance]` and `[[objective]]` to a campaign: all mistakes at
 //! once.
 
+mod disturbance;
+mod objective;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::ToPrimitive;
 
-use super::{Campaign, Interval, Kind, Objective, Signal};
+use super::keys::KEYS;
+use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
-use crate::expression::{Expression, Scope, Subject, resolve};
 use crate::plant::Plant;
-use crate::spec::{Entry, Fixed, KeyInfo, Node, Parameter, Spec, Value, known, real, shorten};
-
-/// The keys of the table `[verify]` beside x1..xn.
-pub static KEYS: [KeyInfo; 6] = [
-    KeyInfo {
-        key: "tau",
-        meaning: "interval of the prescribed settling time; the tau of the design where it is not given",
-        legal: "[least, greatest] in s, both > 0, or a number",
-        example: "0.5,2",
-    },
-    KeyInfo {
-        key: "scenarios",
-        meaning: "number of scenarios that are drawn; 10000 where it is not given",
-        legal: "an integer from 1 to 1e12",
-        example: "10000",
-    },
-    KeyInfo {
-        key: "seed",
-        meaning: "seed of all scenarios; 0 where it is not given",
-        legal: "an integer from 0 to 2^53",
-        example: "7",
-    },
-    KeyInfo {
-        key: "search",
-        meaning: "runs that the search for the worst case may take for each objective; 2000 where it is not given",
-        legal: "an integer from 0 to 1e9",
-        example: "2000",
-    },
-    KeyInfo {
-        key: "until",
-        meaning: "T/tau at which a run ends; 1e-3, or eps/tau where that is more, where it is not given",
-        legal: "a number > 0 and < 1",
-        example: "1e-3",
-    },
-    KeyInfo {
-        key: "tolerance",
-        meaning: "most by which both sides of Theorem 1 may differ, as a part of the largest value of a run; 1e-6 where it is not given",
-        legal: "a number > 0",
-        example: "1e-6",
-    },
-];
-
-/// The keys of a table `[[objective]]`.
-pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
-    KeyInfo {
-        key: "bound",
-        meaning: "what is bounded",
-        legal: "state, input, attractive or within",
-        example: "state",
-    },
-    KeyInfo {
-        key: "sigma",
-        meaning: "of state: |x| <= sigma |x0| zeta",
-        legal: "a number > 0",
-        example: "4",
-    },
-    KeyInfo {
-        key: "zeta",
-        meaning: "of state: shape over time; 1 where it is not given",
-        legal: "an expression in dt, T, t",
-        example: "T/tau",
-    },
-    KeyInfo {
-        key: "upsilon",
-        meaning: "of input: |u| <= upsilon",
-        legal: "an expression in dt, T, t",
-        example: "5*T/tau",
-    },
-    KeyInfo {
-        key: "error",
-        meaning: "of attractive: |x| <= error at the end",
-        legal: "a number > 0",
-        example: "1e-3",
-    },
-    KeyInfo {
-        key: "h",
-        meaning: "of within: low <= h <= high",
-        legal: "an expression in x1..xn, u, dt, T, t",
-        example: "x1 + x2",
-    },
-    KeyInfo {
-        key: "low",
-        meaning: "of within: least h",
-        legal: "an expression in dt, T, t",
-        example: "-1",
-    },
-    KeyInfo {
-        key: "high",
-        meaning: "of within: greatest h",
-        legal: "an expression in dt, T, t",
-        example: "1",
-    },
-];
+use crate::spec::{Entry, Fixed, Node, Parameter, Spec, Value, real, shorten};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -368,141 +279,6 @@ impl Reader<'_> {
             format!("verify.{key} is not legal"),
             &format!("{key} is {legal}"),
         );
-    }
-
-    fn disturbances(&mut self, given: &Given<'_>) -> Vec<(Parameter, Interval, Vec<Signal>)> {
-        let mut disturbances = Vec::new();
-        for (name, (place, node)) in given {
-            let key = format!("disturbance.{name}");
-            let bounded = self.plant.bounds.iter().find(|(symbol, _)| symbol.spelling() == *name);
-            let Some((symbol, (low, high))) = bounded else {
-                let message =
-                    format!("`{}` has no bounds within which it could vary", shorten(name));
-                let help =
-                    format!("write `{name} = [-0.1, 0.1]` under [plant], where f or g uses it");
-                self.found.push("unknown-key", key, Some(*place), message, help);
-                continue;
-            };
-            let items = match &node.value {
-                Value::List(items) => items.as_slice(),
-                _ => std::slice::from_ref(*node),
-            };
-            let mut signals = Vec::new();
-            for item in items {
-                let word = if let Value::Word(word) = &item.value { word.as_str() } else { "" };
-                match (word, Signal::ALL.into_iter().find(|signal| signal.name() == word)) {
-                    ("any", _) => signals.extend(Signal::ALL),
-                    (_, Some(signal)) => signals.push(signal),
-                    _ => {
-                        let names = Signal::ALL.map(Signal::name);
-                        let meant = near_miss(word, names);
-                        let meant =
-                            meant.map(|m| format!("did you mean `{m}`? ")).unwrap_or_default();
-                        let help = format!("{meant}the signals are {}, or any", names.join(", "));
-                        self.wrong(
-                            &key,
-                            Some(item.place),
-                            format!("{key} holds no signal here"),
-                            &help,
-                        );
-                    }
-                }
-            }
-            if let (Some(low), Some(high)) = (to_f64(low), to_f64(high))
-                && !signals.is_empty()
-            {
-                disturbances.push((*symbol, (low, high), signals));
-            }
-        }
-        disturbances
-    }
-
-    fn objective(&mut self, index: usize, given: &Given<'_>) -> Option<Objective> {
-        let table = format!("objective[{index}]");
-        let word = match given.get("bound").map(|(_, node)| &node.value) {
-            Some(Value::Word(word)) => word.as_str(),
-            _ => "",
-        };
-        let (own, needed): (&[&str], &[&str]) = match word {
-            "state" => (&["sigma", "zeta"], &["sigma"]),
-            "input" => (&["upsilon"], &["upsilon"]),
-            "attractive" => (&["error"], &["error"]),
-            "within" => (&["h", "low", "high"], &["h"]),
-            _ => {
-                let any = given.values().next().map(|(place, _)| *place);
-                let place = given.get("bound").map(|(_, node)| node.place).or(any);
-                let message = format!("{table} does not say what it bounds");
-                let help = "write `bound = \"state\"`, \"input\", \"attractive\" or \"within\"";
-                self.wrong(&table, place, message, help);
-                return None;
-            }
-        };
-        let legal: Vec<_> =
-            std::iter::once(&"bound").chain(own).map(|key| (*key).to_owned()).collect();
-        for (name, (place, _)) in given {
-            if !legal.iter().any(|key| key == name) {
-                self.unknown(&format!("{table}.{name}"), *place, &legal);
-            }
-        }
-        let place = given.get("bound").map(|(place, _)| *place);
-        for name in needed {
-            if !given.contains_key(name) {
-                let info = OBJECTIVE_KEYS.iter().find(|info| info.key == *name);
-                let help = format!("give `{name}`, {}", info.map_or("", |info| info.legal));
-                let message = format!("an objective of the bound {word} without `{name}`");
-                self.found.push("missing-key", table.as_str(), place, message, help);
-            }
-        }
-        let positive = |reader: &mut Self, name: &str| {
-            let (_, node) = given.get(name)?;
-            let value = number(node).filter(|value| *value > 0.0);
-            if value.is_none() {
-                let key = format!("{table}.{name}");
-                reader.wrong(
-                    &key,
-                    Some(node.place),
-                    format!("{name} is no number > 0"),
-                    "it bounds a norm",
-                );
-            }
-            value
-        };
-        let known = known(self.spec.time_mapping.parameters());
-        let n = self.spec.n;
-        let expression = |reader: &mut Self, name: &str, subject: Subject| {
-            let (_, node) = given.get(name)?;
-            resolve(node, Scope { subject, n, known: &known }, &mut reader.found)
-        };
-        let kind = match word {
-            "state" => Kind::State {
-                sigma: positive(self, "sigma")?,
-                zeta: match given.contains_key("zeta") {
-                    true => expression(self, "zeta", Subject::Bound)?,
-                    false => Expression::integer(1),
-                },
-            },
-            "input" => Kind::Input { upsilon: expression(self, "upsilon", Subject::Bound)? },
-            "attractive" => Kind::Attractive { error: positive(self, "error")? },
-            _ => {
-                let h = expression(self, "h", Subject::Objective)?;
-                let (low, high) = (
-                    expression(self, "low", Subject::Bound),
-                    expression(self, "high", Subject::Bound),
-                );
-                if !given.contains_key("low") && !given.contains_key("high") {
-                    let message = "an objective of the bound within without `low` and `high`";
-                    self.found.push(
-                        "missing-key",
-                        table.as_str(),
-                        place,
-                        message,
-                        "give one of them, or both",
-                    );
-                }
-                Kind::Within { h, low, high }
-            }
-        };
-        Some(Objective { kind })
     }
 }
 
