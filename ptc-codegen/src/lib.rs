@@ -28,6 +28,8 @@ pub mod selftest;
 #[cfg(feature = "simulation")]
 pub mod simulate;
 pub mod spec;
+#[cfg(feature = "campaign")]
+pub mod verify;
 
 use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};

@@ -13,14 +13,17 @@ const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
 const SIMULATE: &str = include_str!("../../docs/simulate.md");
 
+const VERIFY: &str = include_str!("../../docs/verify.md");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 13] = [
+const PAGES: [(&str, &str); 14] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("engines.md", include_str!("../../docs/engines.md")),
     ("simulate.md", SIMULATE),
+    ("verify.md", VERIFY),
     ("assurance/README.md", include_str!("../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
@@ -129,6 +132,11 @@ fn pages_show_what_is_printed() {
     let folder = folder("pages");
     let [stage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("one design") };
     fs::write(folder.join("stage.toml"), stage).expect("writable");
+    let [uncertain] = &blocks_of(VERIFY, "toml")[..] else { panic!("one design") };
+    fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
+    for line in blocks_of(VERIFY, "sh").concat().lines() {
+        assert!(!printed(line, &folder).is_empty(), "{line}");
+    }
     for (name, page) in PAGES {
         for block in blocks_of(page, "console") {
             let (line, shown) = block.split_once('\n').expect("a command and its output");

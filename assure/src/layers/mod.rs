@@ -1,5 +1,6 @@
 //! The layers, each in a file of its own.
 
+mod campaign;
 mod command;
 mod comparison;
 mod compilers;
@@ -42,4 +43,5 @@ pub const LAYERS: &[Layer] = &[
     fmu::LAYER,
     projects::LAYER,
     packages::LAYER,
+    campaign::LAYER,
 ];

@@ -30,10 +30,11 @@ Examples:
   ptc-codegen check roll.toml                         does the design keep its promise?
   ptc-codegen emit roll.toml --lang c -o out          out/roll.h and out/roll.c
   ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
+  ptc-codegen verify roll.toml                        its objectives, over scenarios
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
-Exit codes: 0 done, 1 a design is refused or --check found drift, 2 bad input or a place that
-cannot be written.";
+Exit codes: 0 done, 1 a design is refused, an objective fails or --check found drift, 2 bad input or
+a place that cannot be written.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -67,6 +68,15 @@ pub(crate) enum Command {
                           ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
     )]
     Simulate(super::simulate::Simulate),
+    /// Verify the closed loop against its objectives, for all that is uncertain
+    #[cfg(feature = "campaign")]
+    #[command(
+        after_help = super::verify::EXAMPLES,
+        override_usage = "ptc-codegen verify <DESIGN> [OPTIONS]\n       \
+                          ptc-codegen verify <DESIGN> --shard <I/N> --out <FILE> [OPTIONS]\n       \
+                          ptc-codegen verify <DESIGN> --merge <FILES>... [OPTIONS]"
+    )]
+    Verify(super::verify::Verify),
     /// Write a design file to begin with, which tells every key
     #[command(after_help = NEW_EXAMPLES)]
     New(New),

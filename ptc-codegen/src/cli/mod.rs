@@ -1,6 +1,6 @@
 //! The command line: flags and a design file in, files or text out; every mistake goes to the standard error.
 //!
-//! Exit codes: 0 done, 1 a check refuses the design or `--check` found drift, 2 bad input or a place
+//! Exit codes: 0 done, 1 a check refuses the design, an objective fails or `--check` found drift, 2 bad input or a place
 //! that cannot be written.
 
 pub(crate) mod args;
@@ -16,6 +16,8 @@ mod show;
 #[cfg(feature = "simulation")]
 mod simulate;
 mod source;
+#[cfg(feature = "campaign")]
+mod verify;
 mod write;
 
 use std::process::ExitCode;
@@ -49,6 +51,8 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
         #[cfg(feature = "simulation")]
         Command::Simulate(request) => simulate::simulate(&request),
+        #[cfg(feature = "campaign")]
+        Command::Verify(request) => verify::verify(&request),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
         #[cfg(feature = "symbolica")]

@@ -75,6 +75,14 @@ impl Source {
         self.give_named(plant::TABLE, "--plant", text);
     }
 
+    /// Notes a flag of another name than its key's.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn give_key(&mut self, key: &str, name: &str, text: &str) {
+        let flag =
+            Flag { key: key.to_owned(), name: name.to_owned(), text: text.to_owned(), value: 0 };
+        self.given.push(flag);
+    }
+
     fn give_named(&mut self, table: &str, flag: &str, text: &str) {
         let (name, value) = match text.split_once('=') {
             Some((name, _)) => (name, name.len() + 1),

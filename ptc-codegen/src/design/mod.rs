@@ -31,7 +31,10 @@ use reader::Reader;
 use statement::statements;
 
 /// The tables of a design. Everything else stands at the top.
-const TABLES: [&str; 3] = ["params", "envelope", "plant"];
+const TABLES: [&str; 5] = ["params", "envelope", "plant", "disturbance", "verify"];
+
+/// The table that a design may have several times.
+const LISTED: &str = "objective";
 
 /// Parameters that every controller has: their keys are the same with and without `params.`.
 const COMMON: [&str; 4] = ["tau", "t0", "eps", "u_max"];

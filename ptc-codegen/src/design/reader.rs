@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::statement::{Head, Statement, Word};
-use super::{SYNTAX, TABLES, canonical};
+use super::{LISTED, SYNTAX, TABLES, canonical};
 use crate::diagnostic::{Diagnostic, Place, near_miss};
 use crate::spec::Entry;
 
@@ -16,6 +16,8 @@ pub(super) struct Reader<'a> {
     section: Section,
     /// The tables that have had their `[table]`, or a dotted key.
     opened: Vec<&'static str>,
+    /// How many tables of a list there are.
+    listed: usize,
 }
 
 /// Where a line stands.
@@ -24,6 +26,8 @@ enum Section {
     /// Above the first table.
     Top,
     Table(&'static str),
+    /// In one of a list of tables, from 0.
+    Listed(usize),
     /// In a table that is none of a design, so that the line means nothing.
     Unknown,
 }
@@ -31,7 +35,7 @@ enum Section {
 impl<'a> Reader<'a> {
     pub(super) fn new(text: &'a str, place: &'a mut dyn FnMut(Range<usize>) -> Place) -> Self {
         let (entries, found, opened) = (Vec::new(), Vec::new(), Vec::new());
-        Self { text, place, found, entries, section: Section::Top, opened }
+        Self { text, place, found, entries, section: Section::Top, opened, listed: 0 }
     }
 
     pub(super) fn finish(self) -> (Vec<Entry>, Vec<Diagnostic>) {
@@ -46,8 +50,13 @@ impl<'a> Reader<'a> {
         match statement.head {
             Head::Table => self.table(&statement.words, "[", "]"),
             Head::Tables => {
-                self.table(&statement.words, "[[", "]]");
-                self.section = Section::Unknown;
+                if dotted(&statement.words) == LISTED {
+                    self.section = Section::Listed(self.listed);
+                    self.listed += 1;
+                } else {
+                    self.table(&statement.words, "[[", "]]");
+                    self.section = Section::Unknown;
+                }
             }
             Head::Pair(value) if statement.words.is_empty() => {
                 // Where brackets before it are wrong the parser may let it pass.
@@ -79,7 +88,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `[table]`, or `[[table]]`, of which a design has none.
+    /// `[table]`, or a `[[table]]` of which a design has one at most.
     fn table(&mut self, words: &[Word], open: &str, close: &str) {
         let name = dotted(words);
         let known = TABLES.into_iter().find(|table| *table == name);
@@ -96,15 +105,18 @@ impl<'a> Reader<'a> {
                 self.wrong("repeated-key", &name, at, message, help);
             }
             Some(table) => self.opened.push(table),
+            None if name == LISTED => {
+                let message = format!("`[{name}]` is one table of a list");
+                self.wrong("unknown-table", &name, at, message, format!("write `[[{name}]]`"));
+            }
             None => self.unknown_table(&name, &format!("`{open}{name}{close}`"), at),
         }
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal =
-            "the tables are params, envelope and plant; all other keys stand above the first";
+        let legal = "the tables are params, envelope, plant, disturbance, verify and [[objective]]; all other keys stand above the first";
         let first = name.split('.').next().unwrap_or(name);
-        let help = match near_miss(first, TABLES) {
+        let help = match near_miss(first, TABLES.into_iter().chain([LISTED])) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),
             Some(meant) => format!("did you mean `{meant}`? {legal}"),
             None => legal.to_owned(),
@@ -150,6 +162,7 @@ impl<'a> Reader<'a> {
         match self.section {
             Section::Top => Some(name),
             Section::Table(table) => Some(format!("{table}.{name}")),
+            Section::Listed(index) => Some(format!("{LISTED}[{index}].{name}")),
             Section::Unknown => None,
         }
     }

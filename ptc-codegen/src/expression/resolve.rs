@@ -23,6 +23,10 @@ pub enum Subject {
     Drift,
     /// The plant's own g(x, t), where it differs from the controller's.
     PlantGain,
+    /// A bound of an objective over the time of a run.
+    Bound,
+    /// h(x, u, t) of an objective.
+    Objective,
 }
 
 impl Subject {
@@ -35,6 +39,7 @@ impl Subject {
             Self::InputGain => "g",
             Self::Drift => "plant.f",
             Self::PlantGain => "plant.g",
+            Self::Bound | Self::Objective => "objective",
         }
     }
 
@@ -53,6 +58,10 @@ impl Subject {
             Self::PlantGain => {
                 "x1..xn, t (time), dt, tau, t0, the latched x1_0..xn_0, parameters and names of [plant]"
             }
+            Self::Bound => "dt (elapsed time), T (time-to-go), t (time), tau, t0 and parameters",
+            Self::Objective => {
+                "x1..xn, u, t (time), dt, T (time-to-go), tau, t0, x1_0..xn_0 and parameters"
+            }
             Self::InputGain => {
                 "x1..xn, t (time), dt, tau, t0, t_kappa, the latched x1_0..xn_0, and parameters"
             }
@@ -60,16 +69,19 @@ impl Subject {
     }
 
     fn admits(self, variable: Variable) -> bool {
-        let of_plant = matches!(self, Self::InputGain | Self::Drift | Self::PlantGain);
+        let of_plant =
+            matches!(self, Self::InputGain | Self::Drift | Self::PlantGain | Self::Objective);
+        let of_run = matches!(self, Self::Bound | Self::Objective);
         match variable {
             Variable::SinceStart => self == Self::Mu,
-            Variable::TimeToGo => self == Self::Family,
-            Variable::Elapsed => of_plant || matches!(self, Self::Kappa | Self::Law),
+            Variable::TimeToGo => of_run || self == Self::Family,
+            Variable::Elapsed => of_plant || matches!(self, Self::Kappa | Self::Law | Self::Bound),
             Variable::StretchedTime => matches!(self, Self::Law | Self::InputGain),
             Variable::StateAtStart(_) => of_plant || self == Self::Law,
             Variable::Xi(_) | Variable::XiAtStart(_) => self == Self::Law,
-            Variable::Time | Variable::State(_) => of_plant,
-            Variable::Control => self == Self::Drift,
+            Variable::Time => of_plant || of_run,
+            Variable::State(_) => of_plant,
+            Variable::Control => matches!(self, Self::Drift | Self::Objective),
         }
     }
 }
@@ -208,8 +220,12 @@ impl Resolver<'_, '_> {
             ("t", Subject::Law) | ("t_kappa", _) => Some(Variable::StretchedTime),
             ("t", _) => Some(Variable::Time),
             ("dt", _) => Some(Variable::Elapsed),
-            ("T", Subject::Family) => Some(Variable::TimeToGo),
-            ("u", Subject::Drift | Subject::PlantGain) => Some(Variable::Control),
+            ("T", Subject::Family | Subject::Bound | Subject::Objective) => {
+                Some(Variable::TimeToGo)
+            }
+            ("u", Subject::Drift | Subject::PlantGain | Subject::Bound | Subject::Objective) => {
+                Some(Variable::Control)
+            }
             _ => None,
         };
         if let Some(variable) = variable {

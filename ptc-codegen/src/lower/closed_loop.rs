@@ -97,6 +97,18 @@ pub fn plant(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Program {
     b.finish(sum, Vec::new(), None, limits)
 }
 
+/// `expressions` of the plant's time, state and control, all watched: inputs are T as the time, x as
+/// the state, and u.
+pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
+    let mut b = Builder::new(spec);
+    let states = (1..=spec.n).map(|j| b.push(Op::Input(Input::State(j)))).collect();
+    b.plant = Some(PlantPoint { states, control: None });
+    let watched = expressions.iter().map(|expression| b.scalar(expression)).collect();
+    let limits = no_limits(&mut b);
+    let step = limits.late;
+    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
+}
+
 /// x_j = r_1^-(j-1) times its scaled value.
 fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value) -> Vec<Value> {
     let power = |b: &mut Builder<'_>, (j, scaled): (usize, &Value)| {

@@ -47,6 +47,7 @@ impl Arithmetic {
     }
 
     /// The result on the numbers that `at` gives.
+    #[inline]
     pub(super) fn result(&self, at: impl Fn(usize) -> f64, precision: Precision) -> f64 {
         let settle = |result| number::settle(result, precision);
         match *self {

@@ -17,6 +17,7 @@ pub struct Direct {
     n: usize,
     controller: Controller,
     motion: Motion,
+    here: (f64, State),
 }
 
 impl Direct {
@@ -26,7 +27,8 @@ impl Direct {
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
         let controller = Controller::new(spec)?;
-        Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) })
+        let here = (0.0, State::zeros());
+        Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant), here })
     }
 
     /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
@@ -42,12 +44,39 @@ impl Direct {
         accuracy: Accuracy,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
+        self.start(values, x0)?;
+        self.advance(values, shares, accuracy, visit)
+    }
+
+    /// Stands at t0 in `x0`.
+    ///
+    /// # Errors
+    /// A parameter without a value, or outside its domain.
+    pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         self.controller.init(values, x0)?;
         self.motion.init(values, x0)?;
+        let mut start = State::zeros();
+        start.as_mut_slice()[..self.n].copy_from_slice(x0);
+        self.here = (0.0, start);
+        Ok(())
+    }
+
+    /// Goes on from where it stands, with the plant's `values` from there on: as [`run`](Self::run),
+    /// to which a disturbance that jumps is several pieces.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn advance(
+        &mut self,
+        values: &Values,
+        shares: &[f64],
+        accuracy: Accuracy,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) -> Result<(), Failure> {
+        self.motion.give(values)?;
+        let (from, start) = self.here;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let n = self.n;
-        let mut start = State::zeros();
-        start.as_mut_slice()[..n].copy_from_slice(x0);
         let here = RefCell::new(self);
         let rates = |sigma: f64, x: &State, rates: &mut State| {
             let mut here = here.borrow_mut();
@@ -60,9 +89,10 @@ impl Direct {
             }
             rates[n - 1] = time_to_go * here.motion.last(t, x, u);
         };
-        let mut points = vec![0.0];
+        let mut points = vec![from];
         points.extend(shares.iter().map(|share| -share.ln()));
-        let mut seen = |index: usize, _, x: &State| {
+        let mut seen = |index: usize, sigma, x: &State| {
+            here.borrow_mut().here = (sigma, *x);
             let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) else {
                 return;
             };

@@ -33,11 +33,16 @@ impl Motion {
     }
 
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.machine)?;
         for (j, x) in (1..).zip(x0) {
             let slot = self.machine.slot(Input::StateAtStart(j));
             self.machine.set(slot, *x);
         }
+        self.give(values)
+    }
+
+    /// Other values from here on.
+    pub(super) fn give(&mut self, values: &Values) -> Result<(), Failure> {
+        values.give(&mut self.machine)?;
         self.machine.run(Stage::Init, None);
         self.machine.run(Stage::Arm, None);
         Ok(())

@@ -52,7 +52,7 @@ impl Values {
     ///
     /// # Errors
     /// One that has no value.
-    pub(super) fn give(&self, machine: &mut Machine) -> Result<(), Failure> {
+    pub(crate) fn give(&self, machine: &mut Machine) -> Result<(), Failure> {
         let inputs: Vec<_> = machine.inputs().collect();
         for (input, slot) in inputs {
             let parameter = match input {

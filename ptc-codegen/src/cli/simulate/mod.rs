@@ -57,7 +57,8 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     write::to_stdout(if printed { &csv } else { &told })
 }
 
-fn no_plant() -> Failure {
+/// A design without `[plant]`.
+pub(crate) fn no_plant() -> Failure {
     Failure::because(
         "the design has no plant to simulate".to_owned(),
         "write `[plant]` into the design file, and under it `f = \"...\"`, or `f = 0` for a chain of \

@@ -80,8 +80,10 @@ impl<'a> Reader<'a> {
                     self.twice(&entry.key, entry.place);
                 }
             }
-            // What moves the plant is no part of the controller: `plant::read` reads it.
-            (None, Some("plant")) => {}
+            // What moves the plant is no part of the controller, nor is what is verified: `plant::read`
+            // and `verify::read` read them.
+            (None, Some("plant" | "disturbance" | "verify")) => {}
+            (None, Some(table)) if table.starts_with("objective[") => {}
             (None, _) => self.unknown(&entry.key, entry.place, name),
         }
     }

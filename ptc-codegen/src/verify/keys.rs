@@ -1,0 +1,95 @@
+//! The keys of what is verified, with what they mean.
+
+use crate::spec::KeyInfo;
+
+/// The keys of the table `[verify]` beside x1..xn.
+pub static KEYS: [KeyInfo; 6] = [
+    KeyInfo {
+        key: "tau",
+        meaning: "interval of the prescribed settling time; the tau of the design where it is not given",
+        legal: "[least, greatest] in s, both > 0, or a number",
+        example: "0.5,2",
+    },
+    KeyInfo {
+        key: "scenarios",
+        meaning: "number of scenarios that are drawn; 10000 where it is not given",
+        legal: "an integer from 1 to 1e12",
+        example: "10000",
+    },
+    KeyInfo {
+        key: "seed",
+        meaning: "seed of all scenarios; 0 where it is not given",
+        legal: "an integer from 0 to 2^53",
+        example: "7",
+    },
+    KeyInfo {
+        key: "search",
+        meaning: "runs that the search for the worst case may take for each objective; 2000 where it is not given",
+        legal: "an integer from 0 to 1e9",
+        example: "2000",
+    },
+    KeyInfo {
+        key: "until",
+        meaning: "T/tau at which a run ends; 1e-3, or eps/tau where that is more, where it is not given",
+        legal: "a number > 0 and < 1",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "tolerance",
+        meaning: "most by which both sides of Theorem 1 may differ, as a part of the largest value of a run; 1e-6 where it is not given",
+        legal: "a number > 0",
+        example: "1e-6",
+    },
+];
+
+/// The keys of a table `[[objective]]`.
+pub static OBJECTIVE_KEYS: [KeyInfo; 8] = [
+    KeyInfo {
+        key: "bound",
+        meaning: "what is bounded",
+        legal: "state, input, attractive or within",
+        example: "state",
+    },
+    KeyInfo {
+        key: "sigma",
+        meaning: "of state: |x| <= sigma |x0| zeta",
+        legal: "a number > 0",
+        example: "4",
+    },
+    KeyInfo {
+        key: "zeta",
+        meaning: "of state: shape over time; 1 where it is not given",
+        legal: "an expression in dt, T, t",
+        example: "T/tau",
+    },
+    KeyInfo {
+        key: "upsilon",
+        meaning: "of input: |u| <= upsilon",
+        legal: "an expression in dt, T, t",
+        example: "5*T/tau",
+    },
+    KeyInfo {
+        key: "error",
+        meaning: "of attractive: |x| <= error at the end",
+        legal: "a number > 0",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "h",
+        meaning: "of within: low <= h <= high",
+        legal: "an expression in x1..xn, u, dt, T, t",
+        example: "x1 + x2",
+    },
+    KeyInfo {
+        key: "low",
+        meaning: "of within: least h",
+        legal: "an expression in dt, T, t",
+        example: "-1",
+    },
+    KeyInfo {
+        key: "high",
+        meaning: "of within: greatest h",
+        legal: "an expression in dt, T, t",
+        example: "1",
+    },
+];

@@ -1,0 +1,115 @@
+//! Whether a closed loop keeps its objectives h(x, u, t) in H(t) for all that is uncertain.
+//!
+//! A [`Campaign`] is what a design asks for: boxes of initial states and tau, the set F of what may
+//! move the plant, and objectives. A [`Scenario`] is one point of it, a pure function of the seed and
+//! an index, so that shards and threads decide nothing. A [`Trial`] runs it on both sides of
+//! Theorem 1; a [`Tally`] holds what is kept of many, by reductions in which no order counts; and
+//! [`search`] goes on from the worst one. [`record`] keeps one row a scenario.
+
+mod keys;
+pub mod objective;
+mod read;
+pub mod record;
+mod run;
+mod scenario;
+pub mod search;
+mod tally;
+mod trial;
+
+pub use keys::{KEYS, OBJECTIVE_KEYS};
+pub use objective::{Kind, Objective};
+pub use read::read;
+pub use run::{Done, chunks, sample};
+pub use scenario::{Scenario, Setting, Signal};
+pub use tally::{Tally, Worst};
+pub use trial::{Instant, Outcome, Trial};
+
+use crate::expression::{Expression, Variable};
+use crate::plant::Plant;
+use crate::spec::{Fixed, Parameter, Spec};
+
+/// An interval, least and greatest value.
+pub type Interval = (f64, f64);
+
+/// What is verified, and how.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    /// The controller. What the campaign draws is left to run time in it.
+    pub spec: Spec,
+    /// The plant, whose bounded symbols are uncertain.
+    pub plant: Plant,
+    /// Number of scenarios.
+    pub scenarios: u64,
+    /// Seed of all of them.
+    pub seed: u64,
+    /// Runs that the search may take for each objective.
+    pub search: usize,
+    /// T/tau at which a run ends.
+    pub until: f64,
+    /// Most by which the two sides of Theorem 1 may differ, as a part of the largest value of a run.
+    pub tolerance: f64,
+    /// tau in s.
+    pub tau: Interval,
+    /// x_1..x_n at t0.
+    pub x0: Vec<Interval>,
+    /// Symbols of the plant that are constant but not known.
+    pub intervals: Vec<(Parameter, Interval)>,
+    /// Symbols of the plant that vary within their bounds, and how they may.
+    pub disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
+    /// What has to hold.
+    pub objectives: Vec<Objective>,
+}
+
+impl Campaign {
+    /// All that decides the rows, as text: two campaigns with the same text have the same rows.
+    pub fn text(&self) -> String {
+        let mut lines = vec![self.spec.command()];
+        lines.push(format!("f = {}", self.plant.f));
+        lines.extend(self.plant.g.iter().map(|g| format!("g = {g}")));
+        let fixed =
+            |(symbol, value): (&Parameter, &Fixed)| format!("{} = {value}", symbol.spelling());
+        lines.extend(self.plant.fixed.iter().map(fixed));
+        let within = |name: &str, (low, high): Interval| format!("{name} = [{low:?}, {high:?}]");
+        for (symbol, interval) in &self.intervals {
+            lines.push(within(&symbol.spelling(), *interval));
+        }
+        for (symbol, interval, signals) in &self.disturbances {
+            let signals: Vec<_> = signals.iter().map(|signal| signal.name()).collect();
+            lines.push(format!(
+                "{}, {}",
+                within(&symbol.spelling(), *interval),
+                signals.join(", ")
+            ));
+        }
+        lines.push(within("tau", self.tau));
+        lines.extend((1..).zip(&self.x0).map(|(j, x0)| within(&format!("x{j}"), *x0)));
+        let Self { scenarios, seed, until, tolerance, search, .. } = self;
+        lines.push(format!("scenarios = {scenarios}, seed = {seed}, until = {until:?}"));
+        lines.push(format!("tolerance = {tolerance:?}, search = {search}"));
+        lines.extend(self.objectives.iter().map(ToString::to_string));
+        lines.join("\n")
+    }
+
+    /// What a gain that is not known must keep, |b| < |g|: the plant's own gain, with what f makes of
+    /// u, has the sign of the controller's g.
+    pub fn gain(&self) -> Objective {
+        let Plant { f, g, .. } = self.disturbed();
+        let control = Expression::from(Variable::Control);
+        let with = |u: i64| f.substitute(&|e| (*e == control).then(|| Expression::integer(u)));
+        let own = self.spec.input_gain.clone().unwrap_or(Expression::integer(1));
+        let true_gain = with(1).sub(with(0)).add(g.unwrap_or(own.clone()));
+        let low = Some(Expression::integer(0));
+        Objective { kind: Kind::Within { h: true_gain.div(own), low, high: None } }
+    }
+
+    /// The names of the columns of a row, after the index.
+    pub fn columns(&self) -> Vec<String> {
+        let mut names = vec!["tau".to_owned()];
+        names.extend((1..=self.spec.n).map(|j| format!("x{j}_0")));
+        names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
+        names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
+        names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
+        names.push("difference".to_owned());
+        names
+    }
+}

@@ -1,0 +1,195 @@
+//! What has to hold along a run, and by how much it does not.
+
+use std::fmt;
+
+use crate::expression::Expression;
+use crate::lower;
+use crate::program::machine::{Machine, Slot};
+use crate::program::{Input, Stage, Value, passes};
+use crate::simulate::{Failure, Values};
+use crate::spec::{Parameter, Precision, Spec};
+
+/// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Objective {
+    /// What it says.
+    pub kind: Kind,
+}
+
+/// The kinds of objectives.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// Corollary 2: |x(t)| <= sigma |x(t0)| zeta(dt); with zeta = 1 the stability of Corollary 1.
+    State {
+        /// Gain from the initial state.
+        sigma: f64,
+        /// Shape over time.
+        zeta: Expression,
+    },
+    /// Corollary 3: |u(t)| <= upsilon(dt). On the side of the infinite-time system this is
+    /// |pi0/mu'^n + b_n^T xi| <= |g| upsilon(mu).
+    Input {
+        /// The bound, in the unit of u.
+        upsilon: Expression,
+    },
+    /// Corollary 1: |x| <= error at the end of the run.
+    Attractive {
+        /// The bound.
+        error: f64,
+    },
+    /// low <= h(x, u, t) <= high.
+    Within {
+        /// What is bounded.
+        h: Expression,
+        /// Its least value, if it has one.
+        low: Option<Expression>,
+        /// Its greatest value, if it has one.
+        high: Option<Expression>,
+    },
+}
+
+impl Kind {
+    /// The word of the design file.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::State { .. } => "state",
+            Self::Input { .. } => "input",
+            Self::Attractive { .. } => "attractive",
+            Self::Within { .. } => "within",
+        }
+    }
+
+    /// The expressions in it, in the order of their values.
+    fn expressions(&self) -> Vec<&Expression> {
+        match self {
+            Self::State { zeta, .. } => vec![zeta],
+            Self::Input { upsilon } => vec![upsilon],
+            Self::Attractive { .. } => Vec::new(),
+            Self::Within { h, low, high } => std::iter::once(h).chain(low).chain(high).collect(),
+        }
+    }
+}
+
+impl Objective {
+    /// Whether it holds or fails at t0 whatever the control does.
+    pub fn is_of_state(&self) -> bool {
+        let control = Expression::Variable(crate::expression::Variable::Control);
+        match &self.kind {
+            Kind::State { .. } => true,
+            Kind::Within { h, .. } => !h.any(&|e| *e == control),
+            Kind::Input { .. } | Kind::Attractive { .. } => false,
+        }
+    }
+
+    /// The parameters that its expressions name.
+    pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
+        self.kind.expressions().into_iter().flat_map(Expression::parameters)
+    }
+}
+
+impl fmt::Display for Objective {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            Kind::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
+            Kind::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
+            Kind::Attractive { error } => write!(f, "|x| <= {error} at the end"),
+            Kind::Within { h, low, high } => {
+                low.iter().try_for_each(|low| write!(f, "{low} <= "))?;
+                write!(f, "{h}")?;
+                high.iter().try_for_each(|high| write!(f, " <= {high}"))
+            }
+        }
+    }
+}
+
+/// The objectives of a campaign, compiled.
+#[derive(Clone, Debug)]
+pub(super) struct Observer {
+    kinds: Vec<Kind>,
+    machine: Machine,
+    watched: Vec<Value>,
+    time: Option<Slot>,
+    state: Vec<Option<Slot>>,
+    control: Option<Slot>,
+    size_at_start: f64,
+}
+
+impl Observer {
+    pub(super) fn new(spec: &Spec, objectives: &[Objective]) -> Self {
+        let spec = Spec { precision: Precision::F64, ..spec.clone() };
+        let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
+        let expressions: Vec<_> = kinds.iter().flat_map(Kind::expressions).collect();
+        let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
+        let machine = Machine::new(&program, &program.watched);
+        Self {
+            time: machine.slot(Input::Time),
+            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
+            control: machine.slot(Input::Control),
+            watched: program.watched,
+            machine,
+            kinds,
+            size_at_start: f64::NAN,
+        }
+    }
+
+    pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+        values.give(&mut self.machine)?;
+        for (j, x) in (1..).zip(x0) {
+            let slot = self.machine.slot(Input::StateAtStart(j));
+            self.machine.set(slot, *x);
+        }
+        self.size_at_start = norm(x0);
+        self.machine.run(Stage::Init, None);
+        self.machine.run(Stage::Arm, None);
+        Ok(())
+    }
+
+    /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
+    /// as a part of the bound, h in its own unit. `last` where the run ends.
+    pub(super) fn excess(
+        &mut self,
+        (time_to_go, x, u): (f64, &[f64], f64),
+        last: bool,
+        visit: &mut dyn FnMut(usize, f64),
+    ) {
+        self.machine.set(self.time, time_to_go);
+        self.machine.run(Stage::Tick, None);
+        for (slot, x) in self.state.iter().zip(x) {
+            self.machine.set(*slot, *x);
+        }
+        self.machine.set(self.control, u);
+        self.machine.run(Stage::Step, None);
+        let mut values = self.watched.iter().map(|value| self.machine.get(*value));
+        let mut next = || values.next().unwrap_or(f64::NAN);
+        for (index, kind) in self.kinds.iter().enumerate() {
+            let excess = match kind {
+                Kind::State { sigma, .. } => over(norm(x), sigma * self.size_at_start * next()),
+                Kind::Input { .. } => over(u.abs(), next()),
+                Kind::Attractive { error } if last => over(norm(x), *error),
+                Kind::Attractive { .. } => continue,
+                Kind::Within { low, high, .. } => {
+                    let h = next();
+                    let below = low.as_ref().map(|_| next() - h);
+                    let above = high.as_ref().map(|_| h - next());
+                    let excess = [below, above].into_iter().flatten();
+                    // No number is within no bounds, and max would pass over it.
+                    excess.fold(f64::NEG_INFINITY, |a, b| if a >= b { a } else { b })
+                }
+            };
+            visit(index, if excess.is_nan() { f64::INFINITY } else { excess });
+        }
+    }
+}
+
+/// value/bound - 1; a bound of 0 holds what is 0.
+fn over(value: f64, bound: f64) -> f64 {
+    match () {
+        () if value == 0.0 && bound >= 0.0 => -1.0,
+        () if bound > 0.0 => value / bound - 1.0,
+        () => f64::INFINITY,
+    }
+}
+
+fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

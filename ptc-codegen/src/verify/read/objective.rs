@@ -1,0 +1,97 @@
+//! A table `[[objective]]`.
+
+use super::{Given, Reader, number};
+use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::spec::{Value, known};
+use crate::verify::keys::OBJECTIVE_KEYS;
+use crate::verify::{Kind, Objective};
+
+impl Reader<'_> {
+    pub(super) fn objective(&mut self, index: usize, given: &Given<'_>) -> Option<Objective> {
+        let table = format!("objective[{index}]");
+        let word = match given.get("bound").map(|(_, node)| &node.value) {
+            Some(Value::Word(word)) => word.as_str(),
+            _ => "",
+        };
+        let (own, needed): (&[&str], &[&str]) = match word {
+            "state" => (&["sigma", "zeta"], &["sigma"]),
+            "input" => (&["upsilon"], &["upsilon"]),
+            "attractive" => (&["error"], &["error"]),
+            "within" => (&["h", "low", "high"], &["h"]),
+            _ => {
+                let any = given.values().next().map(|(place, _)| *place);
+                let place = given.get("bound").map(|(_, node)| node.place).or(any);
+                let message = format!("{table} does not say what it bounds");
+                let help = "write `bound = \"state\"`, \"input\", \"attractive\" or \"within\"";
+                self.wrong(&table, place, message, help);
+                return None;
+            }
+        };
+        let legal: Vec<_> =
+            std::iter::once(&"bound").chain(own).map(|key| (*key).to_owned()).collect();
+        for (name, (place, _)) in given {
+            if !legal.iter().any(|key| key == name) {
+                self.unknown(&format!("{table}.{name}"), *place, &legal);
+            }
+        }
+        let place = given.get("bound").map(|(place, _)| *place);
+        for name in needed {
+            if !given.contains_key(name) {
+                let info = OBJECTIVE_KEYS.iter().find(|info| info.key == *name);
+                let help = format!("give `{name}`, {}", info.map_or("", |info| info.legal));
+                let message = format!("an objective of the bound {word} without `{name}`");
+                self.found.push("missing-key", table.as_str(), place, message, help);
+            }
+        }
+        let positive = |reader: &mut Self, name: &str| {
+            let (_, node) = given.get(name)?;
+            let value = number(node).filter(|value| *value > 0.0);
+            if value.is_none() {
+                let key = format!("{table}.{name}");
+                reader.wrong(
+                    &key,
+                    Some(node.place),
+                    format!("{name} is no number > 0"),
+                    "it bounds a norm",
+                );
+            }
+            value
+        };
+        let known = known(self.spec.time_mapping.parameters());
+        let n = self.spec.n;
+        let expression = |reader: &mut Self, name: &str, subject: Subject| {
+            let (_, node) = given.get(name)?;
+            resolve(node, Scope { subject, n, known: &known }, &mut reader.found)
+        };
+        let kind = match word {
+            "state" => Kind::State {
+                sigma: positive(self, "sigma")?,
+                zeta: match given.contains_key("zeta") {
+                    true => expression(self, "zeta", Subject::Bound)?,
+                    false => Expression::integer(1),
+                },
+            },
+            "input" => Kind::Input { upsilon: expression(self, "upsilon", Subject::Bound)? },
+            "attractive" => Kind::Attractive { error: positive(self, "error")? },
+            _ => {
+                let h = expression(self, "h", Subject::Objective)?;
+                let (low, high) = (
+                    expression(self, "low", Subject::Bound),
+                    expression(self, "high", Subject::Bound),
+                );
+                if !given.contains_key("low") && !given.contains_key("high") {
+                    let message = "an objective of the bound within without `low` and `high`";
+                    self.found.push(
+                        "missing-key",
+                        table.as_str(),
+                        place,
+                        message,
+                        "give one of them, or both",
+                    );
+                }
+                Kind::Within { h, low, high }
+            }
+        };
+        Some(Objective { kind })
+    }
+}

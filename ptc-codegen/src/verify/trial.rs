@@ -1,0 +1,170 @@
+//! One scenario on both sides of Theorem 1.
+
+use super::objective::Observer;
+use super::{Campaign, Setting};
+use crate::simulate::{Accuracy, Continuous, Direct, Failure, Sample};
+use crate::spec::{Precision, Spec};
+
+/// Both closed loops of a campaign, to be run with many scenarios.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    infinite: Continuous,
+    direct: Direct,
+    observer: Observer,
+    objectives: usize,
+}
+
+/// What a scenario gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// By how much each objective is exceeded at its worst instant, on the side of the infinite-time
+    /// system; above 0 it fails. Infinite where the run ends early.
+    pub excess: Vec<f64>,
+    /// The same on the side of the plant with the emitted program.
+    pub excess_direct: Vec<f64>,
+    /// Largest difference of the sides in x_i and u, as a part of their largest value in the run.
+    pub difference: f64,
+    /// Why a side ended early.
+    pub ended: Option<Failure>,
+}
+
+/// One instant of a run, to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instant {
+    /// Time t in s.
+    pub t: f64,
+    /// Time-to-go T in s.
+    pub time_to_go: f64,
+    /// x_1..x_n.
+    pub x: Vec<f64>,
+    /// Control u.
+    pub u: f64,
+    /// By how much each objective is exceeded here.
+    pub excess: Vec<f64>,
+}
+
+/// Far below the tolerance of the sides, and an order above what would cost time.
+const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
+
+impl Trial {
+    /// The loops of a campaign. Both compute in f64: what f32 makes of the law is no part of Theorem 1.
+    ///
+    /// # Errors
+    /// A law or an end that is a function of the user's program.
+    pub fn new(campaign: &Campaign) -> Result<Self, Failure> {
+        let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
+        let plant = campaign.disturbed();
+        Ok(Self {
+            infinite: Continuous::new(&spec, &plant)?,
+            direct: Direct::new(&spec, &plant)?,
+            observer: Observer::new(&spec, &campaign.objectives),
+            objectives: campaign.objectives.len(),
+        })
+    }
+
+    /// Runs both sides.
+    pub fn run(&mut self, setting: &Setting) -> Outcome {
+        let (mut first, mut second) = (Vec::new(), Vec::new());
+        let infinite = self.infinite(setting, &mut |instant| first.push(instant));
+        let direct = self.direct(setting, &mut |instant| second.push(instant));
+        let excess = |side: &[Instant], failed: bool| {
+            let start = if failed { f64::INFINITY } else { f64::NEG_INFINITY };
+            let worst =
+                |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
+            (0..self.objectives).map(worst).collect()
+        };
+        let difference = match (&infinite, &direct) {
+            (Ok(()), Ok(())) => difference(&first, &second),
+            (Err(_), Err(_)) => 0.0,
+            _ => f64::INFINITY,
+        };
+        Outcome {
+            excess: excess(&first, infinite.is_err()),
+            excess_direct: excess(&second, direct.is_err()),
+            difference,
+            ended: infinite.err().or(direct.err()),
+        }
+    }
+
+    /// The side of the infinite-time system, instant by instant.
+    ///
+    /// # Errors
+    /// The run ended early.
+    pub fn infinite(
+        &mut self,
+        setting: &Setting,
+        visit: &mut dyn FnMut(Instant),
+    ) -> Result<(), Failure> {
+        self.infinite.start(&setting.values, &setting.x0)?;
+        let mut watch = Watch::new(&mut self.observer, setting, self.objectives)?;
+        setting.pieces.iter().try_for_each(|(shares, values)| {
+            let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
+            self.infinite.advance(values, shares, ACCURACY, seen)
+        })
+    }
+
+    /// The side of the plant with the emitted program, instant by instant.
+    fn direct(&mut self, setting: &Setting, visit: &mut dyn FnMut(Instant)) -> Result<(), Failure> {
+        self.direct.start(&setting.values, &setting.x0)?;
+        let mut watch = Watch::new(&mut self.observer, setting, self.objectives)?;
+        setting.pieces.iter().try_for_each(|(shares, values)| {
+            let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
+            self.direct.advance(values, shares, ACCURACY, seen)
+        })
+    }
+
+    /// Excess of each objective at t0, with u = 0 where one holds u.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn at_start(&mut self, setting: &Setting) -> Result<Vec<f64>, Failure> {
+        self.observer.start(&setting.values, &setting.x0)?;
+        let mut excess = vec![f64::NEG_INFINITY; self.objectives];
+        let tau = setting.values.get(crate::spec::Parameter::Tau);
+        self.observer.excess((tau, &setting.x0, 0.0), false, &mut |i, value| excess[i] = value);
+        Ok(excess)
+    }
+}
+
+/// The objectives along one run.
+struct Watch<'a> {
+    observer: &'a mut Observer,
+    objectives: usize,
+    left: usize,
+}
+
+impl<'a> Watch<'a> {
+    fn new(
+        observer: &'a mut Observer,
+        setting: &Setting,
+        objectives: usize,
+    ) -> Result<Self, Failure> {
+        observer.start(&setting.values, &setting.x0)?;
+        let left = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+        Ok(Self { observer, objectives, left })
+    }
+
+    fn instant(&mut self, sample: Sample<'_>) -> Instant {
+        self.left -= 1;
+        let Sample { t, time_to_go, x, u, .. } = sample;
+        let mut excess = vec![f64::NEG_INFINITY; self.objectives];
+        let here = (time_to_go, x, u);
+        self.observer.excess(here, self.left == 0, &mut |i, value| excess[i] = value);
+        Instant { t, time_to_go, x: x.to_vec(), u, excess }
+    }
+}
+
+/// Largest difference of two sides, each component as a part of its largest value.
+fn difference(first: &[Instant], second: &[Instant]) -> f64 {
+    let n = first.first().map_or(0, |instant| instant.x.len());
+    let component = |i: usize| {
+        let get = |instant: &Instant| if i < n { instant.x[i] } else { instant.u };
+        let size = first.iter().chain(second).map(|one| get(one).abs()).fold(0.0, f64::max);
+        let pairs = first.iter().zip(second);
+        let apart = pairs.map(|(a, b)| (get(a) - get(b)).abs());
+        // No number differs from everything.
+        let apart = apart.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) });
+        if apart == 0.0 { 0.0 } else { apart / size }
+    };
+    (0..=n).map(component).fold(0.0, f64::max)
+}

@@ -1,0 +1,270 @@
+//! `verify` as it is run: objectives with known answers, parts that merge exactly, runs that are
+//! interrupted, and bad input.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
+    command.current_dir(folder).arg("verify").args(arguments);
+    command
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = command(folder, arguments).output().expect("the command runs");
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("UTF-8");
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+/// A folder of a test's own that holds `stage.toml`.
+fn folder(test: &str, design: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("verify_{test}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder for the test");
+    fs::write(path.join("stage.toml"), design).expect("a design");
+    path
+}
+
+/// x1 = 3T^2 - 2T^3, x2 = -6T + 6T^2 and u = 3 - 6T from (1, 0) with tau = 1.
+const STAGE: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n\
+                     [params]\ntau = 1\n[plant]\nf = 0\n\
+                     [verify]\nx1 = 1\nx2 = 0\nscenarios = 2\nsearch = 20\n";
+
+/// x' = -2x/T + d, |d| <= 1, from 0: the worst d is a bound throughout, with x = T - T^2.
+const DRIVEN: &str = "n = 1\nmu = \"exp(a=1)\"\ngains = [2]\n[params]\ntau = 1\n\
+                      [plant]\nf = \"d\"\nd = [-1, 1]\n[disturbance]\nd = \"worst\"\n\
+                      [verify]\nx1 = 0\nscenarios = 4\nsearch = 200\n";
+
+/// Gain and damping that are not known, a disturbance of any kind, boxes of x0 and tau.
+const UNCERTAIN: &str = "n = 1\nmu = \"exp(a=1)\"\npoles = [-4]\n\
+                         [plant]\nf = \"gust - damping*x1 + b*u\"\ndamping = [0, 0.5]\n\
+                         gust = [-0.1, 0.1]\nb = [-0.2, 0.2]\n[disturbance]\ngust = \"any\"\n\
+                         [verify]\nx1 = [-1, 1]\ntau = [0.5, 2]\nscenarios = 200\n\
+                         search = 20\nseed = 11\n[[objective]]\nbound = \"attractive\"\n\
+                         error = 1e-2\n[[objective]]\nbound = \"within\"\nh = \"x1\"\n\
+                         low = -2\nhigh = 2\n";
+
+fn objective(text: &str) -> String {
+    format!("[[objective]]\n{text}\n")
+}
+
+#[test]
+fn objectives_hold_and_fail_as_their_exact_solutions_do() {
+    // The greatest |x| of the exact solution, as a part of |x0| = 1.
+    let size = |time_to_go: f64| {
+        let x1 = 3.0 * time_to_go.powi(2) - 2.0 * time_to_go.powi(3);
+        let x2 = -6.0 * time_to_go + 6.0 * time_to_go.powi(2);
+        x1.hypot(x2)
+    };
+    let greatest = (0..=10_000).map(|i| size(f64::from(i) / 1e4)).fold(0.0, f64::max);
+    let state = |factor: f64| format!("bound = \"state\"\nsigma = {}", factor * greatest);
+    for (text, holds) in [
+        ("bound = \"input\"\nupsilon = 3.001", true),
+        ("bound = \"input\"\nupsilon = 2.999", false),
+        ("bound = \"input\"\nupsilon = \"abs(3 - 6*T) + 1e-6\"", true),
+        ("bound = \"input\"\nupsilon = \"abs(3 - 6*T/tau) - 1e-6 + 0*dt\"", false),
+        ("bound = \"within\"\nh = \"x2\"\nlow = -1.501\nhigh = 0", true),
+        ("bound = \"within\"\nh = \"x2\"\nlow = -1.49", false),
+        ("bound = \"within\"\nh = \"x1 - 3*T^2 + 2*T^3\"\nlow = -1e-8\nhigh = 1e-8", true),
+        ("bound = \"within\"\nh = \"u - 3 + 6*T\"\nlow = -1e-6\nhigh = 1e-6", true),
+        ("bound = \"within\"\nh = \"sqrt(x1 - 2)\"\nlow = -1e9", false),
+        ("bound = \"attractive\"\nerror = 6.1e-3", true),
+        ("bound = \"attractive\"\nerror = 5.9e-3", false),
+        (&state(1.001), true),
+        (&state(0.999), false),
+        ("bound = \"state\"\nsigma = 7\nzeta = \"T/tau\"", true),
+        ("bound = \"state\"\nsigma = 4\nzeta = \"T/tau\"", false),
+    ] {
+        let folder = folder("exact", &format!("{STAGE}{}", objective(text)));
+        let (code, told, wrong) = run(&folder, &["stage.toml"]);
+        // An h that is no number is told before the run.
+        let expected = match (holds, text.contains("sqrt")) {
+            (true, _) => Some(0),
+            (false, false) => Some(1),
+            (false, true) => Some(2),
+        };
+        assert_eq!(code, expected, "{text}: {told}{wrong}");
+        let verdict = if holds { "objective 1, " } else { ": fails" };
+        assert!(code == Some(2) || told.contains(verdict), "{text}: {told}");
+        assert!(code == Some(2) || told.contains("both sides of Theorem 1 agree"), "{told}");
+    }
+}
+
+#[test]
+fn the_search_finds_the_worst_disturbance() {
+    for (high, code) in [(0.2501, 0), (0.2495, 1)] {
+        let within = format!("bound = \"within\"\nh = \"x1\"\nhigh = {high}");
+        let folder = folder("worst", &format!("{DRIVEN}{}", objective(&within)));
+        let (found, told, wrong) = run(&folder, &["stage.toml", "--worst", "worst.csv"]);
+        assert_eq!(found, Some(code), "{told}{wrong}");
+        assert!(!told.contains("scenarios fail it"), "chance does not find it: {told}");
+        let csv = fs::read_to_string(folder.join("worst.csv")).expect("a trajectory");
+        for line in csv.lines().skip(1) {
+            let row: Vec<f64> = line.split(',').map(|x| x.parse().expect("a number")).collect();
+            let [_, time_to_go, x, ..] = row[..] else { panic!("{line}") };
+            // The search stops where the greatest x is; later pieces decide nothing of it.
+            if time_to_go >= 0.5 {
+                assert!((x - time_to_go + time_to_go.powi(2)).abs() <= 1e-8, "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn parts_merge_to_the_bytes_of_one_run() {
+    let folder = folder("parts", UNCERTAIN);
+    let (code, whole, wrong) = run(&folder, &["stage.toml", "--out", "whole.parquet"]);
+    assert_eq!((code, wrong.as_str()), (Some(0), ""), "{whole}");
+    let bytes = fs::read(folder.join("whole.parquet")).expect("a file");
+    assert_eq!(run(&folder, &["stage.toml"]), (Some(0), whole.clone(), String::new()));
+    for count in [7, 64] {
+        let mut arguments = vec!["stage.toml".to_owned(), "--merge".to_owned()];
+        for part in (1..=count).rev() {
+            let (shard, out) = (format!("{part}/{count}"), format!("part{part}.parquet"));
+            let (code, told, wrong) =
+                run(&folder, &["stage.toml", "--shard", &shard, "--out", &out]);
+            assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
+            arguments.push(out);
+        }
+        arguments.extend(["--out".to_owned(), "merged.parquet".to_owned()]);
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        assert_eq!(run(&folder, &arguments), (Some(0), whole.clone(), String::new()));
+        assert!(fs::read(folder.join("merged.parquet")).expect("a file") == bytes, "{count}");
+        // A part that is missing, or there twice, is told.
+        let (first, rest) = (&arguments[..2], &arguments[2..arguments.len() - 2]);
+        let lacking: Vec<_> = first.iter().chain(&rest[1..]).copied().collect();
+        let (code, _, wrong) = run(&folder, &lacking);
+        assert_eq!(code, Some(2), "{wrong}");
+        assert!(wrong.contains("no part holds the scenarios"), "{wrong}");
+        let twice: Vec<_> = first.iter().chain(rest).chain(&rest[..1]).copied().collect();
+        let (code, _, wrong) = run(&folder, &twice);
+        assert_eq!(code, Some(2), "{wrong}");
+        assert!(wrong.contains("which another part holds too"), "{wrong}");
+    }
+    let names = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("a file"));
+    let left: Vec<_> = names.filter(|name| name.path().is_dir()).collect();
+    assert!(left.is_empty(), "{left:?}");
+    let other = run(&folder, &["stage.toml", "--seed", "12", "--merge", "whole.parquet"]);
+    assert_eq!(other.0, Some(2));
+    assert!(other.2.contains("another campaign") && other.2.contains("seed = 11"), "{}", other.2);
+}
+
+#[test]
+fn the_number_of_cores_and_an_interruption_change_nothing() {
+    let folder = folder("resumed", UNCERTAIN);
+    let one = command(&folder, &["stage.toml", "--out", "one.parquet"])
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .expect("runs");
+    let asked = ["stage.toml", "--out", "resumed.parquet"];
+    let mut child = command(&folder, &asked).stdout(Stdio::null()).spawn().expect("runs");
+    let chunks = folder.join("resumed.parquet.chunks");
+    let finished = || -> Vec<PathBuf> {
+        let entries = fs::read_dir(&chunks).into_iter().flatten().flatten();
+        let done = entries.map(|entry| entry.path());
+        done.filter(|path| path.extension().is_some_and(|e| e == "parquet")).collect()
+    };
+    let began = Instant::now();
+    while finished().is_empty() && began.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().expect("killed");
+    child.wait().expect("ended");
+    let kept = finished();
+    assert!(!kept.is_empty() && kept.len() < 4, "interrupted in between: {kept:?}");
+    assert!(!folder.join("resumed.parquet").exists(), "nothing half");
+    // What another campaign left is not taken for this one's.
+    let (code, _, wrong) = run(&folder, &["stage.toml", "--seed=12", "--out=resumed.parquet"]);
+    assert_eq!(code, Some(2));
+    assert!(wrong.contains("another campaign") && wrong.contains("remove this folder"), "{wrong}");
+    let (code, told, _) = run(&folder, &asked);
+    assert_eq!((code, told.as_bytes()), (Some(0), &one.stdout[..]));
+    let read = |name: &str| fs::read(folder.join(name)).expect("a file");
+    assert!(read("resumed.parquet") == read("one.parquet"));
+    assert!(!chunks.exists());
+}
+
+#[test]
+fn a_scenario_can_be_run_again() {
+    let folder = folder("again", UNCERTAIN);
+    let (code, csv, _) = run(&folder, &["stage.toml", "--scenario", "17"]);
+    assert_eq!(code, Some(0));
+    assert!(csv.starts_with("t,time_to_go,x1,u,excess1,excess2\n0.0,"), "{csv}");
+    assert_eq!(run(&folder, &["stage.toml", "--scenario=17"]).1, csv);
+    assert_ne!(run(&folder, &["stage.toml", "--scenario=18"]).1, csv);
+    assert_ne!(run(&folder, &["stage.toml", "--scenario=17", "--seed=1"]).1, csv);
+}
+
+#[test]
+fn bad_input_gets_one_clear_message_and_no_file() {
+    let bound = objective("bound = \"input\"\nupsilon = 9");
+    let with = |from: &str, to: &str| format!("{STAGE}{bound}").replace(from, to);
+    for (design, arguments, parts) in [
+        (STAGE.to_owned(), &[][..], &["no objective", "[[objective]]"][..]),
+        (with("[plant]\nf = 0\n", ""), &[], &["no plant", "[plant]"]),
+        (with("x2 = 0\n", ""), &[], &["no interval of x2", "each of x1..x2"]),
+        (with("x2 = 0", "x2 = 0\nx3 = 0"), &[], &["unknown key `verify.x3`", "x3 = 0"]),
+        (with("x2 = 0", "x2 = [1, -1]"), &[], &["x2 is empty: 1 > -1", "x2 = [1, -1]", "^"]),
+        (with("x2 = 0", "x2 = \"wide\""), &[], &["verify.x2 is no interval"]),
+        (with("f = 0", "f = \"d\"\nd = [1, -1]"), &[], &["plant.d is no pair", "least < greatest"]),
+        (
+            with("f = 0", "f = \"d\"\nd = [-1, 1]\n[disturbance]\ne = \"sine\""),
+            &[],
+            &["`e` has no bounds"],
+        ),
+        (
+            with("f = 0", "f = \"d\"\nd = [-1, 1]\n[disturbance]\nd = \"sin\""),
+            &[],
+            &["no signal", "did you mean `sine`?"],
+        ),
+        (
+            with("f = 0", "f = \"b*u\"\nb = [-3, 0]"),
+            &["--scenarios=40"],
+            &["the gain of the plant is 0 or has another sign than g", "b = -", "|b| < |g|"],
+        ),
+        (with("f = 0", "f = \"d\""), &[], &["d without a value"]),
+        (with("gains = [6, 5]\n", ""), &[], &["k1, k2 without a value"]),
+        (with("tau = 1\n", ""), &[], &["tau has no value"]),
+        (with("x1 = 1", "x1 = 1\ntau = [0, 1]"), &[], &["tau is not > 0"]),
+        (with("x1 = 1", "x1 = 1\nuntil = 2"), &[], &["verify.until is not legal", "< 1"]),
+        (
+            with("tau = 1\n", "tau = 1\neps = 0.1\n").replace("x1 = 1", "x1 = 1\nuntil = 0.01"),
+            &[],
+            &["after the gains are held", "eps/tau = 0.1"],
+        ),
+        (
+            with("upsilon = 9", "upsilon = \"x1\""),
+            &[],
+            &["`x1` is not known where objective", "dt"],
+        ),
+        (with("upsilon = 9", "sigma = 9"), &[], &["unknown key", "without `upsilon`"]),
+        (with("bound = \"input\"", "bound = \"inputs\""), &[], &["does not say what it bounds"]),
+        (with("[[objective]]", "[objective]"), &[], &["one table of a list", "[[objective]]"]),
+        (
+            with("bound = \"input\"\nupsilon = 9", "bound = \"state\"\nsigma = 0.5"),
+            &[],
+            &["fails at t0 already", "x0 = [1.0, 0.0]"],
+        ),
+        (with("", ""), &["--scenarios=0"], &["scenarios is not legal", "--scenarios \"0\""]),
+        (with("", ""), &["--seed=-1"], &["seed is not legal", "| --seed \"-1\""]),
+        (with("", ""), &["--shard=3/2", "--out=a"], &["--shard 3/2 is no part", "I/N"]),
+        (with("", ""), &["--shard=1/2"], &["--out"]),
+        (with("", ""), &["--merge", "stage.toml"], &["cannot use stage.toml"]),
+        (with("", ""), &["--merge", "none.parquet"], &["cannot use none.parquet", "No such file"]),
+        (with("", ""), &["--out=."], &["--out . is no name of a file"]),
+        (with("", ""), &["--out=stage.toml/a"], &["cannot write stage.toml/a.chunks"]),
+        (with("", ""), &["--pi0=extern"], &["`pi0 = extern` is a function of your program"]),
+    ] {
+        let folder = folder("wrong", &design);
+        let (code, out, told) = run(&folder, &[&["stage.toml"][..], arguments].concat());
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{design}{arguments:?}: {told}");
+        for part in parts {
+            assert!(told.contains(part), "{arguments:?}: no {part:?} in\n{told}");
+        }
+        assert!(!told.contains("panicked"), "{told}");
+        let files = fs::read_dir(&folder).expect("a folder").count();
+        assert_eq!(files, 1, "{design}{arguments:?}");
+    }
+}
