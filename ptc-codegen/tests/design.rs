@@ -144,7 +144,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[limits]\nx = 1",
             "limits",
             "`[limits]` is no table of a design",
-            "params, envelope and plant",
+            "params, envelope, plant",
         ),
         (
             "[params.a]\nx = 1",
@@ -157,11 +157,11 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[[axes]]\ntau = 1",
             "axes",
             "`[[axes]]` is no table of a design",
-            "params, envelope and plant",
+            "params, envelope, plant",
         ),
         ("parms.tau = 1", "parms.tau", "`parms` is no table of a design", "`params`?"),
         ("params.a.b = 1", "params.a.b", "`params.a` is no table of a design", "holds no tables"),
-        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params, envelope and plant"),
+        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params, envelope, plant"),
         (
             "\"params.a\" = 1",
             "\"params.a\"",

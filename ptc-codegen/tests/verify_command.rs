@@ -41,8 +41,8 @@ const DRIVEN: &str = "n = 1\nmu = \"exp(a=1)\"\ngains = [2]\n[params]\ntau = 1\n
 const UNCERTAIN: &str = "n = 1\nmu = \"exp(a=1)\"\npoles = [-4]\n\
                          [plant]\nf = \"gust - damping*x1 + b*u\"\ndamping = [0, 0.5]\n\
                          gust = [-0.1, 0.1]\nb = [-0.2, 0.2]\n[disturbance]\ngust = \"any\"\n\
-                         [verify]\nx1 = [-1, 1]\ntau = [0.5, 2]\nscenarios = 200\n\
-                         search = 20\nseed = 11\n[[objective]]\nbound = \"attractive\"\n\
+                         [verify]\nx1 = [-1, 1]\ntau = [0.5, 2]\nscenarios = 130\n\
+                         search = 10\nseed = 11\n[[objective]]\nbound = \"attractive\"\n\
                          error = 1e-2\n[[objective]]\nbound = \"within\"\nh = \"x1\"\n\
                          low = -2\nhigh = 2\n";
 
@@ -89,6 +89,48 @@ fn objectives_hold_and_fail_as_their_exact_solutions_do() {
         let verdict = if holds { "objective 1, " } else { ": fails" };
         assert!(code == Some(2) || told.contains(verdict), "{text}: {told}");
         assert!(code == Some(2) || told.contains("both sides of Theorem 1 agree"), "{told}");
+    }
+}
+
+#[test]
+fn what_is_linear_in_stretched_time_is_proved() {
+    let linear = STAGE
+        .replace("gains = [6, 5]", "poles = [-2, -3]")
+        .replace("x1 = 1\nx2 = 0", "x1 = [-1, 1]\nx2 = [-1, 1]");
+    // x from (1, 0) and from (0, 1), and the norm of both together.
+    let size = |t: f64| {
+        let first = (3.0 * t.powi(2) - 2.0 * t.powi(3)).hypot(6.0 * t.powi(2) - 6.0 * t);
+        first.hypot((t.powi(2) - t.powi(3)).hypot(3.0 * t.powi(2) - 2.0 * t))
+    };
+    let norm = (0..=10_000).map(|i| size(f64::from(i) / 1e4)).fold(0.0, f64::max);
+    let state = |sigma: f64| format!("bound = \"state\"\nsigma = {sigma}");
+    let (proved, sampled, fails) = ("proved by intervals", "holds, by sampling", ": fails");
+    // u is 3 - 6T and 1 - 3T from the two: 5 together at the start, and 4 at the end.
+    for (text, verdict) in [
+        (state(1.001 * norm), proved),
+        (state(0.9998 * norm), sampled),
+        ("bound = \"state\"\nsigma = 9\nzeta = \"T/tau\"".to_owned(), proved),
+        ("bound = \"state\"\nsigma = 3\nzeta = \"T/tau\"".to_owned(), fails),
+        ("bound = \"input\"\nupsilon = 5.001".to_owned(), proved),
+        ("bound = \"input\"\nupsilon = \"4.001 + dt^0*(1 - dt)\"".to_owned(), proved),
+        ("bound = \"input\"\nupsilon = 4.99".to_owned(), fails),
+        // |x| at T = 1e-3 is at most that of 6T + 2T and a little.
+        ("bound = \"attractive\"\nerror = 8.01e-3".to_owned(), proved),
+        ("bound = \"attractive\"\nerror = 5.9e-3".to_owned(), fails),
+        ("bound = \"within\"\nh = \"x1\"\nhigh = 9".to_owned(), sampled),
+    ] {
+        let folder = folder("proved", &format!("{linear}{}", objective(&text)));
+        let (code, told, wrong) = run(&folder, &["stage.toml"]);
+        let first = told.lines().find(|line| line.starts_with("objective 1")).unwrap_or_default();
+        assert!(first.contains(verdict), "{text}: {verdict}\n{told}{wrong}");
+        assert_eq!(code, Some(i32::from(verdict == fails)), "{text}: {told}");
+    }
+    // What is not of that kind is not proved.
+    for (from, to) in [("f = 0", "f = \"1e-9*x1\""), ("tau = 1", "tau = 1\nu_max = 100")] {
+        let design = format!("{linear}{}", objective("bound = \"input\"\nupsilon = 6"));
+        let folder = folder("unproved", &design.replace(from, to));
+        let (code, told, _) = run(&folder, &["stage.toml"]);
+        assert_eq!((code, told.contains(proved)), (Some(0), false), "{told}");
     }
 }
 

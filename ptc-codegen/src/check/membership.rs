@@ -8,7 +8,7 @@
 //! for the values and bounds that are given. Only a validated number refutes.
 
 mod conditions;
-mod enclosure;
+pub(crate) mod enclosure;
 mod growth;
 mod pieces;
 mod problem;

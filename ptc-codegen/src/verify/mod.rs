@@ -6,6 +6,7 @@
 //! Theorem 1; a [`Tally`] holds what is kept of many, by reductions in which no order counts; and
 //! [`search`] goes on from the worst one. [`record`] keeps one row a scenario.
 
+pub mod bound;
 mod keys;
 pub mod objective;
 mod read;

@@ -13,36 +13,36 @@ const MAX_OPERATIONS: usize = 60_000;
 const COST_OF_CALL: usize = 32;
 
 /// Evaluates expressions, until the work is used up.
-pub(super) struct Evaluator {
+pub(crate) struct Evaluator {
     cache: Option<Consts>,
     left: usize,
     divided_by_zero: bool,
 }
 
 /// What is known of the values of an expression.
-pub(super) struct Value {
-    pub(super) interval: Interval,
+pub(crate) struct Value {
+    pub(crate) interval: Interval,
     /// Whether something in it has no value for any of the arguments.
-    pub(super) is_undefined: bool,
+    pub(crate) is_undefined: bool,
     /// Whether a divisor in it may be 0: there it may have no value, or one by continuity only.
-    pub(super) may_divide_by_zero: bool,
+    pub(crate) may_divide_by_zero: bool,
 }
 
 /// The intervals of names.
-pub(super) type Names = BTreeMap<Expression, Interval>;
+pub(crate) type Names = BTreeMap<Expression, Interval>;
 
 impl Evaluator {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { cache: Consts::new().ok(), left: MAX_OPERATIONS, divided_by_zero: false }
     }
 
     /// Whether no work is left.
-    pub(super) fn is_spent(&self) -> bool {
+    pub(crate) fn is_spent(&self) -> bool {
         self.left == 0 || self.cache.is_none()
     }
 
     /// The values of an expression; none for an unknown name or where the work is used up.
-    pub(super) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
+    pub(crate) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
         let mut is_undefined = false;
         self.divided_by_zero = false;
         let interval = self.enclose(expression, names, &mut is_undefined)?;

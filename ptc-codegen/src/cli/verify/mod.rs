@@ -53,7 +53,8 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         })
         .collect();
     bar.finish_and_clear();
-    let verdict = report::verdict(&campaign, &mut trial, &tally, &worst)?;
+    let proved = verify::bound::proved(&campaign);
+    let verdict = report::verdict(&campaign, &mut trial, &tally, (&worst, &proved))?;
     if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&worst)) {
         let csv = report::csv(&campaign, &mut trial, &worst.found.scenario)?;
         write::paths(&[(path.clone(), csv.as_bytes())])?;

@@ -30,7 +30,7 @@ pub(super) fn verdict(
     campaign: &Campaign,
     trial: &mut Trial,
     tally: &Tally,
-    worst: &[Worst],
+    (worst, proved): (&[Worst], &[bool]),
 ) -> Result<Verdict, Failure> {
     let runs: usize = worst.iter().map(|worst| worst.found.runs).sum();
     let mut text = format!(
@@ -45,7 +45,11 @@ pub(super) fn verdict(
         let failed = tally.failed[number - 1];
         let fails = worst.found.excess > 0.0;
         holds &= !fails;
-        let verdict = if fails { "fails" } else { "holds, by sampling" };
+        let verdict = match (fails, proved[number - 1]) {
+            (true, _) => "fails",
+            (false, true) => "holds, proved by intervals for every x0, tau and T",
+            (false, false) => "holds, by sampling",
+        };
         text.push_str(&format!("objective {number}, {objective}: {verdict}\n"));
         if failed > 0 {
             text.push_str(&format!("  {failed} of {} scenarios fail it\n", tally.scenarios));
