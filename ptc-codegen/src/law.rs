@@ -150,6 +150,16 @@ mod tests {
         assert_eq!(rows_of(Family::Tanh, 2)[0], "-K1*one_plus_E^2");
     }
 
+    /// The general form gives the same u, with more operations.
+    #[test]
+    fn gains_with_a_mapping_of_the_users_have_a_form_of_their_own() {
+        let (entries, _) = crate::design::read("n = 2\nmu = \"tau*(1 - exp(-t))\"", &mut |_| {
+            crate::diagnostic::Place(0)
+        });
+        let spec = crate::spec::read(&entries).expect("a controller");
+        assert!(matches!(Law::of(&spec).form, Form::Series));
+    }
+
     #[test]
     fn a_sum_is_a_polynomial_in_one_quantity() {
         assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
