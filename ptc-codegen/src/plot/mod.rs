@@ -24,6 +24,21 @@ pub struct Figure {
     pub u_max: Option<f64>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
+    /// What has to hold of the first run.
+    pub objectives: Vec<Bounded>,
+}
+
+/// A quantity over the times of a run, with bounds that go with time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bounded {
+    /// What it is.
+    pub title: String,
+    /// Its values.
+    pub values: Vec<f64>,
+    /// Its bounds, each at the same times; NaN where there is none.
+    pub bounds: Vec<Vec<f64>>,
+    /// Whether the axis is logarithmic: for sizes, which are > 0 and fall by decades.
+    pub by_decades: bool,
 }
 
 /// One run.

@@ -1,7 +1,7 @@
 //! One scenario on both sides of Theorem 1.
 
 use super::objective::Observer;
-use super::{Campaign, Setting};
+use super::{Campaign, Level, Setting};
 use crate::simulate::{Accuracy, Continuous, Direct, Failure, Sample};
 use crate::spec::{Precision, Spec};
 
@@ -111,6 +111,26 @@ impl Trial {
             let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
             self.direct.advance(values, shares, ACCURACY, seen)
         })
+    }
+
+    /// What each objective bounds at the instants of a run: `levels[i][k]` of objective i at instant k.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn levels(
+        &mut self,
+        setting: &Setting,
+        instants: &[Instant],
+    ) -> Result<Vec<Vec<Level>>, Failure> {
+        self.observer.start(&setting.values, &setting.x0)?;
+        let whole: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+        let mut levels = vec![Vec::with_capacity(instants.len()); self.objectives];
+        for (index, Instant { time_to_go, x, u, .. }) in instants.iter().enumerate() {
+            let here = (*time_to_go, x.as_slice(), *u);
+            let last = index + 1 == whole;
+            self.observer.levels(here, last, &mut |i, _, level| levels[i].push(level));
+        }
+        Ok(levels)
     }
 
     /// Excess of each objective at t0, with u = 0 where one holds u.

@@ -68,11 +68,6 @@ pub(crate) fn operator(text: &str) -> Math {
     element("mo", text)
 }
 
-/// A bracket that keeps the size of a letter.
-fn small(text: &str) -> Math {
-    Math(format!("<mo stretchy=\"false\">{text}</mo>"))
-}
-
 /// Words between formulas.
 pub(crate) fn words(text: &str) -> Math {
     // Spaces at the ends of an element are not shown.
@@ -119,12 +114,22 @@ pub(crate) fn sub_sup(base: Math, index: Math, exponent: Math) -> Math {
 
 /// A base with a prime, as a derivative has one.
 pub(crate) fn prime(base: Math) -> Math {
-    sup(base, operator("\u{2032}"))
+    sup(base, mark("\u{2032}"))
 }
 
 /// A base with a dot, as a derivative with respect to time has one.
 pub(crate) fn dot(base: Math) -> Math {
-    Math(format!("<mover accent=\"true\">{base}<mo>\u{02d9}</mo></mover>"))
+    Math(format!("<mover accent=\"true\">{base}{}</mover>", mark("\u{02d9}")))
+}
+
+/// A sign that stands close to its base.
+pub(crate) fn mark(sign: &str) -> Math {
+    Math(format!("<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">{sign}</mo>"))
+}
+
+/// The sign of a transpose, which is no time-to-go.
+pub(crate) fn transpose() -> Math {
+    name("\u{22a4}")
 }
 
 /// A fraction.
@@ -147,9 +152,11 @@ pub(crate) fn applied(function: Math, argument: Math) -> Math {
     row([function, operator(APPLIED), fenced("(", argument, ")")])
 }
 
-/// Something in brackets, which grow with it.
+/// Something in brackets, which grow where it is higher than a line.
 pub(crate) fn fenced(open: &str, inner: Math, close: &str) -> Math {
-    let bracket = |sign: &str| Math(format!("<mo fence=\"true\">{sign}</mo>"));
+    let high = ["<mfrac>", "<mtable", "<munderover>", "<msqrt>"];
+    let grows = high.iter().any(|element| inner.0.contains(element));
+    let bracket = |sign: &str| Math(format!("<mo fence=\"true\" stretchy=\"{grows}\">{sign}</mo>"));
     row([bracket(open), inner, bracket(close)])
 }
 

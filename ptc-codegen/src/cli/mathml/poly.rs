@@ -4,8 +4,8 @@ use num_traits::{One, Signed, Zero};
 use ptc_codegen::algebra::{BigRational, Kind, Monomial, Poly, Symbol};
 
 use super::{
-    Math, TIMES, fenced, fraction, name, number, operator, product, relation, row, sequence,
-    small, sub, sub_sup, sup,
+    Math, TIMES, fenced, fraction, mark, name, number, operator, product, relation, row, sequence,
+    sub, sub_sup, sup,
 };
 
 /// The polynomial.
@@ -65,14 +65,10 @@ fn power(symbol: Symbol, exponent: i32) -> Math {
         Kind::Slope => bracketed(fraction(super::prime(name("\u{3ba}")), name("a")), exponent),
         Kind::Derivative => {
             let written = match index {
-                Some(order @ 1..=2) => sup(
-                    name("\u{3ba}"),
-                    operator(if order == 1 { "\u{2032}" } else { "\u{2033}" }),
-                ),
-                _ => sup(
-                    name("\u{3ba}"),
-                    row([small("("), number(index.unwrap_or(0)), small(")")]),
-                ),
+                Some(order @ 1..=2) => {
+                    sup(name("\u{3ba}"), mark(if order == 1 { "\u{2032}" } else { "\u{2033}" }))
+                }
+                _ => sup(name("\u{3ba}"), fenced("(", number(index.unwrap_or(0)), ")")),
             };
             bracketed(written, exponent)
         }
@@ -97,4 +93,3 @@ fn power(symbol: Symbol, exponent: i32) -> Math {
 fn bracketed(math: Math, exponent: i32) -> Math {
     if exponent == 1 { math } else { fenced("(", math, ")") }
 }
-

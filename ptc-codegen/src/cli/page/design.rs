@@ -92,7 +92,6 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
     own.chain(symbols).collect()
 }
 
-
 /// The name of the design file beside a report: where the design came from is no part of it.
 pub(super) fn file(spec: &Spec) -> String {
     format!("{}.toml", spec.name())

@@ -42,14 +42,15 @@ fn n(spec: &Spec) -> Math {
 }
 
 fn plant_group(spec: &Spec, plant: &Plant) -> Group {
+    let rate = |index: Math| sub(dot(name("x")), index);
     let state = |j: usize| sub(name("x"), number(j));
     let mut formulas = Vec::new();
     let index = name("j");
     match spec.n {
         1 => {}
-        2 => formulas.push(equal(dot(state(1)), state(2))),
+        2 => formulas.push(equal(rate(number(1)), state(2))),
         n => formulas.push(row([
-            dot(sub(name("x"), index.clone())),
+            rate(index.clone()),
             operator("="),
             sub(name("x"), relation(index.clone(), "+", number(1))),
             operator(","),
@@ -61,7 +62,7 @@ fn plant_group(spec: &Spec, plant: &Plant) -> Group {
     }
     let control = name("u");
     let last = relation(name("f"), "+", product(name("g"), control));
-    formulas.push(equal(dot(state(spec.n)), last));
+    formulas.push(equal(rate(n(spec)), last));
     formulas.push(equal(name("f"), of_expression(&plant.f)));
     let own = spec.input_gain.clone().unwrap_or(Expression::integer(1));
     let g = plant.g.as_ref().unwrap_or(&own);
@@ -82,9 +83,9 @@ fn mapping(spec: &Spec) -> Group {
     let slope = prime(named("kappa"));
     let to_go = equal(name("T"), minus(named("tau"), elapsed()));
     let mut formulas = Vec::new();
-    let mut told = "mu maps stretched time t to the time since the start, kappa is its inverse, and \
-                    T the time-to-go."
-        .to_owned();
+    let mut told =
+        "mu maps stretched time t to the time since the start, and kappa is its inverse."
+            .to_owned();
     match &spec.time_mapping {
         TimeMapping::Family { family, rates } => {
             let info = family.info();
@@ -100,6 +101,7 @@ fn mapping(spec: &Spec) -> Group {
             told.push_str(&format!(" Where {}.", info.atoms));
         }
         TimeMapping::Custom(custom) => {
+            told.push_str(" T is the time-to-go.");
             let left = if custom.subject == Meaning::Mu { mu } else { kappa.clone() };
             formulas.push(equal(left, of_expression(&custom.given)));
             match &custom.form {
@@ -108,7 +110,9 @@ fn mapping(spec: &Spec) -> Group {
                 }
                 Computed::Kappa(_) => {}
                 Computed::Complement(_) => {
-                    told.push_str(" kappa(Dt) is the root of mu(t) = Dt, by a bracketed iteration.");
+                    told.push_str(
+                        " kappa(Dt) is the root of mu(t) = Dt, by a bracketed iteration.",
+                    );
                 }
             }
         }
@@ -136,7 +140,7 @@ fn sum_of_rates(rates: usize) -> Expression {
 }
 
 fn r(spec: &Spec) -> Result<Group, Failure> {
-    let order = row([operator("("), name("k"), operator(")")]);
+    let order = fenced("(", name("k"), ")");
     let meaning = applied(sup(named("mu"), order), applied(named("kappa"), elapsed()));
     let mut formulas = vec![equal(sub(name("r"), name("k")), meaning)];
     formulas.extend(show::formulas(Subject::SmallR, spec)?);
@@ -157,10 +161,10 @@ fn matrix(spec: &Spec) -> Result<Group, Failure> {
 fn law(spec: &Spec) -> Result<Group, Failure> {
     let pi0 = || sub(named("pi"), number(0));
     let index = || n(spec);
-    let slope = sup(fenced("(", prime(named("kappa")), ")"), index());
+    let slope = sup(prime(named("kappa")), index());
     let stretched = sub(name("t"), named("kappa"));
     let xi = product(sub(bold("B"), index()), name("x"));
-    let row_b = sub_sup(bold("b"), index(), name("T"));
+    let row_b = sub_sup(bold("b"), index(), mathml::transpose());
     let inner = minus(
         row([pi0(), fenced("(", row([xi.clone(), operator(","), stretched.clone()]), ")")]),
         product(row_b, name("x")),
@@ -180,8 +184,7 @@ fn law(spec: &Spec) -> Result<Group, Failure> {
     let mut told = "Theorem 1, [th:1-1].".to_owned();
     match &spec.feedback {
         Feedback::Linear => {
-            let term =
-                product(sub(name("k"), name("i")), sub(named("xi"), name("i")));
+            let term = product(sub(name("k"), name("i")), sub(named("xi"), name("i")));
             let sum = row([sum_to("i", index()), term]);
             formulas.push(equal(pi0(), row([operator("\u{2212}"), sum])));
             told.push_str(gains(spec, &mut formulas)?);
@@ -245,8 +248,7 @@ fn series(spec: &Spec, formulas: &mut Vec<Math>) {
     let factorial = |of: Math| row([of, operator("!")]);
     let below = |letter: &str| minus(name(letter), number(1));
     let bracket = |letter: &str| fenced("(", below(letter), ")");
-    let exponent =
-        row([operator("\u{2212}"), fenced("(", minus(next.clone(), name("j")), ")")]);
+    let exponent = row([operator("\u{2212}"), fenced("(", minus(next.clone(), name("j")), ")")]);
     let front = fraction(sup(r1(), exponent), factorial(bracket("j")));
     let coefficient = fenced("[", sup(name("z"), below("i")), "]");
     let power = sup(applied(name("p"), name("z")), below("j"));
@@ -264,10 +266,7 @@ fn series(spec: &Spec, formulas: &mut Vec<Math>) {
         words("  "),
         equal(sub(name("k"), next), number(1)),
     ]));
-    let share = fraction(
-        sub(name("r"), name("l")),
-        product(r1(), factorial(name("l"))),
-    );
+    let share = fraction(sub(name("r"), name("l")), product(r1(), factorial(name("l"))));
     let sum = row([sum_to("l", n(spec)), product(share, sup(name("z"), name("l")))]);
     formulas.push(equal(applied(name("p"), name("z")), sum));
 }

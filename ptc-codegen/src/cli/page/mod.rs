@@ -69,6 +69,8 @@ pub(crate) struct Section {
 
 /// Something that holds or does not.
 pub(crate) struct Judged {
+    /// By which it is found elsewhere; empty where it is nowhere.
+    pub(crate) name: String,
     pub(crate) what: Math,
     pub(crate) holds: bool,
     pub(crate) verdict: String,

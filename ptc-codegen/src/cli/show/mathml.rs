@@ -26,7 +26,7 @@ fn part(forms: &Forms) -> Math {
         rows.iter().map(|row| row.iter().map(|poly| of_poly(poly)).collect()).collect();
     let stem = sub(mathml::bold(letter(forms)), number(order));
     // b_n is a column; what is written is its transpose.
-    let left = if forms.index.len() == 1 { sup(stem, name("T")) } else { stem };
+    let left = if forms.index.len() == 1 { sup(stem, mathml::transpose()) } else { stem };
     equal(left, mathml::matrix(&rows))
 }
 

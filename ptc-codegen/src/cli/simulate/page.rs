@@ -66,9 +66,10 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
         title: "Simulation",
         told,
         verdicts: Vec::new(),
-        caption: "States and control over time in s, and the first state in stretched time. Thin lines \
+        caption:
+            "States and control over time in s, and the first state in stretched time. Thin lines \
                   are deadlines, dashed ones in red bounds."
-            .to_owned(),
+                .to_owned(),
         figure: Svg::of(&figure(spec, runs))?,
         table: table(request.at.is_some(), runs),
     })

@@ -51,6 +51,7 @@ pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
         traces: runs.iter().map(trace).collect(),
         u_max: bound,
         x_max: bounds.collect(),
+        objectives: Vec::new(),
     }
 }
 
