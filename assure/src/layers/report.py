@@ -5,6 +5,7 @@ Usage: report.py BROWSER PAGE...; beside each page it leaves pictures of it, lig
 
 import json
 import pathlib
+import shutil
 import sys
 
 from playwright.sync_api import sync_playwright
@@ -59,7 +60,7 @@ def look(browser, path):
 def main(binary, paths):
     arguments = ["--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"]
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=binary, args=arguments)
+        browser = play.chromium.launch(executable_path=shutil.which(binary), args=arguments)
         for path in paths:
             print(json.dumps(look(browser, pathlib.Path(path).resolve())))
         browser.close()
