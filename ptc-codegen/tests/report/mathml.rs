@@ -72,36 +72,26 @@ fn row(parts: &[Node<'_, '_>], known: &Values) -> f64 {
     sum + if minus { -last } else { last }
 }
 
-/// The sides of the relations `left = right` that stand alone, the right ones with their values.
-fn relations(page: &str, known: &Values) -> BTreeMap<String, f64> {
+/// The value of the right side of the formula `left = right`.
+fn value_of(page: &str, left: &str, known: &Values) -> f64 {
     let page = parse(page);
-    let mut found = BTreeMap::new();
     for math in named(section(&page, "formulas"), "math") {
-        let Some(row) = math.first_element_child() else { continue };
-        for line in named(row, "mtr") {
+        for line in named(math, "mtr") {
             let cells: Vec<_> = line.children().collect();
-            let right = cells[1].first_element_child().expect("a formula");
-            if let Some(left) = text(cells[0]).strip_suffix('=') {
-                let sum = value(right, known);
-                found.insert(left.to_owned(), sum);
+            if text(cells[0]) == format!("{left}=") {
+                return value(cells[1].first_element_child().expect("a formula"), known);
             }
         }
+        let row = math.first_element_child().expect("a formula");
         let parts: Vec<_> = row.children().filter(Node::is_element).collect();
-        let is_matrix = named(row, "mtable").next().is_some();
-        if let [left, middle, right] = parts[..]
+        if let [first, middle, right] = parts[..]
             && sign(middle).as_deref() == Some("=")
-            && ["\u{3bc}(t)", "\u{3ba}(\u{394}t)", "f", "g"].contains(&&*plain(left))
-            && !is_matrix
+            && text(first).replace('\u{2061}', "") == left
         {
-            found.insert(plain(left), value(right, known));
+            return value(right, known);
         }
     }
-    found
-}
-
-/// Text without the sign that is not seen.
-fn plain(node: Node<'_, '_>) -> String {
-    text(node).replace('\u{2061}', "")
+    panic!("no formula of {left}")
 }
 
 fn values(pairs: &[(&str, f64)]) -> Values {
@@ -112,85 +102,128 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
+/// A family at a time-to-go, with the values of its letters.
+struct Case {
+    mu: &'static str,
+    letters: Vec<(&'static str, f64)>,
+    r: fn(i32) -> f64,
+}
+
+const TAU: f64 = 1.6;
+const A: f64 = 0.5;
+const T: f64 = 0.7;
+const W: f64 = T / TAU;
+
+/// pi T/(2 tau).
+fn angle() -> f64 {
+    std::f64::consts::FRAC_PI_2 * W
+}
+
+fn factorial(k: i32) -> f64 {
+    (1..=k).map(f64::from).product()
+}
+
+fn sign_of(k: i32) -> f64 {
+    (-1f64).powi(k - 1)
+}
+
+/// The closed forms of r_k as the field writes them.
+fn cases() -> Vec<Case> {
+    let y = 1.0 / angle().tan();
+    let e = T / (2.0 * TAU - T);
+    let slope = (TAU - T) / (T * (2.0 * TAU - T)).sqrt();
+    vec![
+        Case { mu: "exp(a=0.5)", letters: Vec::new(), r: |k| sign_of(k) * A.powi(k) * T },
+        Case {
+            mu: "rational(a=0.5)",
+            letters: Vec::new(),
+            r: |k| sign_of(k) * factorial(k) * (A / TAU).powi(k) * T.powi(k + 1),
+        },
+        Case {
+            mu: "power(a=0.5, m=2)",
+            letters: vec![("m", 2.0), ("P", W * W)],
+            r: |k| {
+                let product: f64 = (1..k).map(|i| 1.0 + 2.0 * f64::from(i)).product();
+                sign_of(k) * product * A.powi(k) * TAU * W.powi(1 + 2 * k)
+            },
+        },
+        Case {
+            mu: "tan(a=0.5)",
+            letters: vec![("y", y), ("V", 1.0 / (1.0 + y * y))],
+            r: |k| {
+                let sines = (f64::from(k) * angle()).sin() * angle().sin().powi(k);
+                let size = factorial(k - 1) * 2.0 * TAU / std::f64::consts::PI * A.powi(k);
+                sign_of(k) * size * sines
+            },
+        },
+        Case {
+            mu: "tanh(a=0.5)",
+            letters: vec![("E", e), ("g", 1.0 / (1.0 + e))],
+            // mu' = tau a (1 - s^2), and D s = a (1 - s^2).
+            r: |k| {
+                let s = 1.0 - W;
+                let v = 1.0 - s * s;
+                let inner = [1.0, -2.0 * s, -2.0 + 6.0 * s * s];
+                TAU * A.powi(k) * v * inner[usize::try_from(k - 1).expect("an index")]
+            },
+        },
+        Case {
+            mu: "algebraic(a=0.5)",
+            letters: vec![("y", slope), ("h", 1.0 / (1.0 + slope * slope).sqrt())],
+            // Q_1 = 1, Q_2 = -3 s, Q_3 = -3 v + 12 s^2.
+            r: |k| {
+                let s = 1.0 - W;
+                let v = 1.0 - s * s;
+                let q = [1.0, -3.0 * s, -3.0 * v + 12.0 * s * s];
+                let power = v.powf(1.0 + f64::from(k) / 2.0);
+                TAU * A.powi(k) * power * q[usize::try_from(k - 1).expect("an index")]
+            },
+        },
+    ]
+}
+
 #[test]
 fn formulas_of_families_are_those_of_the_theory() {
-    let factorial = |k: u32| f64::from((1..=k).product::<u32>());
-    let sign = |k: u32| if k % 2 == 1 { 1.0 } else { -1.0 };
-    let (tau, t, stretched) = (1.6, 0.7, 0.9);
-    let known = values(&[
-        ("\u{3c4}", tau),
-        ("T", t),
-        ("t", stretched),
-        ("\u{394}t", tau - t),
-        ("a", 0.5),
-        ("m", 2.0),
-        ("P", (t / tau).powi(2)),
-        ("K_1", 6.0),
-        ("K_2", 11.0),
-        ("K_3", 6.0),
-    ]);
-    let (a, w) = (0.5_f64, t / tau);
-    let exp = |k: u32| sign(k) * a.powi(i32::try_from(k).unwrap()) * t;
-    let rational = |k: u32| {
-        let k_i = i32::try_from(k).unwrap();
-        sign(k) * factorial(k) * (a / tau).powi(k_i) * t.powi(k_i + 1)
-    };
-    let power = |k: u32| {
-        let k_i = i32::try_from(k).unwrap();
-        let product: f64 = (1..k).map(|i| 1.0 + 2.0 * f64::from(i)).product();
-        sign(k) * product * a.powi(k_i) * tau * w.powi(1 + 2 * k_i)
-    };
-    let cases: [(&str, f64, f64, &dyn Fn(u32) -> f64); 3] = [
-        ("exp(a=0.5)", tau * (1.0 - (-a * stretched).exp()), -w.ln() / a, &exp),
-        (
-            "rational(a=0.5)",
-            tau * a * stretched / (1.0 + a * stretched),
-            (tau - t) / (a * t),
-            &rational,
-        ),
-        (
-            "power(a=0.5, m=2)",
-            tau * (1.0 - (1.0 + 2.0 * a * stretched).powf(-0.5)),
-            (w.powi(-2) - 1.0) / (2.0 * a),
-            &power,
-        ),
-    ];
-    for (index, (mu, of_mu, of_kappa, r)) in cases.into_iter().enumerate() {
+    let (x1, x2) = (0.3_f64, -1.2_f64);
+    let f = -(x1 - 2.0 * x2).powi(2) / (1.0 + x1.abs())
+        - 2f64.powf(-x2) * (x1 - (x2 - 3.0)) * (2.0 + x1).sqrt();
+    for (index, Case { mu, letters, r }) in cases().into_iter().enumerate() {
         let text = format!(
             "name = \"stage\"\nn = 3\nmu = \"{mu}\"\ngains = [6, 11, 6]\n[params]\ntau = 1.6\n\
              [plant]\nf = \"-(x1 - 2*x2)^2/(1 + abs(-x1)) - 2^-x2*(x1 - (x2 - 3))*sqrt(2 + x1)\"\n"
         );
         let folder = folder(&format!("formulas_{index}"), &text);
         let page = report(&folder, &["simulate", "stage.toml", "--x0", "0,0,0", "--at", "0"]);
-        let (x1, x2) = (0.3_f64, -1.2_f64);
-        let mut known = known.clone();
-        known.extend(values(&[("x_1", x1), ("x_2", x2)]));
-        let found = relations(&page, &known);
-        let f = -(x1 - 2.0 * x2).powi(2) / (1.0 + x1.abs())
-            - 2f64.powf(-x2) * (x1 - (x2 - 3.0)) * (2.0 + x1).sqrt();
-        assert!(near(found["f"], f), "{mu}: {} {f}", found["f"]);
-        assert!(near(found["\u{3bc}(t)"], of_mu), "{mu}: {found:?}");
-        assert!(near(found["\u{3ba}(\u{394}t)"], of_kappa), "{mu}: {found:?}");
+        let mut known = values(&[("\u{3c4}", TAU), ("T", T), ("a", A), ("x_1", x1), ("x_2", x2)]);
+        known.extend(values(&letters));
+        let told = value_of(&page, "f", &known);
+        assert!(near(told, f), "{mu}: f = {told}, {f}");
+        // mu of stretched time is the time since the start.
+        let stretched = value_of(&page, "\u{3ba}(\u{394}t)", &known);
+        known.insert("t".to_owned(), stretched);
+        let elapsed = value_of(&page, "\u{3bc}(t)", &known);
+        assert!(near(elapsed, TAU - T), "{mu}: mu(kappa(Dt)) = {elapsed}");
         for k in 1..=3 {
-            assert!(near(found[&format!("r{k}")], r(k)), "{mu}: r_{k}, {found:?}");
+            let told = value_of(&page, &format!("r{k}"), &known);
+            assert!((told - r(k)).abs() < 1e-14, "{mu}: r_{k} = {told}, {}", r(k));
         }
     }
 }
 
-/// u of the report's gains is u of the table, for a law of gains and a gain g of the plant.
+/// The gains of the report give u of the exact solution, with an input gain.
 #[test]
-fn the_gains_give_the_control_of_the_table() {
-    let text_of = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n[params]\n\
-                   tau = 1\n[plant]\nf = 0\n";
-    let folder = folder("gains", text_of);
-    let page = report(&folder, &["simulate", "stage.toml", "--x0", "1,0", "--at", "0.5"]);
-    // T = 1/2, x = (1/2, -3/2), u = 0 of the exact solution.
-    let known = values(&[("\u{3c4}", 1.0), ("T", 0.5), ("t", 0.0), ("\u{394}t", 0.5), ("a", 1.0)]);
-    let mut known = known;
-    known.extend(values(&[("K_1", 6.0), ("K_2", 5.0)]));
-    let found = relations(&page, &known);
-    assert!(near(found["K1"], 6.0) && near(found["K2"], 5.0), "{found:?}");
-    let gain = |j: i32| 0.5f64.powi(-(3 - j)) * found[&format!("row{j}")];
-    let u = (gain(1) * 0.5 - gain(2) * 1.5) / found["g"];
-    assert!(u.abs() < 1e-12 && gain(1) < -1.0, "{u}");
+fn the_gains_give_the_control() {
+    let design = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n[params]\n\
+                  tau = 1\n[plant]\nf = 0\n";
+    let folder = folder("gains", design);
+    let page = report(&folder, &["simulate", "stage.toml", "--x0", "1,0", "--at", "0.75"]);
+    let mut known = values(&[("\u{3c4}", 1.0), ("T", 0.25), ("a", 1.0)]);
+    for scaled in ["K1", "K2"] {
+        let value = value_of(&page, scaled, &known);
+        known.insert(scaled.replace('K', "K_"), value);
+    }
+    let gain = |j: i32| 0.25f64.powi(-(3 - j)) * value_of(&page, &format!("row{j}"), &known);
+    // x = (3T^2 - 2T^3, -6T + 6T^2), u = 3 - 6T.
+    let u = (gain(1) * 0.15625 - gain(2) * 1.125) / value_of(&page, "g", &known);
+    assert!((u - 1.5).abs() < 1e-12, "{u}");
 }
