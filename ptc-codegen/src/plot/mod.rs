@@ -165,11 +165,11 @@ mod tests {
         let (without, _) = red(vec![objective(vec![vec![f64::NAN; count]; 2], true)]);
         let throughout: Vec<_> = size.iter().map(|size| 2.0 * size).collect();
         let (with, svg) = red(vec![objective(vec![throughout, last.clone()], true)]);
-        assert!(svg.contains("what is bounded") && svg.contains("1e-9"), "decades are told");
+        assert!(svg.contains("what is bounded") && svg.contains("1e-10"), "decades are told");
         // One goes on all along, one is a short line at the end.
         let (at_end, _) = red(vec![objective(vec![last], true)]);
         assert!(at_end > without && with > at_end + 30, "{without} {at_end} {with}");
-        assert!(!red(vec![objective(Vec::new(), false)]).1.contains("1e-9"));
+        assert!(!red(vec![objective(Vec::new(), false)]).1.contains("1e-10"));
     }
 
     #[test]
