@@ -1,5 +1,8 @@
 //! What a design is, in tables, and the command that runs it again.
 
+use std::cmp::Ordering;
+
+use ptc_codegen::algebra::BigRational;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::spec::{After, Feedback, Fixed, Guard, Precision, Spec};
 
@@ -51,9 +54,11 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("input gain g", gain),
     ];
     if !spec.poles.is_empty() {
-        let complex = |(re, im): &(_, _)| {
-            let zero = ptc_codegen::algebra::integer(0);
-            if *im == zero { format!("{re}") } else { format!("{re} + {im} i") }
+        let zero = ptc_codegen::algebra::integer(0);
+        let complex = |(re, im): &(BigRational, BigRational)| match im.cmp(&zero) {
+            Ordering::Equal => re.to_string(),
+            Ordering::Less => format!("{re} - {} i", -im),
+            Ordering::Greater => format!("{re} + {im} i"),
         };
         let poles: Vec<_> = spec.poles.iter().map(complex).collect();
         facts.push(fact("poles", poles.join(", ")));

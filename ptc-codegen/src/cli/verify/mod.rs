@@ -61,14 +61,15 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     bar.finish_and_clear();
     let proved = verify::bound::proved(&campaign);
     let verdict = report::verdict(&campaign, &mut trial, &tally, (&worst, &proved))?;
+    let mut files = Vec::new();
     if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&worst)) {
-        let csv = report::csv(&campaign, &mut trial, &worst.found.scenario)?;
-        write::paths(&[(path.clone(), csv.as_bytes())])?;
+        files.push((path.clone(), report::csv(&campaign, &mut trial, &worst.found.scenario)?));
     }
     if let Some(path) = report {
-        let page = page::text(request, &source, (&campaign, &mut trial), &verdict)?;
-        write::paths(&[(path, page.as_bytes())])?;
+        files.push((path, page::text(request, &source, (&campaign, &mut trial), &verdict)?));
     }
+    let files: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write::paths(&files)?;
     write::to_stdout(&verdict.text(&campaign))?;
     if verdict.holds { Ok(()) } else { Err(Failure::refused(Vec::new())) }
 }
