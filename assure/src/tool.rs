@@ -164,6 +164,13 @@ pub const PYTHON: Tool = Tool {
     source: Source::Apt(&["python3", "python3-venv"]),
 };
 
+/// The browser, with letters for formulas.
+pub const CHROMIUM: Tool = Tool {
+    name: "Chromium",
+    shown_by: ShownBy::Command(&["chromium", "--version"]),
+    source: Source::Apt(&["chromium", "fonts-dejavu-extra"]),
+};
+
 /// The C++ compiler for Arm.
 pub const ARM_GXX: Tool = Tool {
     name: "arm-none-eabi-g++",

@@ -15,6 +15,7 @@ mod miri;
 mod packages;
 mod projects;
 mod python;
+mod report;
 mod rules;
 mod rust;
 mod seeded;
@@ -44,4 +45,5 @@ pub const LAYERS: &[Layer] = &[
     projects::LAYER,
     packages::LAYER,
     campaign::LAYER,
+    report::LAYER,
 ];

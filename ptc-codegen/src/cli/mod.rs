@@ -9,7 +9,11 @@ mod emit;
 mod engine;
 mod fmu;
 mod list;
+#[cfg(feature = "simulation")]
+mod mathml;
 mod new;
+#[cfg(feature = "simulation")]
+mod page;
 mod project;
 mod report;
 mod show;

@@ -93,6 +93,18 @@ impl Source {
         self.given.push(Flag { key, name: flag.to_owned(), text: text.to_owned(), value });
     }
 
+    /// The text of the design file, if there is one.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn text(&self) -> Option<&str> {
+        self.file.as_ref().map(|(_, text)| text.as_str())
+    }
+
+    /// The flags with what is written after them, in their order.
+    #[cfg(feature = "simulation")]
+    pub(crate) fn flags(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.given.iter().map(|flag| (flag.name.as_str(), flag.text.as_str()))
+    }
+
     /// Whether a flag gives `key`.
     #[cfg(feature = "simulation")]
     pub(crate) fn gives(&self, key: &str) -> bool {

@@ -24,6 +24,21 @@ pub struct Figure {
     pub u_max: Option<f64>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
+    /// What has to hold of the first run.
+    pub objectives: Vec<Bounded>,
+}
+
+/// A quantity over the times of a run, with bounds that go with time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bounded {
+    /// What it is.
+    pub title: String,
+    /// Its values.
+    pub values: Vec<f64>,
+    /// Its bounds, each at the same times; NaN where there is none.
+    pub bounds: Vec<Vec<f64>>,
+    /// Whether the axis is logarithmic: for sizes, which are > 0 and fall by decades.
+    pub by_decades: bool,
 }
 
 /// One run.
@@ -126,7 +141,35 @@ mod tests {
             traces: vec![trace("one", false), trace("two", true)],
             u_max: Some(0.6),
             x_max: vec![1.2],
+            objectives: Vec::new(),
         }
+    }
+
+    #[test]
+    fn objectives_stand_between_their_bounds() {
+        let plain = figure();
+        let count = plain.traces[0].t.len();
+        let size: Vec<_> = (0..count).map(|i| 0.5f64.powi(i32::try_from(i).unwrap_or(0))).collect();
+        let mut last = vec![f64::NAN; count];
+        last[count - 1] = 1e-9;
+        let objective = |bounds: Vec<Vec<f64>>, by_decades| Bounded {
+            title: "what is bounded".to_owned(),
+            values: size.clone(),
+            bounds,
+            by_decades,
+        };
+        let red = |objectives: Vec<Bounded>| {
+            let svg = Figure { objectives, ..plain.clone() }.svg().expect("a drawing");
+            (svg.matches("stroke=\"#A02030\"").count(), svg)
+        };
+        let (without, _) = red(vec![objective(vec![vec![f64::NAN; count]; 2], true)]);
+        let throughout: Vec<_> = size.iter().map(|size| 2.0 * size).collect();
+        let (with, svg) = red(vec![objective(vec![throughout, last.clone()], true)]);
+        assert!(svg.contains("what is bounded") && svg.contains("1e-10"), "decades are told");
+        // One goes on all along, one is a short line at the end.
+        let (at_end, _) = red(vec![objective(vec![last], true)]);
+        assert!(at_end > without && with > at_end + 30, "{without} {at_end} {with}");
+        assert!(!red(vec![objective(Vec::new(), false)]).1.contains("1e-10"));
     }
 
     #[test]

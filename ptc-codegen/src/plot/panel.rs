@@ -21,7 +21,12 @@ pub(super) enum Panel {
     Control,
     /// The first state over stretched time: xi_1 = x_1.
     Stretched,
+    /// What the objective of this index from 0 bounds, over time.
+    Objective(usize),
 }
+
+/// Part of the horizontal axis over which a bound is drawn that holds at one instant alone.
+const TICK: f64 = 0.04;
 
 /// Part of tau at the start in which u may be so large that the rest would be a flat line.
 const OUTSET: f64 = 0.02;
@@ -34,7 +39,9 @@ impl Panel {
         let order = figure.traces.first().map_or(0, |trace| trace.x.len());
         let known = |trace: &Trace| trace.stretched.iter().any(|s| s.is_finite());
         let stretched = figure.traces.iter().any(known).then_some(Self::Stretched);
-        (0..order).map(Self::State).chain([Self::Control]).chain(stretched).collect()
+        let objectives = (0..figure.objectives.len()).map(Self::Objective);
+        let of_run = (0..order).map(Self::State).chain([Self::Control]).chain(stretched);
+        of_run.chain(objectives).collect()
     }
 
     /// Draws it.
@@ -50,7 +57,7 @@ impl Panel {
             .margin_right(22)
             .x_label_area_size(42)
             .y_label_area_size(62)
-            .caption(self.title(cut), style::text(17))
+            .caption(self.title(figure, cut), style::text(17))
             .build_cartesian_2d(across.0..across.1, up.0..up.1)
             .map_err(|e| told(&e))?;
         chart
@@ -62,7 +69,7 @@ impl Panel {
             .x_labels(7)
             .y_labels(6)
             .x_label_formatter(&|x| range::label(*x))
-            .y_label_formatter(&|y| range::label(*y))
+            .y_label_formatter(&|y| self.label(figure, *y))
             .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
             .draw()
             .map_err(|e| told(&e))?;
@@ -72,6 +79,10 @@ impl Panel {
                 dashed(&mut chart, points, (4, 3), style::BOUND.stroke_width(1))?;
             }
         }
+        for points in self.bounds(figure, across) {
+            let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
+            dashed(&mut chart, points, (4, 3), style::BOUND.stroke_width(1))?;
+        }
         for (index, trace) in figure.traces.iter().enumerate() {
             if self != Self::Stretched {
                 let line = vec![(trace.deadline, up.0), (trace.deadline, up.1)];
@@ -79,15 +90,16 @@ impl Panel {
                 chart.draw_series([line]).map_err(|e| told(&e))?;
             }
             let inside = |(x, y): &(f64, f64)| *x <= across.1 && y.is_finite();
-            let points: Vec<_> = self.points(trace).into_iter().filter(inside).collect();
+            let points: Vec<_> = self.points(figure, trace).into_iter().filter(inside).collect();
             let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
             dashed(&mut chart, points, style::dash(index), style::line(index))?;
         }
         Ok(())
     }
 
-    fn title(self, cut: bool) -> String {
+    fn title(self, figure: &Figure, cut: bool) -> String {
         match self {
+            Self::Objective(index) => figure.objectives[index].title.clone(),
             Self::State(index) => format!("x{}", index + 1),
             Self::Control if cut => format!("u, to scale from t0 + {OUTSET} tau on"),
             Self::Control => "u".to_owned(),
@@ -99,21 +111,62 @@ impl Panel {
         match self {
             Self::State(index) => figure.x_max.get(index).copied(),
             Self::Control => figure.u_max,
-            Self::Stretched => None,
+            Self::Stretched | Self::Objective(_) => None,
         }
     }
 
-    fn points(self, trace: &Trace) -> Vec<(f64, f64)> {
-        let along =
-            |x: &[f64], y: &[f64]| -> Vec<_> { x.iter().copied().zip(y.iter().copied()).collect() };
+    /// Whether the vertical axis is logarithmic.
+    fn by_decades(self, figure: &Figure) -> bool {
+        matches!(self, Self::Objective(index) if figure.objectives[index].by_decades)
+    }
+
+    fn label(self, figure: &Figure, y: f64) -> String {
+        match self.by_decades(figure) {
+            false => range::label(y),
+            true if (y - y.round()).abs() < 1e-6 => range::power_of_ten(y),
+            true => String::new(),
+        }
+    }
+
+    /// The bounds that go with time, in pieces without a gap.
+    fn bounds(self, figure: &Figure, across: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
+        let (Self::Objective(index), Some(trace)) = (self, figure.traces.first()) else {
+            return Vec::new();
+        };
+        let mut pieces = Vec::new();
+        for bound in &figure.objectives[index].bounds {
+            let points: Vec<_> = self.along(figure, &trace.t, bound);
+            for piece in points.split(|(_, y)| !y.is_finite()) {
+                match piece {
+                    [] => {}
+                    [(x, y)] => {
+                        pieces.push(vec![(x - TICK * (across.1 - across.0), *y), (*x, *y)]);
+                    }
+                    _ => pieces.push(piece.to_vec()),
+                }
+            }
+        }
+        pieces
+    }
+
+    /// Points as they are drawn: on a logarithmic axis by the powers of ten.
+    fn along(self, figure: &Figure, x: &[f64], y: &[f64]) -> Vec<(f64, f64)> {
+        let drawn = |y: &f64| if self.by_decades(figure) { y.log10() } else { *y };
+        x.iter().copied().zip(y.iter().map(drawn)).collect()
+    }
+
+    fn points(self, figure: &Figure, trace: &Trace) -> Vec<(f64, f64)> {
         match self {
-            Self::State(index) => along(&trace.t, &trace.x[index]),
+            Self::State(index) => self.along(figure, &trace.t, &trace.x[index]),
             Self::Control if trace.held => {
                 let steps = trace.t.windows(2).zip(&trace.u);
                 steps.flat_map(|(t, u)| [(t[0], *u), (t[1], *u)]).collect()
             }
-            Self::Control => along(&trace.t, &trace.u),
-            Self::Stretched => along(&trace.stretched, &trace.x[0]),
+            Self::Control => self.along(figure, &trace.t, &trace.u),
+            Self::Stretched => self.along(figure, &trace.stretched, &trace.x[0]),
+            Self::Objective(index) => {
+                self.along(figure, &trace.t, &figure.objectives[index].values)
+            }
         }
     }
 
@@ -133,15 +186,20 @@ impl Panel {
     /// The shown part of the vertical axis, and whether it leaves out the outset of u.
     fn up(self, figure: &Figure) -> ((f64, f64), bool) {
         let all = || {
-            figure.traces.iter().flat_map(|trace| self.points(trace).into_iter().map(|(_, y)| y))
+            let points = figure.traces.iter().flat_map(|trace| self.points(figure, trace));
+            points.map(|(_, y)| y)
         };
+        let bounds = self.bounds(figure, (0.0, 1.0)).into_iter().flatten().map(|(_, y)| y);
+        if self.by_decades(figure) {
+            return (range::decades(all().chain(bounds)), false);
+        }
         let peak = all().filter(|y| y.is_finite()).fold(0.0_f64, |peak, y| peak.max(y.abs()));
         // A bound that is far away would make a flat line of the run.
         let near = self.bound(figure).filter(|bound| *bound <= 2.0 * peak);
-        let whole = range::of(all().chain(near).chain(near.map(|bound| -bound)));
+        let whole = range::of(all().chain(bounds).chain(near).chain(near.map(|bound| -bound)));
         let later = |trace: &Trace| {
             let from = trace.start + OUTSET * (trace.deadline - trace.start);
-            self.points(trace).into_iter().filter(move |(t, _)| *t >= from).map(|(_, y)| y)
+            self.points(figure, trace).into_iter().filter(move |(t, _)| *t >= from).map(|(_, y)| y)
         };
         let rest = range::of(figure.traces.iter().flat_map(later));
         match self {

@@ -13,6 +13,29 @@ pub(super) fn of(values: impl Iterator<Item = f64>) -> (f64, f64) {
     }
 }
 
+/// Most decades of a logarithmic axis: what is smaller is nothing to be seen.
+const DECADES: f64 = 12.0;
+
+/// From the least to the greatest of powers of ten, at most so many decades.
+pub(super) fn decades(powers: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for power in powers.filter(|power| power.is_finite()) {
+        (least, greatest) = (least.min(power), greatest.max(power));
+    }
+    match least <= greatest {
+        true => (least.max(greatest - DECADES).floor(), (greatest + 0.1).ceil()),
+        false => (-1.0, 1.0),
+    }
+}
+
+/// A power of ten on an axis.
+pub(super) fn power_of_ten(power: f64) -> String {
+    match power.round() {
+        power @ -2.0..=4.0 => label(10f64.powf(power)),
+        power => format!("1e{power}"),
+    }
+}
+
 /// A number on an axis, without what rounding adds.
 pub(super) fn label(value: f64) -> String {
     if value == 0.0 || value.abs() < 1e-12 {
@@ -28,6 +51,14 @@ pub(super) fn label(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn decades_are_whole() {
+        assert_eq!(decades([-3.5, 0.2, f64::NEG_INFINITY].into_iter()), (-4.0, 1.0));
+        assert_eq!(decades([-300.0, 1.0].into_iter()), (-11.0, 2.0));
+        assert_eq!(decades(std::iter::empty()), (-1.0, 1.0));
+        assert_eq!([-5.0, 0.0, 2.0].map(power_of_ten), ["1e-5", "1", "100"]);
+    }
 
     #[test]
     fn numbers_are_short() {

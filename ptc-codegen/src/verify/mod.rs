@@ -18,7 +18,7 @@ mod tally;
 mod trial;
 
 pub use keys::{KEYS, OBJECTIVE_KEYS};
-pub use objective::{Kind, Objective};
+pub use objective::{Kind, Level, Objective};
 pub use read::read;
 pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting, Signal};

@@ -102,6 +102,17 @@ impl fmt::Display for Objective {
     }
 }
 
+/// What an objective bounds at an instant, and between what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// |x|, |u| or h.
+    pub value: f64,
+    /// Its least legal value here, if it has one.
+    pub low: Option<f64>,
+    /// Its greatest legal value here, if it has one.
+    pub high: Option<f64>,
+}
+
 /// The objectives of a campaign, compiled.
 #[derive(Clone, Debug)]
 pub(super) struct Observer {
@@ -148,9 +159,19 @@ impl Observer {
     /// as a part of the bound, h in its own unit. `last` where the run ends.
     pub(super) fn excess(
         &mut self,
-        (time_to_go, x, u): (f64, &[f64], f64),
+        here: (f64, &[f64], f64),
         last: bool,
         visit: &mut dyn FnMut(usize, f64),
+    ) {
+        self.levels(here, last, &mut |index, kind, level| visit(index, level.excess(kind)));
+    }
+
+    /// What each objective bounds here, and its bounds. `last` where the run ends.
+    pub(super) fn levels(
+        &mut self,
+        (time_to_go, x, u): (f64, &[f64], f64),
+        last: bool,
+        visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
         self.machine.set(self.time, time_to_go);
         self.machine.run(Stage::Tick, None);
@@ -162,22 +183,40 @@ impl Observer {
         let mut values = self.watched.iter().map(|value| self.machine.get(*value));
         let mut next = || values.next().unwrap_or(f64::NAN);
         for (index, kind) in self.kinds.iter().enumerate() {
-            let excess = match kind {
-                Kind::State { sigma, .. } => over(norm(x), sigma * self.size_at_start * next()),
-                Kind::Input { .. } => over(u.abs(), next()),
-                Kind::Attractive { error } if last => over(norm(x), *error),
-                Kind::Attractive { .. } => continue,
-                Kind::Within { low, high, .. } => {
-                    let h = next();
-                    let below = low.as_ref().map(|_| next() - h);
-                    let above = high.as_ref().map(|_| h - next());
-                    let excess = [below, above].into_iter().flatten();
-                    // No number is within no bounds, and max would pass over it.
-                    excess.fold(f64::NEG_INFINITY, |a, b| if a >= b { a } else { b })
+            let level = match kind {
+                Kind::State { sigma, .. } => {
+                    Level::below(norm(x), Some(sigma * self.size_at_start * next()))
                 }
+                Kind::Input { .. } => Level::below(u.abs(), Some(next())),
+                Kind::Attractive { error } => Level::below(norm(x), last.then_some(*error)),
+                Kind::Within { low, high, .. } => Level {
+                    value: next(),
+                    low: low.as_ref().map(|_| next()),
+                    high: high.as_ref().map(|_| next()),
+                },
             };
-            visit(index, if excess.is_nan() { f64::INFINITY } else { excess });
+            visit(index, kind, level);
         }
+    }
+}
+
+impl Level {
+    fn below(value: f64, high: Option<f64>) -> Self {
+        Self { value, low: None, high }
+    }
+
+    fn excess(self, kind: &Kind) -> f64 {
+        let excess = match kind {
+            Kind::Within { .. } => {
+                let below = self.low.map(|low| low - self.value);
+                let above = self.high.map(|high| self.value - high);
+                let excess = [below, above].into_iter().flatten();
+                // No number is within no bounds, and max would pass over it.
+                excess.fold(f64::NEG_INFINITY, |a, b| if a >= b { a } else { b })
+            }
+            _ => self.high.map_or(f64::NEG_INFINITY, |high| over(self.value, high)),
+        };
+        if excess.is_nan() { f64::INFINITY } else { excess }
     }
 }
 

@@ -1,7 +1,7 @@
 //! One scenario on both sides of Theorem 1.
 
 use super::objective::Observer;
-use super::{Campaign, Setting};
+use super::{Campaign, Level, Setting};
 use crate::simulate::{Accuracy, Continuous, Direct, Failure, Run, Sample, Side};
 use crate::spec::{Precision, Spec};
 
@@ -101,6 +101,26 @@ impl Trial {
     /// The side of the plant with the emitted program, instant by instant.
     fn direct(&mut self, setting: &Setting, visit: &mut dyn FnMut(Instant)) -> Result<(), Failure> {
         along(&mut self.direct, (&mut self.observer, self.objectives), setting, visit)
+    }
+
+    /// What each objective bounds at the instants of a run: `levels[i][k]` of objective i at instant k.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn levels(
+        &mut self,
+        setting: &Setting,
+        instants: &[Instant],
+    ) -> Result<Vec<Vec<Level>>, Failure> {
+        self.observer.start(&setting.values, &setting.x0)?;
+        let whole: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+        let mut levels = vec![Vec::with_capacity(instants.len()); self.objectives];
+        for (index, Instant { time_to_go, x, u, .. }) in instants.iter().enumerate() {
+            let here = (*time_to_go, x.as_slice(), *u);
+            let last = index + 1 == whole;
+            self.observer.levels(here, last, &mut |i, _, level| levels[i].push(level));
+        }
+        Ok(levels)
     }
 
     /// Excess of each objective at t0, with u = 0 where one holds u.

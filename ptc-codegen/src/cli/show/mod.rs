@@ -4,6 +4,8 @@ mod abstracts;
 mod json;
 mod latex;
 mod law;
+#[cfg(feature = "simulation")]
+mod mathml;
 mod sheet;
 mod text;
 
@@ -16,6 +18,8 @@ use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value}
 
 use super::args::{Format, Show, Subject};
 use super::engine::{Engine, Part};
+#[cfg(feature = "simulation")]
+use super::mathml::Math;
 use super::report::Failure;
 use super::source::Source;
 use sheet::{Block, Form, Forms, Layout, Sheet};
@@ -36,6 +40,25 @@ pub(crate) fn show(request: &Show) -> Result<String, Failure> {
         Format::Latex => latex::render(&sheet),
         Format::Json => json::render(&sheet),
     })
+}
+
+/// The closed forms of a design as formulas. Those of a mapping of which no ring is known are in
+/// the derivatives of an abstract one, and BB_n and b_n in r_k where kappa is found by an iteration.
+#[cfg(feature = "simulation")]
+pub(crate) fn formulas(subject: Subject, spec: &Spec) -> Result<Vec<Math>, Failure> {
+    let engine = Engine::Ptc;
+    let sheet = match (spec.family(), spec.ring()) {
+        (Some(family), Some(ring)) if subject != Subject::Matrix || !family.is_iterated() => {
+            of_family(subject, spec, family, &ring, engine)?
+        }
+        _ if subject == Subject::Matrix => {
+            let mut sheet = Sheet::new("");
+            matrix(&mut sheet, abstracts::bell(engine, spec.n)?);
+            sheet
+        }
+        _ => of_abstract(subject, spec.n, engine)?,
+    };
+    Ok(mathml::formulas(&sheet))
 }
 
 /// What the expansions are of.

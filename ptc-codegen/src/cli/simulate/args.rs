@@ -22,6 +22,7 @@ CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers rea
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
   ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
+  ptc-codegen simulate stage.toml --x0 0.1,0 --at 0,0.5,0.9,0.999999 --report run.html
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
   ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
 
@@ -47,6 +48,9 @@ pub(crate) struct Simulate {
     /// Picture of the runs, states, u and bounds over time and x1 in stretched time; .svg or .png
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
+    /// Report of design, formulas, checks, runs and code, as one page of HTML that needs nothing else
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
     /// Sampled loop: step of the actuator; what acts is a multiple of it
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
     pub(crate) u_step: Option<String>,

@@ -45,7 +45,7 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
         return Err(at.wrong(None, message, help));
     }
     let at = at.as_ref().map(instants).transpose()?.unwrap_or_default();
-    let whole = at.is_empty() || request.plot.is_some();
+    let whole = at.is_empty() || request.plot.is_some() || request.report.is_some();
     Ok(Asked { x0: x0.doubles()?, at, whole, around })
 }
 

@@ -2,6 +2,7 @@
 
 mod args;
 mod input;
+mod page;
 mod picture;
 mod run;
 
@@ -13,12 +14,14 @@ pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
 use run::{Run, continuous, sampled};
 
+use super::page as html;
 use super::report::Failure;
 use super::write;
 
 /// Runs `simulate`.
 pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let kind = request.plot.as_deref().map(Kind::of).transpose()?;
+    let report = html::path(request.report.as_deref())?;
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let mut runs = Vec::new();
@@ -39,18 +42,23 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             ));
         }
         runs.push(run);
-        drawn = Some(spec);
+        drawn = Some((spec, plant));
     }
     let csv = csv(&runs);
     let mut files = Vec::new();
     let picture = match (kind, &drawn) {
-        (Some(kind), Some(spec)) => kind.file(spec, &runs)?,
+        (Some(kind), Some((spec, _))) => kind.file(spec, &runs)?,
         _ => Vec::new(),
     };
     let printed = request.out.as_os_str() == "-";
     if !printed {
         files.push((request.out.clone(), csv.as_bytes()));
     }
+    let told = match (&report, &drawn) {
+        (Some(_), Some((spec, plant))) => page::text(request, &source, (spec, plant), &runs)?,
+        _ => String::new(),
+    };
+    files.extend(report.iter().map(|path| (path.clone(), told.as_bytes())));
     files.extend(request.plot.iter().map(|path| (path.clone(), picture.as_slice())));
     let told = write::paths(&files)?;
     // What is printed is the CSV alone, for whatever reads it.

@@ -7,6 +7,7 @@ use ptc_codegen::plot::{Figure, Trace};
 use ptc_codegen::spec::Spec;
 
 use super::run::Run;
+use crate::cli::page::undrawn;
 use crate::cli::report::Failure;
 
 /// What a picture is written as.
@@ -37,14 +38,11 @@ impl Kind {
             Self::Svg => figure.svg().map(String::into_bytes),
             Self::Png => figure.png(),
         };
-        let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
-        drawn.map_err(|wrong| {
-            Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
-        })
+        drawn.map_err(|wrong| undrawn(&wrong))
     }
 }
 
-fn figure(spec: &Spec, runs: &[Run]) -> Figure {
+pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
     let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
     let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
@@ -53,6 +51,7 @@ fn figure(spec: &Spec, runs: &[Run]) -> Figure {
         traces: runs.iter().map(trace).collect(),
         u_max: bound,
         x_max: bounds.collect(),
+        objectives: Vec::new(),
     }
 }
 

@@ -21,6 +21,7 @@ differ; 2 bad input.
 Examples:
   ptc-codegen verify roll.toml --scenarios 100000 --seed 7
   ptc-codegen verify roll.toml --out roll.parquet --worst worst.csv
+  ptc-codegen verify roll.toml --report roll.html
   ptc-codegen verify roll.toml --shard 3/64 --out part3.parquet
   ptc-codegen verify roll.toml --merge part*.parquet --out roll.parquet
   ptc-codegen verify roll.toml --scenario 8123";
@@ -53,6 +54,10 @@ pub(crate) struct Verify {
     /// File for the worst trajectory of the objective that comes off worst, as CSV
     #[arg(long, value_name = "FILE", conflicts_with = "scenario")]
     pub(crate) worst: Option<PathBuf>,
+    /// Report of design, formulas, checks, verdict, worst trajectory and code, as one page of HTML
+    /// that needs nothing else
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scenario", "shard"])]
+    pub(crate) report: Option<PathBuf>,
     /// Run one scenario and print its trajectory as CSV
     #[arg(long, value_name = "INDEX", conflicts_with = "out")]
     pub(crate) scenario: Option<u64>,

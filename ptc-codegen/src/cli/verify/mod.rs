@@ -1,6 +1,7 @@
 //! `verify`: objectives over all that is uncertain, by scenarios, a search and proofs.
 
 mod args;
+mod page;
 mod parts;
 mod report;
 
@@ -12,13 +13,18 @@ use ptc_codegen::verify::{self, Campaign, Scenario, Trial};
 pub(crate) use args::{EXAMPLES, Verify};
 use report::Worst;
 
+use super::page as html;
 use super::report::{Failure, Notice};
 use super::simulate::no_plant;
+use super::source::Source;
 use super::write;
 
 /// Runs `verify`.
 pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
-    let campaign = campaign(request)?;
+    let report = html::path(request.report.as_deref())?;
+    let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
+    request.plant.iter().for_each(|text| source.give_plant(text));
+    let campaign = campaign(request, &source)?;
     let mut trial =
         Trial::new(&campaign).map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
     starts(&campaign, &mut trial)?;
@@ -55,17 +61,21 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     bar.finish_and_clear();
     let proved = verify::bound::proved(&campaign);
     let verdict = report::verdict(&campaign, &mut trial, &tally, (&worst, &proved))?;
+    let mut files = Vec::new();
     if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&worst)) {
-        let csv = report::csv(&campaign, &mut trial, &worst.found.scenario)?;
-        write::paths(&[(path.clone(), csv.as_bytes())])?;
+        files.push((path.clone(), report::csv(&campaign, &mut trial, &worst.found.scenario)?));
     }
-    write::to_stdout(&verdict.text)?;
+    if let Some(path) = report {
+        files.push((path, page::text(request, &source, (&campaign, &mut trial), &verdict)?));
+    }
+    let files: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write::paths(&files)?;
+    write::to_stdout(&verdict.text(&campaign))?;
     if verdict.holds { Ok(()) } else { Err(Failure::refused(Vec::new())) }
 }
 
-fn campaign(request: &Verify) -> Result<Campaign, Failure> {
-    let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
-    request.plant.iter().for_each(|text| source.give_plant(text));
+fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
+    let mut source = source.clone();
     let flags = [("scenarios", &request.scenarios), ("seed", &request.seed)];
     for (key, text) in flags {
         if let Some(text) = text {

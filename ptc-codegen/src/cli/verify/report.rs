@@ -14,9 +14,38 @@ pub(super) struct Worst {
 
 /// What is told in the end.
 pub(super) struct Verdict {
-    pub(super) text: String,
+    /// How much was run.
+    pub(super) run: String,
+    /// One for each objective.
+    pub(super) objectives: Vec<Judged>,
+    /// How far the sides of Theorem 1 are apart.
+    pub(super) sides: String,
+    /// Whether they are too far apart.
+    pub(super) apart: bool,
+    /// The trajectory of the objective that comes off worst.
+    pub(super) trajectory: Option<Trajectory>,
+    /// Whether all of it holds.
     pub(super) holds: bool,
 }
+
+/// An objective, judged.
+pub(super) struct Judged {
+    pub(super) holds: bool,
+    pub(super) verdict: &'static str,
+    /// What it was judged by.
+    pub(super) details: Vec<String>,
+}
+
+/// A run, and the words of its scenario.
+pub(super) struct Trajectory {
+    pub(super) scenario: Scenario,
+    pub(super) told: String,
+    pub(super) instants: Vec<Instant>,
+}
+
+/// What is to be done where the sides differ.
+pub(super) const APART: &str =
+    "a larger `until` under [verify] keeps away from where rounding is all that is left";
 
 /// Rows of the worst trajectory that are told.
 const SHOWN: usize = 8;
@@ -33,39 +62,36 @@ pub(super) fn verdict(
     (worst, proved): (&[Worst], &[bool]),
 ) -> Result<Verdict, Failure> {
     let runs: usize = worst.iter().map(|worst| worst.found.runs).sum();
-    let mut text = format!(
-        "{}: {} scenarios of seed {} and {runs} runs of the search, T/tau from 1 to {:?}\n\n",
-        campaign.spec.name(),
-        tally.scenarios,
-        campaign.seed,
-        campaign.until
+    let run = format!(
+        "{} scenarios of seed {} and {runs} runs of the search, T/tau from 1 to {:?}",
+        tally.scenarios, campaign.seed, campaign.until
     );
     let mut holds = true;
-    for (number, (objective, worst)) in (1..).zip(campaign.objectives.iter().zip(worst)) {
-        let failed = tally.failed[number - 1];
+    let mut objectives = Vec::new();
+    for (index, (objective, worst)) in campaign.objectives.iter().zip(worst).enumerate() {
+        let failed = tally.failed[index];
         let fails = worst.found.excess > 0.0;
         holds &= !fails;
-        let verdict = match (fails, proved[number - 1]) {
+        let verdict = match (fails, proved[index]) {
             (true, _) => "fails",
             (false, true) => "holds, proved by intervals for every x0, tau and T",
             (false, false) => "holds, by sampling",
         };
-        text.push_str(&format!("objective {number}, {objective}: {verdict}\n"));
+        let mut details = Vec::new();
         if failed > 0 {
-            text.push_str(&format!("  {failed} of {} scenarios fail it\n", tally.scenarios));
+            details.push(format!("{failed} of {} scenarios fail it", tally.scenarios));
         }
         let Drawn { value, index } = worst.drawn;
-        text.push_str(&format!(
-            "  worst drawn: scenario {index}, {}\n",
-            against(&objective.kind, value)
-        ));
+        let drawn = against(&objective.kind, value);
+        details.push(format!("worst drawn: scenario {index}, {drawn}"));
         if worst.found.excess > value {
-            text.push_str(&format!(
-                "  worst found: {}, {}\n",
+            details.push(format!(
+                "worst found: {}, {}",
                 told(campaign, &worst.found.scenario),
                 against(&objective.kind, worst.found.excess)
             ));
         }
+        objectives.push(Judged { holds: !fails, verdict, details });
     }
     let difference = worst.iter().map(|worst| worst.found.difference);
     let difference = difference.fold(tally.difference.value, f64::max);
@@ -73,22 +99,40 @@ pub(super) fn verdict(
     holds &= !apart;
     let Drawn { index, .. } = tally.difference;
     let agree = if apart { "differ" } else { "agree" };
-    text.push_str(&format!(
-        "\nboth sides of Theorem 1 {agree}: by at most {difference:.1e}, in scenario {index} {:.1e}; {:?} is allowed\n",
+    let sides = format!(
+        "both sides of Theorem 1 {agree}: by at most {difference:.1e}, in scenario {index} {:.1e}; {:?} is allowed",
         tally.difference.value, campaign.tolerance
-    ));
-    if apart {
-        text.push_str(
-            "  a larger `until` under [verify] keeps away from where rounding is all that is left\n",
-        );
+    );
+    let trajectory = match foremost(worst) {
+        Some(worst) => {
+            let scenario = worst.found.scenario.clone();
+            let instants = trajectory(campaign, trial, &scenario)?;
+            Some(Trajectory { told: told(campaign, &scenario), instants, scenario })
+        }
+        None => None,
+    };
+    Ok(Verdict { run, objectives, sides, apart, trajectory, holds })
+}
+
+impl Verdict {
+    /// As it is printed.
+    pub(super) fn text(&self, campaign: &Campaign) -> String {
+        let mut text = format!("{}: {}\n\n", campaign.spec.name(), self.run);
+        let judged = campaign.objectives.iter().zip(&self.objectives);
+        for (number, (objective, judged)) in (1..).zip(judged) {
+            text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict));
+            judged.details.iter().for_each(|detail| text.push_str(&format!("  {detail}\n")));
+        }
+        text.push_str(&format!("\n{}\n", self.sides));
+        if self.apart {
+            text.push_str(&format!("  {APART}\n"));
+        }
+        if let Some(Trajectory { told, instants, .. }) = &self.trajectory {
+            text.push_str(&format!("\nworst trajectory, {told}\n{}", table(instants)));
+        }
+        text.push_str(if self.holds { "\nevery objective holds\n" } else { "\nnot verified\n" });
+        text
     }
-    if let Some(worst) = foremost(worst) {
-        let scenario = &worst.found.scenario;
-        text.push_str(&format!("\nworst trajectory, {}\n", told(campaign, scenario)));
-        text.push_str(&table(&trajectory(campaign, trial, scenario)?));
-    }
-    text.push_str(if holds { "\nevery objective holds\n" } else { "\nnot verified\n" });
-    Ok(Verdict { text, holds })
 }
 
 /// An excess in words.
@@ -118,27 +162,30 @@ fn trajectory(
     }
 }
 
-/// A few instants, one of them the worst.
-fn table(instants: &[Instant]) -> String {
+/// A few instants, one of them the worst, which is told of it.
+pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
     let excess =
         |instant: &Instant| instant.excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let worst = (0..instants.len())
         .reduce(|a, b| if excess(&instants[b]) > excess(&instants[a]) { b } else { a });
     let last = instants.len().saturating_sub(1);
+    let even = |i: usize| (0..SHOWN).any(|row| row * last / (SHOWN - 1) == i);
+    let all = instants.iter().enumerate().map(|(i, instant)| (i, instant, worst == Some(i)));
+    let shown = all.filter(|(i, _, worst)| *worst || even(*i));
+    shown.map(|(_, instant, worst)| (instant, worst)).collect()
+}
+
+fn table(instants: &[Instant]) -> String {
     let n = instants.first().map_or(0, |instant| instant.x.len());
     let heads = (1..=n).map(|j| format!("x{j}")).chain(["u".to_owned()]);
     let mut text = format!("  {:>11}", "t");
     heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
     text.push('\n');
-    for (i, instant) in instants.iter().enumerate() {
-        let even = (0..SHOWN).any(|row| row * last / (SHOWN - 1) == i);
-        if !even && worst != Some(i) {
-            continue;
-        }
+    for (instant, worst) in shown(instants) {
         text.push_str(&format!("  {:>11.6}", instant.t));
         let numbers = instant.x.iter().chain([&instant.u]);
         numbers.for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
-        text.push_str(if worst == Some(i) { "  <- worst\n" } else { "\n" });
+        text.push_str(if worst { "  <- worst\n" } else { "\n" });
     }
     text
 }

@@ -1,0 +1,216 @@
+//! Expressions of users as MathML.
+
+use num_traits::{Signed, ToPrimitive};
+use ptc_codegen::algebra::{BigRational, integer};
+use ptc_codegen::expression::{Expression, Function, Variable};
+use ptc_codegen::spec::Parameter;
+
+use super::{
+    APPLIED, Math, applied, fenced, fraction, name, number, operator, relation, root, row,
+    sequence, sub, sup,
+};
+
+/// Greek letters by their names.
+const GREEK: [(&str, &str); 23] = [
+    ("alpha", "\u{3b1}"),
+    ("beta", "\u{3b2}"),
+    ("gamma", "\u{3b3}"),
+    ("delta", "\u{3b4}"),
+    ("epsilon", "\u{3b5}"),
+    ("zeta", "\u{3b6}"),
+    ("eta", "\u{3b7}"),
+    ("theta", "\u{3b8}"),
+    ("iota", "\u{3b9}"),
+    ("kappa", "\u{3ba}"),
+    ("lambda", "\u{3bb}"),
+    ("mu", "\u{3bc}"),
+    ("nu", "\u{3bd}"),
+    ("xi", "\u{3be}"),
+    ("pi", "\u{3c0}"),
+    ("rho", "\u{3c1}"),
+    ("sigma", "\u{3c3}"),
+    ("tau", "\u{3c4}"),
+    ("upsilon", "\u{3c5}"),
+    ("phi", "\u{3c6}"),
+    ("chi", "\u{3c7}"),
+    ("psi", "\u{3c8}"),
+    ("omega", "\u{3c9}"),
+];
+
+/// Digits of a decimal number; what has more is written as a fraction.
+const DIGITS: u32 = 9;
+
+/// The expression.
+pub(crate) fn of_expression(expression: &Expression) -> Math {
+    let tight = |e: &Expression, least: u8| operand(e, least);
+    match expression {
+        Expression::Number(value) => of_number(value),
+        Expression::Pi => named("pi"),
+        Expression::Parameter(parameter) => of_parameter(*parameter),
+        Expression::Variable(v) => variable(*v),
+        Expression::Neg(a) => row([operator("\u{2212}"), tight(a, 3)]),
+        Expression::Add(a, b) => relation(tight(a, 1), "+", tight(b, 2)),
+        Expression::Sub(a, b) => relation(tight(a, 1), "\u{2212}", tight(b, 2)),
+        Expression::Mul(a, b) => relation(tight(a, 2), "\u{22c5}", tight(b, 3)),
+        Expression::Div(a, b) => fraction(of_expression(a), of_expression(b)),
+        Expression::Power(a, b) => sup(tight(a, 6), of_expression(b)),
+        Expression::Min(..) | Expression::Max(..) => several(expression),
+        Expression::Call(function, a) => call(*function, a),
+    }
+}
+
+/// How tightly the outermost operation binds, as it is written here.
+fn binding(expression: &Expression) -> u8 {
+    match expression {
+        Expression::Add(..) | Expression::Sub(..) => 1,
+        Expression::Mul(..) => 2,
+        Expression::Neg(_) => 3,
+        Expression::Number(value) if value.is_negative() => 3,
+        // A fraction takes an exponent in brackets alone.
+        Expression::Number(value) if !value.is_integer() => 4,
+        Expression::Div(..) | Expression::Power(..) => 4,
+        Expression::Call(Function::Exp, _) => 4,
+        Expression::Call(..) | Expression::Min(..) | Expression::Max(..) => 5,
+        _ => 6,
+    }
+}
+
+fn operand(expression: &Expression, least: u8) -> Math {
+    let written = of_expression(expression);
+    if binding(expression) < least { fenced("(", written, ")") } else { written }
+}
+
+fn call(function: Function, argument: &Expression) -> Math {
+    let inner = of_expression(argument);
+    match function {
+        Function::Abs => fenced("|", inner, "|"),
+        Function::Sqrt => root(inner),
+        // A fraction in an exponent is too small to be read.
+        Function::Exp if !argument.any(&|e| matches!(e, Expression::Div(..))) => {
+            sup(name("e"), inner)
+        }
+        Function::Sign => applied(name("sgn"), inner),
+        _ => applied(name(function.name()), inner),
+    }
+}
+
+/// The least or the greatest of several.
+fn several(expression: &Expression) -> Math {
+    let mut parts = Vec::new();
+    let word = match expression {
+        Expression::Min(..) => "min",
+        _ => "max",
+    };
+    let mut left = vec![expression];
+    while let Some(next) = left.pop() {
+        match (next, expression) {
+            (Expression::Min(a, b), Expression::Min(..))
+            | (Expression::Max(a, b), Expression::Max(..)) => left.extend([&**b, &**a]),
+            _ => {
+                if !parts.is_empty() {
+                    parts.push(operator(","));
+                }
+                parts.push(of_expression(next));
+            }
+        }
+    }
+    row([name(word), operator(APPLIED), fenced("(", sequence(&parts), ")")])
+}
+
+/// An integer, a decimal number of a few digits, or a fraction.
+fn of_number(value: &BigRational) -> Math {
+    let size = value.abs();
+    let decimal = (1..=DIGITS).find_map(|places| {
+        let scaled = &size * integer(10_i64.pow(places));
+        let digits = scaled.is_integer().then(|| scaled.numer().to_u64()).flatten()?;
+        let one = 10_u64.pow(places);
+        let width = usize::try_from(places).unwrap_or(0);
+        Some(format!("{}.{:0width$}", digits / one, digits % one))
+    });
+    let written = match (size.is_integer(), decimal) {
+        (true, _) => number(size.numer()),
+        (false, Some(decimal)) => number(decimal),
+        (false, None) => fraction(number(size.numer()), number(size.denom())),
+    };
+    if value.is_negative() { row([operator("\u{2212}"), written]) } else { written }
+}
+
+/// What varies, as the formulas of the report write it.
+pub(crate) fn variable(variable: Variable) -> Math {
+    let at_start = |stem: Math, j: usize| {
+        let start = sub(name("t"), number(0));
+        row([sub(stem, number(j)), operator(APPLIED), fenced("(", start, ")")])
+    };
+    match variable {
+        Variable::SinceStart | Variable::Time => name("t"),
+        Variable::StretchedTime => sub(name("t"), named("kappa")),
+        Variable::Elapsed => row([name("\u{394}"), name("t")]),
+        Variable::TimeToGo => name("T"),
+        Variable::Control => name("u"),
+        Variable::State(j) => sub(name("x"), number(j)),
+        Variable::Xi(j) => sub(named("xi"), number(j)),
+        Variable::StateAtStart(j) => at_start(name("x"), j),
+        Variable::XiAtStart(j) => at_start(named("xi"), j),
+    }
+}
+
+fn of_parameter(parameter: Parameter) -> Math {
+    match parameter {
+        Parameter::StartTime => sub(name("t"), number(0)),
+        Parameter::Gain(i) => sub(name("k"), number(i)),
+        Parameter::Rate(i) => sub(name("a"), number(i)),
+        Parameter::Eps => name("\u{3b5}"),
+        Parameter::UMax => sub(name("u"), name("max")),
+        _ => named(&parameter.spelling()),
+    }
+}
+
+/// A name that users give, or a Greek letter by its name.
+pub(crate) fn named(text: &str) -> Math {
+    let letter = GREEK.iter().find(|(spelled, _)| *spelled == text);
+    name(letter.map_or(text, |(_, letter)| letter))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number_of(numerator: i64, denominator: i64) -> Expression {
+        Expression::Number(integer(numerator) / integer(denominator))
+    }
+
+    #[test]
+    fn numbers_are_written_as_they_are_read() {
+        let text = |numerator, denominator| of_expression(&number_of(numerator, denominator));
+        assert_eq!(text(-4, 1).to_string(), "<mrow><mo>\u{2212}</mo><mn>4</mn></mrow>");
+        assert_eq!(text(1, 20).to_string(), "<mn>0.05</mn>");
+        assert_eq!(text(5, 2).to_string(), "<mn>2.5</mn>");
+        assert_eq!(text(1, 3).to_string(), "<mfrac><mn>1</mn><mn>3</mn></mfrac>");
+    }
+
+    #[test]
+    fn brackets_stand_where_they_are_needed() {
+        let x = Expression::from(Variable::State(1));
+        let sum = x.clone().add(Expression::Pi);
+        let brackets =
+            |e: &Expression| of_expression(e).to_string().matches("fence=\"true\"").count();
+        assert_eq!(brackets(&sum.clone().mul(sum.clone())), 4);
+        assert_eq!(brackets(&sum.clone().div(sum.clone())), 0);
+        assert_eq!(brackets(&sum.clone().power(x.clone())), 2);
+        assert_eq!(brackets(&x.clone().power(sum.clone())), 0);
+        assert_eq!(brackets(&x.clone().sub(sum.clone())), 2);
+        assert_eq!(brackets(&x.clone().div(sum.clone()).power(x.clone())), 2);
+        assert_eq!(brackets(&Expression::call(Function::Abs, sum)), 2);
+        assert_eq!(brackets(&number_of(-1, 2).power(x)), 2);
+    }
+
+    #[test]
+    fn a_min_of_several_is_one() {
+        let x = |j| Box::new(Expression::from(Variable::State(j)));
+        let two = Box::new(Expression::Min(x(1), x(2)));
+        let written = of_expression(&Expression::Min(two, x(3))).to_string();
+        assert_eq!(written.matches("<mi>min</mi>").count(), 1);
+        let place = |j: usize| written.find(&format!("<mn>{j}</mn>")).expect("a state");
+        assert!(place(1) < place(2) && place(2) < place(3), "{written}");
+    }
+}

@@ -1,0 +1,164 @@
+//! What a design is, in tables, and the command that runs it again.
+
+use std::cmp::Ordering;
+
+use ptc_codegen::algebra::BigRational;
+use ptc_codegen::plant::Plant;
+use ptc_codegen::spec::{After, Feedback, Fixed, Guard, Precision, Spec};
+
+use crate::cli::source::Source;
+
+/// One line about a design.
+pub(super) struct Fact {
+    pub(super) name: &'static str,
+    pub(super) value: String,
+}
+
+/// A parameter or a symbol, and what is known of it.
+pub(super) struct Known {
+    pub(super) name: String,
+    pub(super) meaning: &'static str,
+    pub(super) value: String,
+    pub(super) unit: &'static str,
+}
+
+/// The design in a few lines.
+pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
+    let law = match &spec.feedback {
+        Feedback::Linear => "pi0 = -(k1*xi1 + ... + kn*xin)".to_owned(),
+        Feedback::Expression(law) => format!("pi0 = {law}"),
+        Feedback::Extern => "pi0 of the program".to_owned(),
+    };
+    let mapping = match (spec.family(), spec.custom()) {
+        (Some(family), _) => format!("{}, mu(t) = {}", family.name(), family.info().mu),
+        (None, Some(custom)) => format!("{} = {}", custom.subject.key(), custom.given),
+        (None, None) => String::new(),
+    };
+    let after = match spec.after {
+        After::Hold => "the gains stay as they are at eps",
+        After::Zero => "u = 0",
+        After::Extern => "a law of the program",
+    };
+    let guard = match spec.guard {
+        Guard::Full => "full: every input is checked",
+        Guard::Result => "result: the result is checked",
+        Guard::None => "none: inputs are trusted",
+    };
+    let precision = if spec.precision == Precision::F32 { "f32" } else { "f64" };
+    let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
+    let mut facts = vec![
+        fact("name", spec.name()),
+        fact("order n", spec.n.to_string()),
+        fact("time mapping", mapping),
+        fact("law", law),
+        fact("input gain g", gain),
+    ];
+    if !spec.poles.is_empty() {
+        let zero = ptc_codegen::algebra::integer(0);
+        let complex = |(re, im): &(BigRational, BigRational)| match im.cmp(&zero) {
+            Ordering::Equal => re.to_string(),
+            Ordering::Less => format!("{re} - {} i", -im),
+            Ordering::Greater => format!("{re} + {im} i"),
+        };
+        let poles: Vec<_> = spec.poles.iter().map(complex).collect();
+        facts.push(fact("poles", poles.join(", ")));
+    }
+    facts.extend([
+        fact("after the deadline", after.to_owned()),
+        fact("guard", guard.to_owned()),
+        fact("precision", precision.to_owned()),
+    ]);
+    facts
+}
+
+fn fact(name: &'static str, value: String) -> Fact {
+    Fact { name, value }
+}
+
+/// The parameters of the controller, and the symbols of the plant.
+pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
+    let told = |fixed: Option<&Fixed>, bounds: Option<&(Fixed, Fixed)>| match (fixed, bounds) {
+        (Some(value), _) => value.to_string(),
+        (None, Some((least, greatest))) => format!("[{least}, {greatest}]"),
+        (None, None) => "at run time".to_owned(),
+    };
+    let own = spec.parameters().into_iter().map(|parameter| Known {
+        name: parameter.spelling(),
+        meaning: parameter.meaning(),
+        value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
+        unit: parameter.unit(),
+    });
+    let symbols = plant.symbols(spec).into_iter().map(|symbol| Known {
+        name: symbol.spelling(),
+        meaning: "symbol of the plant",
+        value: told(plant.fixed.get(&symbol), plant.bounds.get(&symbol)),
+        unit: "as in its expression",
+    });
+    own.chain(symbols).collect()
+}
+
+/// The name of the design file beside a report: where the design came from is no part of it.
+pub(super) fn file(spec: &Spec) -> String {
+    format!("{}.toml", spec.name())
+}
+
+/// The command that gives the same report, of the design in a file of its name.
+pub(crate) fn command(
+    verb: &str,
+    spec: &Spec,
+    source: &Source,
+    flags: &[(&str, Option<String>)],
+) -> String {
+    let mut words = vec!["ptc-codegen".to_owned(), verb.to_owned()];
+    if source.text().is_some() {
+        words.push(file(spec));
+    }
+    let given = source.flags().chain(flags.iter().filter_map(|(flag, value)| {
+        let value = value.as_deref()?;
+        Some((*flag, value))
+    }));
+    words.extend(given.map(|(flag, value)| match value {
+        "" => flag.to_owned(),
+        _ => format!("{flag}={}", shell(value)),
+    }));
+    words.push(format!("--report={}.html", spec.name()));
+    words.join(" ")
+}
+
+/// A value as a shell reads it.
+fn shell(text: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "_-.,+/:=".contains(c);
+    match text.chars().all(plain) {
+        true => text.to_owned(),
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
+
+/// A number of a table, to seven digits.
+pub(crate) fn short(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        let text = format!("{value:.7}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        return if text == "-0" { "0".to_owned() } else { text.to_owned() };
+    }
+    format!("{value:.6e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shell_reads_the_values_back() {
+        assert_eq!(shell("-1,0.5"), "-1,0.5");
+        assert_eq!(shell("exp(a=1)"), "'exp(a=1)'");
+        assert_eq!(shell("it's"), "'it'\\''s'");
+    }
+
+    #[test]
+    fn numbers_of_tables_are_short() {
+        assert_eq!([0.0, -0.0, 0.25, -2000.0].map(short), ["0", "0", "0.25", "-2000"]);
+        assert_eq!(short(1.0 / 3.0), "0.3333333");
+        assert_eq!(short(-1.5e-9), "-1.500000e-9");
+    }
+}

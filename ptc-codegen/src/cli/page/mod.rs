@@ -1,0 +1,163 @@
+//! The report of a run: one page of HTML that asks for nothing from anywhere.
+
+mod design;
+mod formulas;
+
+use std::path::{Path, PathBuf};
+
+use askama::Template;
+use askama::filters::HtmlSafe;
+use ptc_codegen::check::Verdict;
+use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::emit::{File, Language};
+use ptc_codegen::generate;
+use ptc_codegen::plant::Plant;
+use ptc_codegen::plot::Figure;
+use ptc_codegen::spec::Spec;
+
+use super::mathml::{Math, display, inline};
+use super::report::Failure;
+use super::source::Source;
+use design::{Fact, Known};
+pub(crate) use design::{command, short};
+use formulas::Group;
+
+/// A drawing, which is part of the page.
+pub(crate) struct Svg(String);
+
+impl std::fmt::Display for Svg {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// What draws figures escapes what it writes.
+impl HtmlSafe for Svg {}
+
+impl Svg {
+    /// The drawing of a figure.
+    pub(crate) fn of(figure: &Figure) -> Result<Self, Failure> {
+        figure.svg().map(Self).map_err(|wrong| undrawn(&wrong))
+    }
+}
+
+/// A figure that cannot be drawn.
+pub(crate) fn undrawn(wrong: &str) -> Failure {
+    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
+    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
+}
+
+/// A table with a head.
+#[derive(Default)]
+pub(crate) struct Table {
+    pub(crate) head: Vec<String>,
+    pub(crate) rows: Vec<Vec<String>>,
+}
+
+/// What a run of the closed loop is told of.
+pub(crate) struct Section {
+    pub(crate) title: &'static str,
+    /// Sentences before all else.
+    pub(crate) told: Vec<String>,
+    /// What was judged, one by one.
+    pub(crate) verdicts: Vec<Judged>,
+    /// What is told of the figure.
+    pub(crate) caption: String,
+    pub(crate) figure: Svg,
+    pub(crate) table: Table,
+}
+
+/// Something that holds or does not.
+pub(crate) struct Judged {
+    /// By which it is found elsewhere; empty where it is nowhere.
+    pub(crate) name: String,
+    pub(crate) what: Math,
+    pub(crate) holds: bool,
+    pub(crate) verdict: String,
+    pub(crate) details: Vec<String>,
+}
+
+/// What a report is made of.
+pub(crate) struct Content<'a> {
+    pub(crate) spec: &'a Spec,
+    pub(crate) plant: &'a Plant,
+    pub(crate) source: &'a Source,
+    /// The command that makes the report again.
+    pub(crate) command: String,
+    pub(crate) section: Section,
+}
+
+#[derive(Template)]
+#[template(path = "report.html", escape = "html")]
+struct Page<'a> {
+    title: String,
+    facts: Vec<Fact>,
+    known: Vec<Known>,
+    command: &'a str,
+    design: Option<(String, &'a str)>,
+    groups: Vec<Group>,
+    report: &'a Report,
+    refusals: Vec<&'static str>,
+    section: &'a Section,
+    files: Vec<File>,
+    /// Why there is no code.
+    refused: Vec<String>,
+    version: &'static str,
+}
+
+/// The class of a verdict, which gives it a colour.
+fn colour(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Sound => "good",
+        Verdict::Unsound | Verdict::Refuted => "bad",
+        Verdict::Undecided | Verdict::NotChecked => "open",
+    }
+}
+
+/// The file of a report.
+///
+/// # Errors
+/// A path that does not end in .html.
+pub(crate) fn path(asked: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
+    let Some(path) = asked else { return Ok(None) };
+    match path.extension().map(std::ffi::OsStr::to_ascii_lowercase) {
+        Some(extension) if extension == "html" => Ok(Some(path.to_owned())),
+        _ => Err(Failure::because(
+            format!("`{}` is no name of a report", path.display()),
+            "a report is a page of HTML: give a file that ends in .html, for example --report run.html",
+        )),
+    }
+}
+
+/// The page as text: the same input gives the same bytes.
+///
+/// # Errors
+/// Closed forms that an engine does not give.
+pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
+    let Content { spec, plant, source, command, section } = content;
+    let report = examine(spec);
+    let (files, refused) = match generate(spec, Language::C) {
+        Ok(files) => (files, Vec::new()),
+        Err(found) => {
+            let told = found.iter().map(|wrong| format!("{}; {}", wrong.message, wrong.help));
+            (Vec::new(), told.collect())
+        }
+    };
+    let page = Page {
+        title: format!("{}: {}", spec.name(), section.title.to_lowercase()),
+        facts: design::facts(&report.spec),
+        known: design::known(&report.spec, plant),
+        command,
+        design: source.text().map(|text| (design::file(spec), text)),
+        groups: formulas::groups(&report.spec, plant)?,
+        refusals: report.refusals().map(|outcome| outcome.name).collect(),
+        report: &report,
+        section,
+        files,
+        refused,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    page.render().map_err(|error| {
+        Failure::because(format!("the report cannot be written: {error}"), "leave --report out")
+    })
+}

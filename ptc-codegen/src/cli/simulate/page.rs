@@ -1,0 +1,109 @@
+//! The report of the runs.
+
+use ptc_codegen::plant::Plant;
+use ptc_codegen::spec::{Parameter, Spec};
+
+use super::Simulate;
+use super::picture::figure;
+use super::run::{Row, Run};
+use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
+use crate::cli::report::Failure;
+use crate::cli::source::Source;
+
+/// Instants of a run that are told where none are asked for.
+const SHOWN: usize = 12;
+
+/// The page.
+pub(super) fn text(
+    request: &Simulate,
+    source: &Source,
+    (spec, plant): (&Spec, &Plant),
+    runs: &[Run],
+) -> Result<String, Failure> {
+    let mut spec = spec.clone();
+    if runs.len() > 1 {
+        // One controller has made all of them: the one to which tau is told at run time.
+        spec.fixed.remove(&Parameter::Tau);
+    }
+    let seed = (request.seed != 0).then(|| request.seed.to_string());
+    let flags = [
+        ("--x0", Some(request.x0.clone())),
+        ("--at", request.at.clone()),
+        ("--u-step", request.u_step.clone()),
+        ("--noise", request.noise.clone()),
+        ("--seed", seed),
+        ("--delay", request.delay.then(String::new)),
+    ];
+    let content = Content {
+        spec: &spec,
+        plant,
+        source,
+        command: command("simulate", &spec, source, &flags),
+        section: section(request, &spec, runs)?,
+    };
+    page::html(&content)
+}
+
+fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Failure> {
+    let held = runs.iter().any(|run| run.held);
+    let how = match held {
+        true => "The emitted controller at each sample; its u is held until the next.",
+        false => {
+            "The law at every instant: the associated infinite-time system [th:1-4] is integrated and \
+             mapped back by [th:1-7], down to T = 1e-9 tau."
+        }
+    };
+    let mut told = vec![how.to_owned()];
+    if held {
+        told.extend(around(request, spec));
+    }
+    let starts = "The state at the start is x0 = ";
+    told.push(format!("{starts}({}).", request.x0.replace(',', ", ")));
+    if request.at.is_none() {
+        told.push(format!("The table has {SHOWN} instants of a run at most; `-o` writes all."));
+    }
+    Ok(Section {
+        title: "Simulation",
+        told,
+        verdicts: Vec::new(),
+        caption:
+            "States and control over time in s, and the first state in stretched time. Thin lines \
+                  are deadlines, dashed ones in red bounds."
+                .to_owned(),
+        figure: Svg::of(&figure(spec, runs))?,
+        table: table(request.at.is_some(), runs),
+    })
+}
+
+/// What is around the controller of a sampled loop.
+fn around(request: &Simulate, spec: &Spec) -> Option<String> {
+    let period = spec.promises.sample_time.as_ref()?;
+    let mut parts = vec![format!("The sample period is {period} s")];
+    parts.extend(request.noise.as_ref().map(|noise| {
+        format!("each measured state is off by up to {noise}, drawn by seed {}", request.seed)
+    }));
+    parts.extend(
+        request.u_step.as_ref().map(|step| format!("the actuator takes multiples of {step}")),
+    );
+    parts.extend(request.delay.then(|| "u acts one sample late".to_owned()));
+    Some(format!("{}.", parts.join(", ")))
+}
+
+fn table(asked: bool, runs: &[Run]) -> Table {
+    let n = runs.first().map_or(0, |run| run.n);
+    let heads = ["tau in s".to_owned(), "t in s".to_owned()].into_iter();
+    let head = heads.chain((1..=n).map(|j| format!("x{j}"))).chain(["u".to_owned()]).collect();
+    let mut rows = Vec::new();
+    for run in runs {
+        let reported: Vec<_> = run.rows.iter().filter(|row| row.reported).collect();
+        let last = reported.len().saturating_sub(1);
+        let shown = |i: usize| asked || (0..SHOWN).any(|k| k * last / (SHOWN - 1) == i);
+        let line = |row: &Row| {
+            let numbers = [run.tau, row.t].into_iter().chain(row.x.iter().copied());
+            numbers.chain([row.u]).map(short).collect()
+        };
+        let all = reported.iter().enumerate().filter(|(i, _)| shown(*i));
+        rows.extend(all.map(|(_, row)| line(row)));
+    }
+    Table { head, rows }
+}

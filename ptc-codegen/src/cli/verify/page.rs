@@ -1,0 +1,201 @@
+//! The report of a verification.
+
+use ptc_codegen::plot::{Bounded, Figure, Trace};
+use ptc_codegen::spec::Parameter;
+use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial};
+
+use super::Verify;
+use super::report::{APART, Judged, Trajectory, Verdict, shown};
+use crate::cli::mathml::{
+    Math, fenced, name, number, of_expression, product, relation, row, sub, words,
+};
+use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
+use crate::cli::report::Failure;
+use crate::cli::source::Source;
+
+/// The page.
+pub(super) fn text(
+    request: &Verify,
+    source: &Source,
+    (campaign, trial): (&Campaign, &mut Trial),
+    verdict: &Verdict,
+) -> Result<String, Failure> {
+    let spec = &campaign.spec;
+    let flags = [("--scenarios", request.scenarios.clone()), ("--seed", request.seed.clone())];
+    let content = Content {
+        spec,
+        plant: &campaign.plant,
+        source,
+        command: command("verify", spec, source, &flags),
+        section: section((campaign, trial), verdict)?,
+    };
+    page::html(&content)
+}
+
+fn section(
+    (campaign, trial): (&Campaign, &mut Trial),
+    verdict: &Verdict,
+) -> Result<Section, Failure> {
+    let end = if verdict.holds { "Every objective holds" } else { "Not verified" };
+    let mut told = vec![format!("{end}: {}.", verdict.run)];
+    told.push(format!("{}.", uncertain(campaign).join("; ")));
+    let pairs = campaign.objectives.iter().zip(&verdict.objectives);
+    let mut verdicts: Vec<_> = (1..).zip(pairs).map(judged).collect();
+    let mut details = vec![verdict.sides.clone()];
+    details.extend(verdict.apart.then(|| APART.to_owned()));
+    verdicts.push(page::Judged {
+        name: String::new(),
+        what: words("both sides of Theorem 1"),
+        holds: !verdict.apart,
+        verdict: if verdict.apart { "differ" } else { "agree" }.to_owned(),
+        details,
+    });
+    let Some(trajectory) = &verdict.trajectory else {
+        let figure = Svg::of(&Figure::default())?;
+        let caption = String::new();
+        return Ok(Section {
+            title: TITLE,
+            told,
+            verdicts,
+            caption,
+            figure,
+            table: Table::default(),
+        });
+    };
+    Ok(Section {
+        title: TITLE,
+        told,
+        verdicts,
+        caption: format!(
+            "Worst trajectory, {}. Bounds of the objectives are dashed, in red.",
+            trajectory.told
+        ),
+        figure: Svg::of(&figure((campaign, trial), trajectory)?)?,
+        table: table(trajectory),
+    })
+}
+
+const TITLE: &str = "Verification";
+
+/// The boxes and the disturbances.
+fn uncertain(campaign: &Campaign) -> Vec<String> {
+    let within = |name: &str, (least, greatest): (f64, f64)| match least == greatest {
+        true => format!("{name} = {least}"),
+        false => format!("{name} in [{least}, {greatest}]"),
+    };
+    let mut parts = vec![within("tau", campaign.tau)];
+    parts.extend((1..).zip(&campaign.x0).map(|(j, x)| within(&format!("x{j}"), *x)));
+    parts.extend(campaign.intervals.iter().map(|(symbol, i)| within(&symbol.spelling(), *i)));
+    for (symbol, interval, signals) in &campaign.disturbances {
+        let signals: Vec<_> = signals.iter().map(|signal| signal.name()).collect();
+        let signals = signals.join(", ");
+        parts.push(format!("{} over time: {signals}", within(&symbol.spelling(), *interval)));
+    }
+    parts
+}
+
+fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page::Judged {
+    page::Judged {
+        name: format!("objective {number}"),
+        what: formula(objective),
+        holds: judged.holds,
+        verdict: judged.verdict.to_owned(),
+        details: judged.details.clone(),
+    }
+}
+
+/// The objective as it is told in text.
+fn formula(objective: &Objective) -> Math {
+    let size = |of: Math| fenced("|", of, "|");
+    let below = |left: Math, right: Math| relation(left, "\u{2264}", right);
+    let bound = |value: f64| number(value);
+    match &objective.kind {
+        Kind::State { sigma, zeta } => {
+            let start = size(sub(name("x"), number(0)));
+            let whole = product(bound(*sigma), start);
+            let right = match zeta.small_integer() {
+                Some(1) => whole,
+                _ => product(whole, fenced("(", of_expression(zeta), ")")),
+            };
+            below(size(name("x")), right)
+        }
+        Kind::Input { upsilon } => below(size(name("u")), of_expression(upsilon)),
+        Kind::Attractive { error } => {
+            row([below(size(name("x")), bound(*error)), words(" at the end")])
+        }
+        Kind::Within { h, low, high } => {
+            let mut math = of_expression(h);
+            if let Some(low) = low {
+                math = below(of_expression(low), math);
+            }
+            if let Some(high) = high {
+                math = below(math, of_expression(high));
+            }
+            math
+        }
+    }
+}
+
+fn figure(
+    (campaign, trial): (&Campaign, &mut Trial),
+    trajectory: &Trajectory,
+) -> Result<Figure, Failure> {
+    let Trajectory { scenario, instants, .. } = trajectory;
+    let setting = campaign.setting(scenario);
+    let levels = trial
+        .levels(&setting, instants)
+        .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+    let [tau, start, u_max] = [Parameter::Tau, Parameter::StartTime, Parameter::UMax]
+        .map(|parameter| setting.values.get(parameter));
+    let spec = &campaign.spec;
+    let trace = Trace {
+        label: format!("worst trajectory, tau = {} s", short(tau)),
+        start,
+        deadline: start + tau,
+        t: instants.iter().map(|instant| instant.t).collect(),
+        stretched: vec![f64::NAN; instants.len()],
+        x: (0..spec.n).map(|j| instants.iter().map(|instant| instant.x[j]).collect()).collect(),
+        u: instants.iter().map(|instant| instant.u).collect(),
+        held: false,
+    };
+    let bounded = campaign.objectives.iter().zip(&levels).enumerate();
+    Ok(Figure {
+        title: format!("{}: n = {}, {}", spec.name(), spec.n, spec.mapping_name()),
+        traces: vec![trace],
+        u_max: u_max.is_finite().then_some(u_max),
+        x_max: Vec::new(),
+        objectives: bounded
+            .map(|(i, (objective, levels))| of_levels(i, objective, levels))
+            .collect(),
+    })
+}
+
+fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
+    let what = match &objective.kind {
+        Kind::State { .. } | Kind::Attractive { .. } => "|x|".to_owned(),
+        Kind::Input { .. } => "|u|".to_owned(),
+        Kind::Within { h, .. } => h.to_string(),
+    };
+    let column = |of: &dyn Fn(&Level) -> Option<f64>| -> Vec<f64> {
+        levels.iter().map(|level| of(level).unwrap_or(f64::NAN)).collect()
+    };
+    Bounded {
+        title: format!("objective {}: {what}", index + 1),
+        values: levels.iter().map(|level| level.value).collect(),
+        bounds: vec![column(&|level| level.low), column(&|level| level.high)],
+        by_decades: !matches!(objective.kind, Kind::Within { .. }),
+    }
+}
+
+fn table(Trajectory { instants, .. }: &Trajectory) -> Table {
+    let n = instants.first().map_or(0, |instant| instant.x.len());
+    let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter();
+    let heads = heads.chain((1..=n).map(|j| format!("x{j}")));
+    let head = heads.chain(["u".to_owned(), String::new()]).collect();
+    let rows = shown(instants).into_iter().map(|(instant, worst)| {
+        let numbers = [instant.t, instant.time_to_go].into_iter().chain(instant.x.iter().copied());
+        let told = if worst { "worst" } else { "" };
+        numbers.chain([instant.u]).map(short).chain([told.to_owned()]).collect()
+    });
+    Table { head, rows: rows.collect() }
+}
