@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::verify::{Campaign, Scenario, Tally, Trial, bound, chunks, sample, search};
 
 /// Scenarios that are drawn for the first look at a loop: each fourth is a corner of its boxes.
-const FIRST: u64 = 48;
+const FIRST: u64 = 16;
 
 /// What verifying a loop gave.
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ pub(super) fn run(
 /// scenarios each time, and after each search.
 pub(super) fn verify(campaign: &Campaign, trial: &Trial) -> Verdict {
     let tally = Mutex::new(Tally::new(campaign));
-    let (mut from, mut to) = (0, 1024.min(campaign.scenarios));
+    let (mut from, mut to) = (0, 128.min(campaign.scenarios));
     let tally = loop {
         let done = sample(campaign, trial, &chunks(from..to), &|_, rows| {
             let mut tally = tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
