@@ -18,7 +18,7 @@ mod judge;
 mod probe;
 mod wish;
 
-pub use candidate::MAPPINGS;
+pub use candidate::{MAPPINGS, Plan};
 pub use judge::Verdict;
 pub use probe::{Probe, Refused};
 pub use wish::{Choice, Wish};
