@@ -12,8 +12,7 @@ pub(super) fn met(probe: &Probe, verdict: &Verdict, tries: usize) -> String {
     let mut text = if probe.choice == Choice::default() {
         format!("{name}: nothing is left to choose\n")
     } else {
-        let tries = if tries == 1 { "1 try".to_owned() } else { format!("{tries} tries") };
-        format!("{name}: {}, after {tries}\n", probe.choice)
+        format!("{name}: {}, after {}\n", probe.choice, counted(tries))
     };
     let all = campaign.objectives.iter().zip(&verdict.worst).zip(&verdict.proved);
     for (number, ((objective, (excess, _)), proved)) in (1..).zip(all) {
@@ -22,6 +21,10 @@ pub(super) fn met(probe: &Probe, verdict: &Verdict, tries: usize) -> String {
         text.push_str(&format!("objective {number}, {objective}: holds, {how}, {at}\n"));
     }
     text
+}
+
+fn counted(tries: usize) -> String {
+    if tries == 1 { "1 try".to_owned() } else { format!("{tries} tries") }
 }
 
 /// No choice was found: what stands in the way of the best one.
@@ -37,7 +40,7 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
         .collect();
     let mut notes = Vec::new();
     if open {
-        notes.push(format!("the best of {} tries: {}", outcome.tries, best.choice));
+        notes.push(format!("the best of {}: {}", counted(outcome.tries), best.choice));
     }
     let title = match (best.refused(), worst) {
         (Some(Refused::Check(check)), _) => {
