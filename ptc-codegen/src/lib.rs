@@ -29,6 +29,8 @@ pub mod selftest;
 pub mod simulate;
 pub mod spec;
 #[cfg(feature = "campaign")]
+pub mod synthesis;
+#[cfg(feature = "campaign")]
 pub mod verify;
 
 use check::examine::examine;

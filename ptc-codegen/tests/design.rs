@@ -279,3 +279,34 @@ fn the_template_tells_every_key_and_is_a_design() {
         assert!(told, "{} is not in {text}", info.key);
     }
 }
+
+#[cfg(feature = "campaign")]
+#[test]
+fn the_template_tells_what_verify_reads() {
+    use ptc_codegen::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+
+    let text = design::template(None);
+    let all = verify::KEYS.iter().chain(&OBJECTIVE_KEYS).chain([&DISTURBANCE, &INITIAL_STATE]);
+    for info in all {
+        assert!(text.contains(info.meaning) && text.contains(info.legal), "{}", info.key);
+    }
+    // The examples of the tables, without their `#`, are a campaign of the plant that has the symbol.
+    let (_, tables) = text.split_once("[disturbance]").expect("the table");
+    let told = |line: &&str| line.contains(" = ") || line.starts_with("# [[");
+    let mut kept: Vec<_> =
+        tables.lines().filter(|line| line.starts_with('[') || told(line)).collect();
+    // An objective has the keys of its bound.
+    let of_others = ["upsilon", "error", "h", "low", "high"].map(|key| format!("# {key} = "));
+    kept.retain(|line| !of_others.iter().any(|key| line.starts_with(key)));
+    let lines: Vec<_> = kept.iter().map(|line| line.trim_start_matches("# ")).collect();
+    let top = "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";
+    let (entries, found, _) = read(&format!("{top}{}", lines.join("\n")));
+    assert!(found.is_empty(), "{found:?}");
+    let spec = spec::read(&entries).expect("a spec");
+    let plant = ptc_codegen::plant::read(&entries, &spec).expect("a plant").expect("a plant");
+    let campaign = verify::read(&entries, &spec, &plant).expect("a campaign");
+    assert_eq!(
+        (campaign.x0, campaign.objectives.len(), campaign.disturbances.len()),
+        (vec![(-1.0, 1.0)], 1, 1)
+    );
+}

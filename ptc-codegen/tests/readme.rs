@@ -15,15 +15,18 @@ const SIMULATE: &str = include_str!("../../docs/simulate.md");
 
 const VERIFY: &str = include_str!("../../docs/verify.md");
 
+const DESIGN: &str = include_str!("../../docs/design.md");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 14] = [
+const PAGES: [(&str, &str); 15] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("engines.md", include_str!("../../docs/engines.md")),
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
+    ("design.md", DESIGN),
     ("assurance/README.md", include_str!("../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
@@ -134,6 +137,8 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("stage.toml"), stage).expect("writable");
     let [uncertain] = &blocks_of(VERIFY, "toml")[..] else { panic!("one design") };
     fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
+    let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
+    fs::write(folder.join("wish.toml"), wish).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }

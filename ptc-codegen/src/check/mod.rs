@@ -74,7 +74,7 @@ impl Outcome {
 }
 
 /// A number to four significant digits.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     // + 0 takes the sign off -0.
     let size = f64::abs(rounded);

@@ -31,6 +31,7 @@ Examples:
   ptc-codegen emit roll.toml --lang c -o out          out/roll.h and out/roll.c
   ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
   ptc-codegen verify roll.toml                        its objectives, over scenarios
+  ptc-codegen design wish.toml -o roll.toml           chooses mapping and poles for them
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
 Exit codes: 0 done, 1 a design is refused, an objective fails or --check found drift, 2 bad input or
@@ -77,6 +78,13 @@ pub(crate) enum Command {
                           ptc-codegen verify <DESIGN> --merge <FILES>... [OPTIONS]"
     )]
     Verify(super::verify::Verify),
+    /// Choose the mapping and the poles of a design so that its objectives hold
+    #[cfg(feature = "campaign")]
+    #[command(
+        after_help = super::design::EXAMPLES,
+        override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
+    )]
+    Design(super::design::Request),
     /// Write a design file to begin with, which tells every key
     #[command(after_help = NEW_EXAMPLES)]
     New(New),

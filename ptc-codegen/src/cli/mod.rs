@@ -5,6 +5,8 @@
 
 pub(crate) mod args;
 mod check;
+#[cfg(feature = "campaign")]
+mod design;
 mod emit;
 mod engine;
 mod fmu;
@@ -57,6 +59,8 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Simulate(request) => simulate::simulate(&request),
         #[cfg(feature = "campaign")]
         Command::Verify(request) => verify::verify(&request),
+        #[cfg(feature = "campaign")]
+        Command::Design(request) => design::design(&request),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
         #[cfg(feature = "symbolica")]

@@ -26,6 +26,20 @@ pub fn template(name: Option<&str>) -> String {
     }
     text.push_str(&format!("\n[{}]\n", plant::TABLE));
     text.extend(plant::KEYS.iter().map(|info| entry(info, None)));
+    #[cfg(feature = "campaign")]
+    text.push_str(&of_verify());
+    text
+}
+
+/// The tables of `verify`, and of `design`.
+#[cfg(feature = "campaign")]
+fn of_verify() -> String {
+    use crate::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
+
+    let mut text = format!("\n[disturbance]\n{}\n[verify]\n", entry(&DISTURBANCE, None));
+    text.extend(std::iter::once(&INITIAL_STATE).chain(&KEYS).map(|info| entry(info, None)));
+    text.push_str("\n# What has to hold: a table for each objective.\n# [[objective]]\n");
+    text.extend(OBJECTIVE_KEYS.iter().map(|info| entry(info, None)));
     text
 }
 

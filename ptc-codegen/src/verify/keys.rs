@@ -2,6 +2,22 @@
 
 use crate::spec::KeyInfo;
 
+/// A key of the table `[disturbance]`: the symbol of the plant that varies.
+pub static DISTURBANCE: KeyInfo = KeyInfo {
+    key: "gust",
+    meaning: "how a symbol of [plant] that is [least, greatest] varies within these, by its name",
+    legal: "constant, sine, square, random, worst, a list of these, or any",
+    example: "any",
+};
+
+/// A key x1..xn of the table `[verify]`.
+pub static INITIAL_STATE: KeyInfo = KeyInfo {
+    key: "x1",
+    meaning: "interval of the initial state, one for each of x1..xn",
+    legal: "[least, greatest] in the unit of x1, or a number",
+    example: "-1,1",
+};
+
 /// The keys of the table `[verify]` beside x1..xn.
 pub static KEYS: [KeyInfo; 6] = [
     KeyInfo {

@@ -17,7 +17,7 @@ pub mod search;
 mod tally;
 mod trial;
 
-pub use keys::{KEYS, OBJECTIVE_KEYS};
+pub use keys::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use objective::{Kind, Level, Objective};
 pub use read::read;
 pub use run::{Done, chunks, sample};

@@ -12,6 +12,7 @@ use ptc_codegen::verify::{self, Campaign, Scenario, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
 use report::Worst;
+pub(crate) use report::against;
 
 use super::page as html;
 use super::report::{Failure, Notice};
@@ -92,7 +93,7 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
 }
 
 /// An objective that fails at t0, whatever the control does, says nothing of the loop.
-fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
+pub(crate) fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
     let wrong =
         |wrong: ptc_codegen::simulate::Failure| Failure::because(wrong.message, &wrong.help);
     let of_gain = Campaign { objectives: vec![campaign.gain()], ..campaign.clone() };
@@ -151,7 +152,7 @@ fn searched(campaign: &Campaign) -> u64 {
 }
 
 /// A bar on the standard error, where that is a terminal.
-fn progress(what: &'static str, count: u64) -> ProgressBar {
+pub(crate) fn progress(what: &'static str, count: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len}, {eta} left");
     let bar = ProgressBar::new(count).with_message(what);
     match style {
@@ -161,7 +162,7 @@ fn progress(what: &'static str, count: u64) -> ProgressBar {
 }
 
 /// The scenario of a search, as one would ask for it again.
-fn told(campaign: &Campaign, scenario: &Scenario) -> String {
+pub(crate) fn told(campaign: &Campaign, scenario: &Scenario) -> String {
     let setting = campaign.setting(scenario);
     let mut parts =
         vec![format!("tau = {}", setting.values.get(ptc_codegen::spec::Parameter::Tau))];

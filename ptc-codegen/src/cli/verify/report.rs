@@ -136,7 +136,7 @@ impl Verdict {
 }
 
 /// An excess in words.
-fn against(kind: &Kind, excess: f64) -> String {
+pub(crate) fn against(kind: &Kind, excess: f64) -> String {
     match kind {
         _ if excess == f64::INFINITY => {
             "which leaves the range of numbers, or of its bound".to_owned()

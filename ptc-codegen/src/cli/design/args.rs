@@ -1,0 +1,32 @@
+//! The flags of `design`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+pub(crate) const EXAMPLES: &str = "\
+What is asked for stands in a design file as for `verify`, in which the mapping (mu or kappa) and the
+law (poles, gains or pi0) may be missing: these are chosen, and what is given is kept. With sample_time
+or error, eps is set too. The file that is written is a design that `verify` finds to hold, and that
+emit, check and simulate take.
+
+Exit codes: 0 every objective holds with what was chosen; 1 no choice was found, and nothing is written;
+2 bad input.
+
+Examples:
+  ptc-codegen design wish.toml -o roll.toml
+  ptc-codegen design wish.toml --tries 500 > roll.toml";
+
+/// What is asked of a choice.
+#[derive(Debug, Args)]
+pub(crate) struct Request {
+    /// Design file, TOML, in which the mapping and the law may be missing
+    #[arg(value_name = "DESIGN")]
+    pub(crate) design: PathBuf,
+    /// File for the design, its folder made if it is missing; `-` is the standard output
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    pub(crate) out: PathBuf,
+    /// Most tries: a choice that is run, on few scenarios or on all, is one
+    #[arg(long, value_name = "COUNT", default_value_t = 250, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) tries: u32,
+}

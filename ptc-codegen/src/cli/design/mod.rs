@@ -1,0 +1,65 @@
+//! `design`: the mapping and the poles with which the objectives of a design hold.
+
+mod args;
+mod report;
+
+use std::path::Path;
+
+use ptc_codegen::design;
+use ptc_codegen::synthesis::{self, Outcome, Wish, file};
+use ptc_codegen::verify::Trial;
+
+pub(crate) use args::{EXAMPLES, Request};
+
+use super::report::Failure;
+use super::source::Source;
+use super::verify::{progress, starts};
+use super::write;
+
+/// Runs `design`.
+pub(crate) fn design(request: &Request) -> Result<(), Failure> {
+    let prints = request.out.as_os_str() == "-";
+    if !prints && request.out.is_dir() {
+        return Err(Failure::because(
+            format!("--out {} is a folder", request.out.display()),
+            "give a file, for example -o roll.toml, or `-o -` for the standard output",
+        ));
+    }
+    let source = Source::default().with_design(Some(&request.design))?;
+    let parsed = source.parse();
+    let wish = match Wish::read(&parsed.entries) {
+        Ok(wish) => parsed.finish(Some(wish), Vec::new())?,
+        Err(found) => return parsed.finish(None, found),
+    };
+    let wrong =
+        |wrong: ptc_codegen::simulate::Failure| Failure::because(wrong.message, &wrong.help);
+    // What fails at t0 fails with every choice.
+    starts(wish.campaign(), &mut Trial::new(wish.campaign()).map_err(wrong)?)?;
+    let bar = progress("designing", u64::from(request.tries));
+    let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
+    let outcome = synthesis::design(&wish, most, &|probe, tries| {
+        bar.set_position(tries as u64);
+        bar.set_message(probe.choice.to_string());
+    });
+    bar.finish_and_clear();
+    let outcome = outcome.map_err(wrong)?;
+    let Outcome { best: Some(best), verdict: Some(verdict), tries, .. } = &outcome else {
+        return Err(report::blocked(&wish, &outcome));
+    };
+    let told = report::met(best, verdict, *tries);
+    let text = design::load(&request.design)
+        .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+    let text = file::complete(&text, &best.choice, &head(&request.design, &told))
+        .map_err(|error| Failure::because(format!("no TOML: {error}"), "mend the design file"))?;
+    if prints {
+        return write::to_stdout(&text);
+    }
+    let written = write::paths(&[(request.out.clone(), text.as_bytes())])?;
+    write::to_stdout(&format!("{told}{written}"))
+}
+
+/// The comment above a design that was completed.
+fn head(path: &Path, told: &str) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    format!("Made of {name} by `ptc-codegen design`: `ptc-codegen verify` tells the same.\n{told}")
+}

@@ -1,0 +1,103 @@
+//! What is told of a choice that was found, and of a wish for which there is none.
+
+use ptc_codegen::synthesis::{Choice, Outcome, Probe, Refused, Verdict, Wish};
+
+use crate::cli::report::{Failure, Notice};
+use crate::cli::verify::{against, told};
+
+/// What was chosen, and each objective with its margin.
+pub(super) fn met(probe: &Probe, verdict: &Verdict, tries: usize) -> String {
+    let campaign = &probe.campaign;
+    let name = campaign.spec.name();
+    let mut text = if probe.choice == Choice::default() {
+        format!("{name}: nothing is left to choose\n")
+    } else {
+        format!("{name}: {}, after {}\n", probe.choice, counted(tries))
+    };
+    let all = campaign.objectives.iter().zip(&verdict.worst).zip(&verdict.proved);
+    for (number, ((objective, (excess, _)), proved)) in (1..).zip(all) {
+        let how = if *proved { "proved by intervals" } else { "by sampling" };
+        let at = against(&objective.kind, *excess);
+        text.push_str(&format!("objective {number}, {objective}: holds, {how}, {at}\n"));
+    }
+    text
+}
+
+fn counted(tries: usize) -> String {
+    if tries == 1 { "1 try".to_owned() } else { format!("{tries} tries") }
+}
+
+/// No choice was found: what stands in the way of the best one.
+pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
+    let Some(best) = &outcome.best else { return Failure::refused(Vec::new()) };
+    let all = best.campaign.objectives.iter().zip(&best.worst);
+    let worst = all.clone().zip(1..).reduce(|a, b| if b.0.1.0 > a.0.1.0 { b } else { a });
+    let open = wish.leaves_mapping() || wish.leaves_law();
+    let failed: Vec<_> = (1..)
+        .zip(&best.worst)
+        .filter(|(_, (excess, _))| *excess > 0.0)
+        .map(|(number, _): (usize, _)| number.to_string())
+        .collect();
+    let mut notes = Vec::new();
+    if open {
+        notes.push(format!("the best of {}: {}", counted(outcome.tries), best.choice));
+    }
+    let title = match (best.refused(), worst) {
+        (Some(Refused::Check(check)), _) => {
+            notes.push(check.summary.clone());
+            notes.extend(check.fix.clone());
+            format!("no choice is accepted by the check `{}`", check.name)
+        }
+        (Some(Refused::Guard(why)), _) => {
+            notes.push(why.clone());
+            "the gains are held before a run ends, whatever is chosen".to_owned()
+        }
+        (None, _) if best.sides_differ() => {
+            "the two sides of Theorem 1 differ by more than `tolerance`, whatever is chosen"
+                .to_owned()
+        }
+        (None, Some(_)) if open && failed.len() > 1 => {
+            format!("no choice was found that meets objectives {} at once", failed.join(" and "))
+        }
+        (None, Some(((objective, _), number))) if open => {
+            format!("no choice was found that meets objective {number}, {objective}")
+        }
+        (None, Some(((objective, _), number))) => {
+            format!("objective {number}, {objective}, fails, and nothing is left to choose")
+        }
+        (None, None) => "no choice was found".to_owned(),
+    };
+    if best.refused().is_none() {
+        for (index, (objective, (excess, scenario))) in all.enumerate() {
+            let at = against(&objective.kind, *excess);
+            let mut note = format!("objective {}, {objective}: {at}", index + 1);
+            if *excess > 0.0 {
+                note.push_str(&format!(", from {}", told(&best.campaign, scenario)));
+                note.extend(elsewhere(outcome, index));
+            }
+            notes.push(note);
+        }
+    }
+    let help = match (outcome.used_up, open) {
+        (true, _) => "all tries were used up: give more with --tries, or widen what blocks",
+        (false, true) => {
+            "widen what blocks, narrow what is uncertain, or give a mapping or a law of your own"
+        }
+        (false, false) => {
+            "leave `mu`, or `poles` and `gains`, out of the design, so that there is something to choose"
+        }
+    };
+    Failure::refused(vec![Notice { notes, help: Some(help.to_owned()), ..Notice::of(title) }])
+}
+
+/// Where an objective that fails is met, and what that costs the others.
+fn elsewhere(outcome: &Outcome, index: usize) -> Option<String> {
+    let meets = |probe: &&Probe| probe.excess().is_finite() && probe.worst[index].0 <= 0.0;
+    let nearest = outcome.others.iter().filter(meets);
+    let nearest = nearest.reduce(|a, b| if b.excess() < a.excess() { b } else { a })?;
+    let others = nearest.campaign.objectives.iter().zip(&nearest.worst).enumerate();
+    let (other, (objective, (excess, _))) =
+        others.reduce(|a, b| if b.1.1.0 > a.1.1.0 { b } else { a })?;
+    let at = against(&objective.kind, *excess);
+    Some(format!("; it holds with {}, where objective {} is {at}", nearest.choice, other + 1))
+}

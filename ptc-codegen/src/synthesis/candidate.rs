@@ -1,0 +1,144 @@
+//! The candidates: mappings in the order in which they are tried, poles, and how fast these may be.
+
+use super::wish::{Choice, Wish};
+use crate::check::digits;
+
+/// A mapping that is tried.
+#[derive(Debug)]
+pub struct Plan {
+    /// Its family.
+    pub family: &'static str,
+    /// Its parameters beside the rate, as they follow it.
+    rest: &'static str,
+    /// Decay rate of mu' at a rate of 1.
+    decay: f64,
+    /// Why it is tried where it is.
+    pub reason: &'static str,
+}
+
+/// The mappings, in the order in which they are tried. `exp_sum` is none of them: it is found by an
+/// iteration in each step, and what its rates do is left to a person.
+pub static MAPPINGS: [Plan; 6] = [
+    Plan {
+        family: "exp",
+        rest: "",
+        decay: 1.0,
+        reason: "its law is the cheapest, its checks are exact, and without a disturbance objectives can be proved",
+    },
+    Plan {
+        family: "tanh",
+        rest: "",
+        decay: 2.0,
+        reason: "it begins more gently than exp, and calls no function in a step",
+    },
+    Plan {
+        family: "rational",
+        rest: "",
+        decay: 0.0,
+        reason: "every stable pole brings x and u to 0, so that slow ones will do, and a step calls no function",
+    },
+    Plan {
+        family: "power",
+        rest: ",m=0.5",
+        decay: 0.0,
+        reason: "between exp and rational, at a square root a step",
+    },
+    Plan {
+        family: "algebraic",
+        rest: "",
+        decay: 0.0,
+        reason: "it begins more gently than rational, at a square root a step",
+    },
+    Plan {
+        family: "tan",
+        rest: "",
+        decay: 0.0,
+        reason: "it begins more gently than rational and ends as it does, at a tangent a step",
+    },
+];
+
+impl Plan {
+    fn mu(&self, rate: f64) -> String {
+        format!("{}(a={}{})", self.family, digits(rate), self.rest)
+    }
+}
+
+/// Why a mapping is chosen.
+pub(super) fn reason(mu: &str) -> &'static str {
+    let plan = MAPPINGS.iter().find(|plan| mu.split('(').next() == Some(plan.family));
+    plan.map_or("", |plan| plan.reason)
+}
+
+/// Distances of neighbouring poles, as a part of the slowest one. Poles that are real and distinct
+/// leave the loop to a proof; far ones act one after the other, close ones together.
+const SPACINGS: [f64; 2] = [0.25, 1.0];
+
+/// A mapping and a pattern of poles, at any speed.
+#[derive(Debug)]
+pub(super) struct Candidate {
+    /// The mapping, where the wish leaves it open.
+    plan: Option<&'static Plan>,
+    /// The distance of the poles, where the wish leaves the law open.
+    spacing: Option<f64>,
+    /// The slowest pole at a speed of 1, or the pole at a rate of 1.
+    unit: f64,
+    /// Least and greatest speed.
+    pub(super) range: (f64, f64),
+    /// The speed that is tried first.
+    pub(super) first: f64,
+}
+
+/// All candidates of a wish, in their order.
+pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
+    let plans: Vec<_> = match wish.leaves_mapping() {
+        true => MAPPINGS.iter().map(Some).collect(),
+        false => vec![None],
+    };
+    let spacings: &[Option<f64>] = match wish.leaves_law() {
+        true if wish.order() == 1 => &[Some(SPACINGS[0])],
+        true => &SPACINGS.map(Some),
+        false => &[None],
+    };
+    let each = |plan: Option<&'static Plan>| {
+        spacings.iter().map(move |spacing| Candidate::new(wish, plan, *spacing))
+    };
+    plans.into_iter().flat_map(each).collect()
+}
+
+impl Candidate {
+    fn new(wish: &Wish<'_>, plan: Option<&'static Plan>, spacing: Option<f64>) -> Self {
+        let (unit, decay) = match plan {
+            Some(plan) if spacing.is_some() => (1.0, plan.decay),
+            Some(plan) => (wish.slowest_pole(), plan.decay),
+            None => wish.rate(),
+        };
+        #[allow(clippy::cast_precision_loss)]
+        let order = wish.order() as f64;
+        // Left of -n rho u goes to 0, and x with it. Where rho = 0 each stable pole does that.
+        let (range, first) = match () {
+            () if plan.is_none() && spacing.is_none() => ((1.0, 1.0), 1.0),
+            () if decay > 0.0 => {
+                let line = order * decay;
+                ((line, 32.0 * line), 1.5 * line)
+            }
+            () => ((order / 16.0, 32.0 * order), order),
+        };
+        Self { plan, spacing, unit, range, first }
+    }
+
+    /// What it is at a speed, all numbers to four digits.
+    pub(super) fn at(&self, order: usize, speed: f64) -> Choice {
+        let pole = |i: usize, spacing: f64| {
+            #[allow(clippy::cast_precision_loss)]
+            let place = 1.0 + i as f64 * spacing;
+            digits(-speed * self.unit * place)
+        };
+        let poles = |spacing| (0..order).map(|i| pole(i, spacing)).collect();
+        let rate = if self.spacing.is_some() { 1.0 } else { self.unit / speed };
+        Choice {
+            mu: self.plan.map(|plan| plan.mu(rate)),
+            poles: self.spacing.map(poles),
+            eps: None,
+        }
+    }
+}

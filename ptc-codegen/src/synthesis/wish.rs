@@ -1,0 +1,205 @@
+//! What a design file asks for and what it leaves open.
+
+use num_traits::ToPrimitive;
+
+use super::candidate::Candidate;
+use super::probe::Refused;
+use crate::check::examine::{decay_rate, examine};
+use crate::check::{digits, poles};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::plant;
+use crate::spec::{self, Entry, Feedback, Fixed, Parameter, Spec, Value, number, parse};
+use crate::verify::{self, Campaign};
+
+/// A design file of which the mapping, the law and eps may be missing.
+#[derive(Debug)]
+pub struct Wish<'a> {
+    entries: &'a [Entry],
+    /// The design, with a mapping and poles in place of what is missing.
+    spec: Spec,
+    campaign: Campaign,
+}
+
+/// What is chosen, as it stands in a design file; none of what is given there.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Choice {
+    /// The mapping with its rate.
+    pub mu: Option<String>,
+    /// The poles.
+    pub poles: Option<Vec<String>>,
+    /// The guard that the sample period or the wanted error asks for.
+    pub eps: Option<String>,
+}
+
+impl Choice {
+    fn entries(&self) -> Vec<Entry> {
+        let poles = self.poles.as_ref().map(|poles| poles.join(","));
+        let given = [("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
+        let entry = |(key, text): (&str, &Option<String>)| {
+            // It stands in no file.
+            let place = Place(usize::MAX);
+            let value = parse(key, text.as_ref()?, &mut |_| place).ok()?;
+            Some(Entry { key: key.to_owned(), place, value })
+        };
+        given.into_iter().filter_map(entry).collect()
+    }
+}
+
+impl std::fmt::Display for Choice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mu = self.mu.as_ref().map(|mu| format!("mu = \"{mu}\""));
+        let poles = self.poles.as_ref().map(|poles| format!("poles = [{}]", poles.join(", ")));
+        let eps = self.eps.as_ref().map(|eps| format!("eps = {eps}"));
+        let all: Vec<_> = [mu, poles, eps].into_iter().flatten().collect();
+        f.write_str(&if all.is_empty() { "nothing".to_owned() } else { all.join(", ") })
+    }
+}
+
+fn gives(entries: &[Entry], keys: &[&str]) -> bool {
+    entries.iter().any(|entry| keys.contains(&entry.key.as_str()))
+}
+
+impl<'a> Wish<'a> {
+    /// Reads a wish.
+    ///
+    /// # Errors
+    /// Every mistake in the entries.
+    pub fn read(entries: &'a [Entry]) -> Result<Self, Vec<Diagnostic>> {
+        let order = entries.iter().find(|entry| entry.key == "n");
+        let order = order.and_then(|entry| match &entry.value.value {
+            Value::Number(value) => value.number()?.to_usize(),
+            _ => None,
+        });
+        let order = order.unwrap_or(1).clamp(1, spec::MAX_ORDER);
+        let law = !gives(entries, &["gains", "poles", "pi0"]);
+        let stand_in = Choice {
+            mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
+            poles: law.then(|| (0..order).map(|i| format!("-{}", order + 1 + i)).collect()),
+            eps: None,
+        };
+        let (spec, campaign) = read(entries, &stand_in)?;
+        Ok(Self { entries, spec, campaign })
+    }
+
+    /// What is to be verified, with a mapping and poles in place of what is missing.
+    pub fn campaign(&self) -> &Campaign {
+        &self.campaign
+    }
+
+    /// Order n.
+    pub fn order(&self) -> usize {
+        self.spec.n
+    }
+
+    /// Whether the mapping is to be chosen.
+    pub fn leaves_mapping(&self) -> bool {
+        !gives(self.entries, &["mu", "kappa"])
+    }
+
+    /// Whether the poles are to be chosen.
+    pub fn leaves_law(&self) -> bool {
+        !gives(self.entries, &["gains", "poles", "pi0"])
+    }
+
+    /// The distance of the slowest pole of the given law from 0; 1 where that is not known.
+    pub(super) fn slowest_pole(&self) -> f64 {
+        let gain = |i| self.spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
+        let gains: Option<Vec<_>> = (1..=self.spec.n).map(gain).collect();
+        let gains = gains.filter(|_| self.spec.feedback == Feedback::Linear);
+        let poles = gains.map(|gains| poles::numeric(&gains)).unwrap_or_default();
+        let slowest = poles.iter().map(|pole| -pole.re).fold(f64::INFINITY, f64::min);
+        if slowest > 0.0 && slowest.is_finite() { slowest } else { 1.0 }
+    }
+
+    /// The rate of the given mapping, and the decay rate of its mu' at a rate of 1.
+    pub(super) fn rate(&self) -> (f64, f64) {
+        let decay = decay_rate(&self.spec).0.and_then(|rate| rate.to_f64()).unwrap_or(0.0);
+        let rate = self.spec.fixed.get(&Parameter::A).and_then(Fixed::number);
+        match rate.and_then(ToPrimitive::to_f64) {
+            Some(rate) if self.spec.family().is_some() => (rate, decay / rate),
+            _ if decay > 0.0 => (decay, 1.0),
+            _ => (1.0, 0.0),
+        }
+    }
+
+    /// A candidate at a speed, with the guard that goes with it.
+    pub(super) fn choice(&self, candidate: &Candidate, speed: f64) -> Choice {
+        let mut choice = candidate.at(self.spec.n, speed);
+        let promises = &self.spec.promises;
+        let asked = promises.sample_time.is_some() || promises.error.is_some();
+        if asked && !self.spec.fixed.contains_key(&Parameter::Eps) {
+            let set = self.examined(&choice).map(|report| report.spec.fixed);
+            let eps = set.as_ref().and_then(|fixed| fixed.get(&Parameter::Eps)?.number()?.to_f64());
+            choice.eps = eps.map(digits);
+        }
+        choice
+    }
+
+    /// The speeds of a candidate at which no check refuses it. The faster the poles, the shorter is
+    /// the sample period that they need and the greater are the gains.
+    pub(super) fn admitted(&self, candidate: &Candidate) -> (f64, f64) {
+        let accepts = |speed: f64| {
+            let report = self.examined(&self.choice(candidate, speed));
+            report.is_some_and(|report| report.refusals().next().is_none())
+        };
+        let (slowest, fastest) = candidate.range;
+        if accepts(fastest) {
+            return candidate.range;
+        }
+        let Some(mut good) = [candidate.first, slowest].into_iter().find(|s| accepts(*s)) else {
+            return (candidate.first, candidate.first);
+        };
+        let mut bad = fastest;
+        while bad > 1.02 * good {
+            let middle = (good * bad).sqrt();
+            *(if accepts(middle) { &mut good } else { &mut bad }) = middle;
+        }
+        (slowest, good)
+    }
+
+    /// The checks of the design with a choice, for the least tau that it is used with.
+    fn examined(&self, choice: &Choice) -> Option<crate::check::examine::Report> {
+        let (mut spec, _) = read_spec(self.entries, choice).ok()?;
+        if let Some(tau) = number(&format!("{:e}", self.campaign.tau.0)) {
+            spec.fixed.entry(Parameter::Tau).or_insert(tau);
+        }
+        Some(examine(&spec))
+    }
+
+    /// The campaign of a choice, and why it is none, if it is not.
+    pub(super) fn with(&self, choice: &Choice) -> (Campaign, Option<Refused>) {
+        match read(self.entries, choice) {
+            Ok((_, campaign)) => {
+                let report = self.examined(choice);
+                let refusal = report.and_then(|report| report.refusals().next().cloned());
+                (campaign, refusal.map(Refused::Check))
+            }
+            Err(found) => {
+                let why = found.first().map(|wrong| wrong.message.clone()).unwrap_or_default();
+                (self.campaign.clone(), Some(Refused::Guard(why)))
+            }
+        }
+    }
+}
+
+fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), Vec<Diagnostic>> {
+    let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).collect();
+    spec::read(&all).map(|spec| (spec, all))
+}
+
+fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {
+    let (spec, all) = read_spec(entries, choice)?;
+    let plant = plant::read(&all, &spec)?.ok_or_else(|| {
+        vec![Diagnostic {
+            code: "missing-key",
+            key: plant::TABLE.to_owned(),
+            place: None,
+            message: "the design has no plant".to_owned(),
+            help:
+                "write `[plant]`, and under it `f = \"...\"`, or `f = 0` for a chain of integrators"
+                    .to_owned(),
+        }]
+    })?;
+    let campaign = verify::read(&all, &spec, &plant)?;
+    Ok((spec, campaign))
+}
