@@ -1,0 +1,111 @@
+//! The closed loop over a cell of T/tau, for a plant of tau = 1.
+//!
+//! x_{i+1} is the i-th derivative of x_1 = xi_1(kappa), and so is g u for i = n: with xi_{j+1} =
+//! A xi_j from the first one on, all are sum_j B_{i,j}(kappa', kappa'', ...) xi_{j+1}. The derivative
+//! after them bounds how far each moves within the cell.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use super::clock::Clock;
+use super::flow::{Flow, Rows, dot};
+use crate::algebra::{BigRational, integer};
+use crate::expression::interval::Interval;
+
+/// What is known of the loop over a cell.
+pub(super) struct Cell {
+    /// Least and greatest T/tau.
+    pub(super) share: [BigRational; 2],
+    /// x_1..x_n and g u over the cell, each by its slope along x_1..x_n at t0.
+    pub(super) rows: Rows,
+}
+
+/// The loop in units of tau.
+pub(super) struct Loop {
+    flow: Flow,
+    clock: Clock,
+    /// xi at t0, by its slope along x at t0.
+    start: Rows,
+    cells: BTreeMap<[BigRational; 2], Option<Rc<Cell>>>,
+    left: usize,
+}
+
+impl Loop {
+    /// The loop of a flow and a mapping, of which at most so many cells may be looked at.
+    pub(super) fn new(flow: Flow, mut clock: Clock, n: usize, cells: usize) -> Option<Self> {
+        let table = clock.bell(&Interval::integer(1), &Interval::integer(0))?;
+        let mut start = Rows::new();
+        for i in 0..n {
+            let entry = |c: usize| {
+                let unit = Interval::integer(i64::from(i == c));
+                let known = dot(&table[i][..i], start.iter().map(|row: &Vec<_>| &row[c]));
+                unit.plus(&known.neg()).over(&table[i][i])
+            };
+            let row = (0..n).map(entry).collect();
+            start.push(row);
+        }
+        Some(Self { flow, clock, start, cells: BTreeMap::new(), left: cells })
+    }
+
+    /// What is known over a cell; none where nothing is, or no more cells may be looked at.
+    pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Rc<Cell>> {
+        if let Some(known) = self.cells.get(share) {
+            return known.clone();
+        }
+        self.left = self.left.checked_sub(1)?;
+        let cell = self.enclosed(share).map(Rc::new);
+        self.cells.insert(share.clone(), cell.clone());
+        cell
+    }
+
+    fn enclosed(&mut self, share: &[BigRational; 2]) -> Option<Cell> {
+        let [low, high] = share;
+        let middle = (low + high) / integer(2);
+        let wide = Interval::between(low, Some(high));
+        let [first, last] = [self.clock.stretched(high)?, self.clock.stretched(low)?];
+        let here = self.clock.stretched(&middle)?;
+        let during = first.hull(&last);
+        let at_middle = self.flow.at(&here, &self.start)?;
+        let around = during.plus(&here.neg());
+        let of_cell = match self.flow.on(&at_middle, &around) {
+            Some(rows) => rows,
+            None => {
+                let at_start = self.flow.at(&first, &self.start)?;
+                self.flow.ever(&at_start)?
+            }
+        };
+        let centre = self.derivatives(&Interval::exact(&middle), &here, at_middle)?;
+        let mut rows = self.derivatives(&wide, &during, of_cell)?;
+        let moved = Interval::exact(&middle).plus(&wide.neg());
+        for i in (0..rows.len() - 1).rev() {
+            for c in 0..rows[i].len() {
+                let by_slope = centre[i][c].plus(&moved.times(&rows[i + 1][c]));
+                rows[i][c] = rows[i][c].common(&by_slope);
+            }
+        }
+        rows.pop();
+        Some(Cell { share: share.clone(), rows })
+    }
+
+    /// x_1 and its first n + 1 derivatives by time.
+    fn derivatives(
+        &mut self,
+        share: &Interval,
+        stretched: &Interval,
+        mut xi: Rows,
+    ) -> Option<Rows> {
+        let table = self.clock.bell(share, stretched)?;
+        let n = xi.len();
+        for i in 0..2 {
+            let next = self.flow.last(&xi[i..n + i]);
+            xi.push(next);
+        }
+        let inverse = Interval::integer(1).over(share);
+        let row = |(i, row): (i32, &Vec<Interval>)| {
+            let power = inverse.whole_power(i);
+            let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])).times(&power);
+            (0..xi[0].len()).map(entry).collect()
+        };
+        Some((0..).zip(&table).map(row).collect())
+    }
+}

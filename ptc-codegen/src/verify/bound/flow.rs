@@ -1,0 +1,199 @@
+//! The infinite-time system xi' = A xi, enclosed at all of its times.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, ToPrimitive};
+
+use super::ball::Ball;
+use crate::algebra::{BigRational, integer};
+use crate::expression::interval::Interval;
+
+/// Rows of a matrix.
+pub(super) type Rows = Vec<Vec<Interval>>;
+
+/// |A| times the distance of two nodes is at most this.
+const STEP: f64 = 0.25;
+
+/// Nodes at each of which, and then at every so manieth of which, the largest e^(At) is looked for.
+const FINE: u64 = 256;
+const COARSE: u64 = 512;
+
+/// The companion matrix A of gains, in units of time in which they are about 1, and e^(At) at the
+/// nodes 2^-grid k.
+pub(super) struct Flow {
+    /// Units of time in one second of stretched time.
+    pub(super) rate: BigRational,
+    gains: Vec<Interval>,
+    norm: Interval,
+    grid: u32,
+    doubled: Vec<Ball>,
+    nodes: BTreeMap<u64, Ball>,
+    largest: Option<Interval>,
+}
+
+/// sum_j a_j b_j.
+pub(super) fn dot<'a>(
+    a: impl IntoIterator<Item = &'a Interval>,
+    b: impl IntoIterator<Item = &'a Interval>,
+) -> Interval {
+    let terms = a.into_iter().zip(b).map(|(a, b)| a.times(b));
+    terms.reduce(|sum, term| sum.plus(&term)).unwrap_or(Interval::integer(0))
+}
+
+impl Flow {
+    /// Of the gains k_1..k_n; none where they are no numbers of a usual size.
+    pub(super) fn new(gains: &[BigRational]) -> Option<Self> {
+        let n = gains.len();
+        let rate = unit_rate(gains)?;
+        let scaled = |j: usize| {
+            let power = i32::try_from(n - j).unwrap_or(i32::MAX);
+            &gains[j] / num_traits::Pow::pow(&rate, power)
+        };
+        let a = Ball::of(n, |i, j| match () {
+            () if i + 1 == n => -scaled(j),
+            () => integer(i64::from(j == i + 1)),
+        });
+        let norm = a.norm();
+        let grid = (norm.about()[1] / STEP).log2().ceil().max(0.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let grid = (grid < 64.0).then_some(grid as u32)?;
+        let doubled = vec![a.exponential(grid)];
+        let gains = (0..n).map(|j| Interval::exact(&scaled(j))).collect();
+        let (nodes, largest) = (BTreeMap::new(), None);
+        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, largest };
+        flow.largest = flow.largest();
+        Some(flow)
+    }
+
+    /// e^(A t) at t = 2^-grid k, k > 0.
+    fn node(&mut self, k: u64) -> Ball {
+        if let Some(node) = self.nodes.get(&k) {
+            return node.clone();
+        }
+        let lowest = k.trailing_zeros() as usize;
+        while self.doubled.len() <= lowest {
+            let last = &self.doubled[self.doubled.len() - 1];
+            self.doubled.push(last.times(last));
+        }
+        let rest = k & (k - 1);
+        let node = match rest {
+            0 => self.doubled[lowest].clone(),
+            rest => self.node(rest).times(&self.doubled[lowest]),
+        };
+        self.nodes.insert(k, node.clone());
+        node
+    }
+
+    /// A bound of |e^(At)| in the maximum norm over all t >= 0; none where it falls too slowly.
+    fn largest(&mut self) -> Option<Interval> {
+        let (half, mut most) =
+            (Interval::integer(1).over(&Interval::integer(2)), Interval::integer(1));
+        let falls = |norm: &Interval| norm.plus(&half.neg()).is_negative();
+        // Between two nodes it grows by e^STEP at most.
+        let between = Interval::integer(4).over(&Interval::integer(3));
+        for k in 1..=FINE {
+            let norm = self.node(k).norm();
+            if falls(&norm) {
+                return Some(most.times(&between));
+            }
+            most = most.most(&norm);
+        }
+        let (within, mut after) = (most.times(&between), Interval::integer(1));
+        for k in 1..=COARSE {
+            let norm = self.node(k * FINE).norm();
+            if falls(&norm) {
+                return Some(within.times(&after));
+            }
+            after = after.most(&norm);
+        }
+        None
+    }
+
+    /// e^(A t) `start` at a time that is known closely.
+    pub(super) fn at(&mut self, t: &Interval, start: &Rows) -> Option<Rows> {
+        let scale = 2f64.powi(i32::try_from(self.grid).ok()?);
+        let place = (t.about()[0] * scale).floor().max(0.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let k = (place < 1e15).then_some(place as u64)?;
+        let n = self.gains.len();
+        let node = match k {
+            0 => start.clone(),
+            k => {
+                let node = self.node(k);
+                let columns = start.first()?.len();
+                let entry = |i: usize, column: usize| {
+                    let own: Vec<_> = (0..n).map(|j| node.entry(i, j)).collect();
+                    dot(&own, start.iter().map(|row| &row[column]))
+                };
+                (0..n).map(|i| (0..columns).map(|c| entry(i, c)).collect()).collect()
+            }
+        };
+        let here = Interval::scaled(&k.into(), -i32::try_from(self.grid).ok()?);
+        self.on(&node, &t.plus(&here.neg()))
+    }
+
+    /// A times rows: those after the first, and -(k_1 xi_1 + ... + k_n xi_n).
+    pub(super) fn last(&self, rows: &[Vec<Interval>]) -> Vec<Interval> {
+        let columns = rows.first().map_or(0, Vec::len);
+        let one = |c: usize| dot(&self.gains, rows.iter().map(|row| &row[c])).neg();
+        (0..columns).map(one).collect()
+    }
+
+    /// e^(A t) `start` for all of a short time, by its Taylor series; none where it is long.
+    pub(super) fn on(&self, start: &Rows, t: &Interval) -> Option<Rows> {
+        let reach = self.norm.times(&t.size());
+        if reach.about()[1] > 2.0 {
+            return None;
+        }
+        let (mut sum, mut term) = (start.clone(), start.clone());
+        let mut left = Interval::integer(1);
+        for k in 1.. {
+            let share = Interval::integer(k);
+            left = left.times(&reach).over(&share);
+            let step = t.over(&share);
+            let last = self.last(&term);
+            term.remove(0);
+            term.push(last);
+            term.iter_mut().flatten().for_each(|entry| *entry = entry.times(&step));
+            for (sum, term) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
+                *sum = sum.plus(term);
+            }
+            // From here on the terms halve at least: what is left is less than this one.
+            if k >= 6 && left.about()[1] < 2f64.powi(-66) {
+                break;
+            }
+        }
+        for column in 0..start[0].len() {
+            let size = start.iter().map(|row| row[column].size());
+            let size = size.reduce(|a, b| a.most(&b))?;
+            let rest = size.times(&left).both_signs();
+            sum.iter_mut().for_each(|row| row[column] = row[column].plus(&rest));
+        }
+        Some(sum)
+    }
+
+    /// e^(A t) `start` for all t >= 0.
+    pub(super) fn ever(&self, start: &Rows) -> Option<Rows> {
+        let largest = self.largest.as_ref()?;
+        let bound = |column: usize| {
+            let size = start.iter().map(|row| row[column].size()).reduce(|a, b| a.most(&b));
+            size.map(|size| size.times(largest).both_signs())
+        };
+        let row = (0..start.first()?.len()).map(bound).collect::<Option<Vec<_>>>()?;
+        Some(vec![row; start.len()])
+    }
+}
+
+/// A power of two, by which the time of the gains is scaled so that |A| is least.
+fn unit_rate(gains: &[BigRational]) -> Option<BigRational> {
+    let n = i32::try_from(gains.len()).ok()?;
+    let gains: Vec<f64> = gains.iter().map(ToPrimitive::to_f64).collect::<Option<_>>()?;
+    let norm = |exponent: i32| {
+        let rate = 2f64.powi(exponent);
+        let row = gains.iter().zip(0..n).map(|(k, j)| k.abs() / rate.powi(n - j));
+        rate * row.sum::<f64>().max(1.0)
+    };
+    let least = (-60..=60).min_by(|a, b| norm(*a).total_cmp(&norm(*b)))?;
+    let size = num_traits::pow(integer(2), usize::try_from(least.abs()).ok()?);
+    norm(least).is_finite().then(|| if least < 0 { BigRational::one() / size } else { size })
+}
