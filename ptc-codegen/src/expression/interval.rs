@@ -164,18 +164,12 @@ impl Interval {
         below(&other.low, &self.low) && below(&self.high, &other.high)
     }
 
-    /// The numbers that both hold, of which there is one at least.
-    pub(crate) fn common(&self, other: &Self) -> Self {
-        Self { low: self.low.max(&other.low), high: self.high.min(&other.high) }
+    /// From one double to another, either of which may be infinite.
+    pub(crate) fn of_doubles(low: f64, high: f64) -> Self {
+        Self::new(BigFloat::from_f64(low, BITS), BigFloat::from_f64(high, BITS))
     }
 
-    /// From -size to size, for the greatest size in it.
-    pub(crate) fn both_signs(&self) -> Self {
-        let high = self.size().high;
-        Self { low: high.neg(), high }
-    }
-
-    /// Its ends to about 15 digits, for what no proof rests on.
+    /// Its ends, each rounded to a neighbouring double.
     pub(crate) fn about(&self) -> [f64; 2] {
         [&self.low, &self.high].map(|end| match (end.mantissa_digits(), end.exponent()) {
             _ if end.is_inf() => {
@@ -263,8 +257,7 @@ impl Interval {
         Self::new(self.low.max(&other.low), self.high.max(&other.high))
     }
 
-    /// |a|.
-    pub(crate) fn size(&self) -> Self {
+    fn size(&self) -> Self {
         match () {
             () if self.is_not_negative() => self.clone(),
             () if self.is_negative() => self.neg(),

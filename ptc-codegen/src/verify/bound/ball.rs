@@ -2,6 +2,7 @@
 
 use num_traits::{Signed, Zero};
 
+use super::range::Range;
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::interval::Interval;
 
@@ -82,18 +83,18 @@ impl Ball {
     }
 
     /// A bound of the maximum norm, the largest sum of a row.
-    pub(super) fn norm(&self) -> Interval {
+    pub(super) fn norm(&self) -> Range {
         let row = |row: &[BigInt]| row.iter().map(BigInt::abs).sum::<BigInt>();
         let most = self.entries.chunks(self.n).map(row).max().unwrap_or_default();
         scaled(&(most + &self.radius * BigInt::from(self.n))).size()
     }
 
-    pub(super) fn entry(&self, i: usize, j: usize) -> Interval {
+    pub(super) fn entry(&self, i: usize, j: usize) -> Range {
         let entry = &self.entries[i * self.n + j];
-        scaled(&(entry - &self.radius)).hull(&scaled(&(entry + &self.radius)))
+        scaled(&(entry - &self.radius)).hull(scaled(&(entry + &self.radius)))
     }
 }
 
-fn scaled(value: &BigInt) -> Interval {
-    Interval::scaled(value, -DIGITS)
+fn scaled(value: &BigInt) -> Range {
+    Range::from(&Interval::scaled(value, -DIGITS))
 }

@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use super::clock::Clock;
 use super::flow::{Flow, Rows, dot};
+use super::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 
@@ -37,9 +38,9 @@ impl Loop {
         let mut start = Rows::new();
         for i in 0..n {
             let entry = |c: usize| {
-                let unit = Interval::integer(i64::from(i == c));
+                let unit = Range::from(f64::from(u8::from(i == c)));
                 let known = dot(&table[i][..i], start.iter().map(|row: &Vec<_>| &row[c]));
-                unit.plus(&known.neg()).over(&table[i][i])
+                (unit - known) / table[i][i]
             };
             let row = (0..n).map(entry).collect();
             start.push(row);
@@ -66,8 +67,8 @@ impl Loop {
         let here = self.clock.stretched(&middle)?;
         let during = first.hull(&last);
         let at_middle = self.flow.at(&here, &self.start)?;
-        let around = during.plus(&here.neg());
-        let of_cell = match self.flow.on(&at_middle, &around) {
+        let around = Range::from(&during.plus(&here.neg()));
+        let of_cell = match self.flow.on(&at_middle, around) {
             Some(rows) => rows,
             None => {
                 let at_start = self.flow.at(&first, &self.start)?;
@@ -76,11 +77,11 @@ impl Loop {
         };
         let centre = self.derivatives(&Interval::exact(&middle), &here, at_middle)?;
         let mut rows = self.derivatives(&wide, &during, of_cell)?;
-        let moved = Interval::exact(&middle).plus(&wide.neg());
+        let moved = Range::from(&Interval::exact(&middle).plus(&wide.neg()));
         for i in (0..rows.len() - 1).rev() {
             for c in 0..rows[i].len() {
-                let by_slope = centre[i][c].plus(&moved.times(&rows[i + 1][c]));
-                rows[i][c] = rows[i][c].common(&by_slope);
+                let by_slope = centre[i][c] + moved * rows[i + 1][c];
+                rows[i][c] = rows[i][c].common(by_slope);
             }
         }
         rows.pop();
@@ -100,10 +101,10 @@ impl Loop {
             let next = self.flow.last(&xi[i..n + i]);
             xi.push(next);
         }
-        let inverse = Interval::integer(1).over(share);
-        let row = |(i, row): (i32, &Vec<Interval>)| {
-            let power = inverse.whole_power(i);
-            let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])).times(&power);
+        let inverse = Range::from(1.0) / Range::from(share);
+        let row = |(i, row): (i32, &Vec<Range>)| {
+            let power = inverse.power(i);
+            let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])) * power;
             (0..xi[0].len()).map(entry).collect()
         };
         Some((0..).zip(&table).map(row).collect())

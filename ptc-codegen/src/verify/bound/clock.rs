@@ -1,10 +1,11 @@
 //! Stretched time over a cell of the time-to-go, and the derivatives of kappa there.
 
 use std::collections::BTreeMap;
-
-use astro_float_num::Consts;
+use std::ops::Add;
 
 use super::Campaign;
+use super::flow::Rows;
+use super::range::Range;
 use super::series::{Arithmetic, Series, product};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::membership::enclosure::{Evaluator, Names};
@@ -19,12 +20,14 @@ use crate::spec::{Fixed, Parameter, TimeMapping};
 pub(super) struct Clock {
     form: Form,
     names: Names,
-    cache: Consts,
+    evaluator: Evaluator,
     /// Derivatives that are asked for.
     order: usize,
     /// Units of stretched time in one second of it.
     rate: Interval,
-    factorials: Vec<BigInt>,
+    factorials: Vec<Range>,
+    /// Stretched time at the T/tau that were asked for.
+    known: BTreeMap<BigRational, Interval>,
 }
 
 /// The values of what is fixed in a design.
@@ -67,9 +70,12 @@ impl Clock {
             Form::Kappa(kappa) => Form::Kappa(Kappa::new(&in_units(&kappa.form, false)?)),
             Form::Complement(form) => Form::Complement(in_units(&form, true)?),
         };
-        let (names, cache) = (Names::new(), Consts::new().ok()?);
+        let known = BTreeMap::from([(integer(1), Interval::integer(0))]);
+        let (names, evaluator) = (Names::new(), Evaluator::new());
         let rate = Interval::exact(rate);
-        Some(Self { form, names, cache, order, rate, factorials: factorials(order) })
+        let exact = |value: &BigInt| Range::from(&Interval::scaled(value, 0));
+        let factorials = factorials(order).iter().map(exact).collect();
+        Some(Self { form, names, evaluator, order, rate, factorials, known })
     }
 
     fn value(
@@ -79,21 +85,22 @@ impl Clock {
         at: &Interval,
     ) -> Option<Interval> {
         self.names.insert(name.into(), at.clone());
-        let value = Evaluator::new().value(expression, &self.names)?;
-        (!value.is_undefined && !value.may_divide_by_zero).then_some(value.interval)
+        self.evaluator.sound(expression, &self.names)
     }
 
     /// Stretched time in its units at one T/tau.
     pub(super) fn stretched(&mut self, share: &BigRational) -> Option<Interval> {
-        if *share == integer(1) {
-            return Some(Interval::integer(0));
+        if let Some(known) = self.known.get(share) {
+            return Some(known.clone());
         }
         let at = Interval::exact(share);
         let seconds = match self.form.clone() {
             Form::Kappa(kappa) => self.value(&kappa.form, Variable::TimeToGo, &at)?,
             Form::Complement(form) => self.root(&form, &at)?,
         };
-        Some(seconds.times(&self.rate))
+        let stretched = seconds.times(&self.rate);
+        self.known.insert(share.clone(), stretched.clone());
+        Some(stretched)
     }
 
     /// The stretched time at which tau - mu, which falls, is `target`.
@@ -141,9 +148,9 @@ impl Clock {
             Form::Kappa(kappa) => {
                 let series = Series { scale: share.clone(), terms: unit(1, -1) };
                 let left = Series { scale: Interval::integer(1), terms: unit(1, -1) };
-                let (names, cache) = (&self.names, &mut self.cache);
+                let (names, evaluator) = (&self.names, &mut self.evaluator);
                 let variable = Variable::TimeToGo;
-                let rate = Arithmetic { variable, series, names, cache }.series(&kappa.rate)?;
+                let rate = Arithmetic { variable, series, names, evaluator }.series(&kappa.rate)?;
                 // w kappa' = 1/((1 - z) rate), with T (1 - z) in place of T.
                 let slope = rate.times(&left).reciprocal().plain();
                 let term = |(k, slope): (i64, &Interval)| slope.over(&Interval::integer(k));
@@ -153,9 +160,9 @@ impl Clock {
                 let mut around = unit(0, 1);
                 around[0] = stretched.over(&self.rate);
                 let series = Series { scale: Interval::integer(1), terms: around };
-                let (names, cache) = (&self.names, &mut self.cache);
+                let (names, evaluator) = (&self.names, &mut self.evaluator);
                 let variable = Variable::SinceStart;
-                let falls = Arithmetic { variable, series, names, cache }.series(&form)?;
+                let falls = Arithmetic { variable, series, names, evaluator }.series(&form)?;
                 reversed(&falls.neg().plain(), share)
             }
         };
@@ -164,26 +171,26 @@ impl Clock {
 
     /// B_{i,j}(kappa', kappa'', ...) w^i for 0 <= j <= i <= order, which BB\[mu\] is made of; none
     /// where kappa is not seen to grow.
-    pub(super) fn bell(
-        &mut self,
-        share: &Interval,
-        stretched: &Interval,
-    ) -> Option<Vec<Vec<Interval>>> {
+    pub(super) fn bell(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
         let derivatives = self.derivatives(share, stretched)?;
-        if !derivatives[0].is_positive() || !derivatives.iter().all(Interval::is_bounded) {
+        let mut series = vec![Range::from(0.0)];
+        series.extend(derivatives.iter().map(Range::from));
+        if !series[1].is_positive() || !series.iter().all(|entry| entry.is_bounded()) {
             return None;
         }
-        let mut series = vec![Interval::integer(0)];
-        series.extend(derivatives);
-        let mut power = vec![Interval::integer(0); series.len()];
-        power[0] = Interval::integer(1);
-        let mut table = vec![Vec::new(); series.len()];
-        for j in 0..series.len() {
+        let length = series.len();
+        let mut power = vec![Range::from(0.0); length];
+        power[0] = Range::from(1.0);
+        let mut table = vec![Vec::new(); length];
+        for j in 0..length {
             for (i, row) in table.iter_mut().enumerate().skip(j) {
-                let ratio = &self.factorials[i] / &self.factorials[j];
-                row.push(power[i].times(&Interval::exact(&ratio.into())));
+                row.push(power[i] * self.factorials[i] / self.factorials[j]);
             }
-            power = product(&power, &series);
+            let term = |k: usize| {
+                let terms = (j..k).map(|i| power[i] * series[k - i]);
+                terms.reduce(Range::add).unwrap_or(Range::from(0.0))
+            };
+            power = (0..length).map(term).collect();
         }
         Some(table)
     }

@@ -1,15 +1,17 @@
 //! The infinite-time system xi' = A xi, enclosed at all of its times.
 
 use std::collections::BTreeMap;
+use std::ops::Add;
 
 use num_traits::{One, ToPrimitive};
 
 use super::ball::Ball;
+use super::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 
 /// Rows of a matrix.
-pub(super) type Rows = Vec<Vec<Interval>>;
+pub(super) type Rows = Vec<Vec<Range>>;
 
 /// |A| times the distance of two nodes is at most this.
 const STEP: f64 = 0.25;
@@ -23,21 +25,21 @@ const COARSE: u64 = 512;
 pub(super) struct Flow {
     /// Units of time in one second of stretched time.
     pub(super) rate: BigRational,
-    gains: Vec<Interval>,
-    norm: Interval,
+    gains: Vec<Range>,
+    norm: Range,
     grid: u32,
     doubled: Vec<Ball>,
     nodes: BTreeMap<u64, Ball>,
-    largest: Option<Interval>,
+    largest: Option<Range>,
 }
 
 /// sum_j a_j b_j.
 pub(super) fn dot<'a>(
-    a: impl IntoIterator<Item = &'a Interval>,
-    b: impl IntoIterator<Item = &'a Interval>,
-) -> Interval {
-    let terms = a.into_iter().zip(b).map(|(a, b)| a.times(b));
-    terms.reduce(|sum, term| sum.plus(&term)).unwrap_or(Interval::integer(0))
+    a: impl IntoIterator<Item = &'a Range>,
+    b: impl IntoIterator<Item = &'a Range>,
+) -> Range {
+    let terms = a.into_iter().zip(b).map(|(a, b)| *a * *b);
+    terms.reduce(Range::add).unwrap_or(Range::from(0.0))
 }
 
 impl Flow {
@@ -54,11 +56,11 @@ impl Flow {
             () => integer(i64::from(j == i + 1)),
         });
         let norm = a.norm();
-        let grid = (norm.about()[1] / STEP).log2().ceil().max(0.0);
+        let grid = (norm.high() / STEP).log2().ceil().max(0.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let grid = (grid < 64.0).then_some(grid as u32)?;
         let doubled = vec![a.exponential(grid)];
-        let gains = (0..n).map(|j| Interval::exact(&scaled(j))).collect();
+        let gains = (0..n).map(|j| Range::from(&Interval::exact(&scaled(j)))).collect();
         let (nodes, largest) = (BTreeMap::new(), None);
         let mut flow = Self { rate, gains, norm, grid, doubled, nodes, largest };
         flow.largest = flow.largest();
@@ -85,26 +87,25 @@ impl Flow {
     }
 
     /// A bound of |e^(At)| in the maximum norm over all t >= 0; none where it falls too slowly.
-    fn largest(&mut self) -> Option<Interval> {
-        let (half, mut most) =
-            (Interval::integer(1).over(&Interval::integer(2)), Interval::integer(1));
-        let falls = |norm: &Interval| norm.plus(&half.neg()).is_negative();
+    fn largest(&mut self) -> Option<Range> {
+        let mut most = Range::from(1.0);
+        let falls = |norm: Range| norm.high() < 0.5;
         // Between two nodes it grows by e^STEP at most.
-        let between = Interval::integer(4).over(&Interval::integer(3));
+        let between = Range::from(4.0 / 3.0);
         for k in 1..=FINE {
             let norm = self.node(k).norm();
-            if falls(&norm) {
-                return Some(most.times(&between));
+            if falls(norm) {
+                return Some(most * between);
             }
-            most = most.most(&norm);
+            most = most.most(norm);
         }
-        let (within, mut after) = (most.times(&between), Interval::integer(1));
+        let (within, mut after) = (most * between, Range::from(1.0));
         for k in 1..=COARSE {
             let norm = self.node(k * FINE).norm();
-            if falls(&norm) {
-                return Some(within.times(&after));
+            if falls(norm) {
+                return Some(within * after);
             }
-            after = after.most(&norm);
+            after = after.most(norm);
         }
         None
     }
@@ -129,55 +130,55 @@ impl Flow {
             }
         };
         let here = Interval::scaled(&k.into(), -i32::try_from(self.grid).ok()?);
-        self.on(&node, &t.plus(&here.neg()))
+        self.on(&node, Range::from(&t.plus(&here.neg())))
     }
 
     /// A times rows: those after the first, and -(k_1 xi_1 + ... + k_n xi_n).
-    pub(super) fn last(&self, rows: &[Vec<Interval>]) -> Vec<Interval> {
+    pub(super) fn last(&self, rows: &[Vec<Range>]) -> Vec<Range> {
         let columns = rows.first().map_or(0, Vec::len);
-        let one = |c: usize| dot(&self.gains, rows.iter().map(|row| &row[c])).neg();
+        let one = |c: usize| -dot(&self.gains, rows.iter().map(|row| &row[c]));
         (0..columns).map(one).collect()
     }
 
     /// e^(A t) `start` for all of a short time, by its Taylor series; none where it is long.
-    pub(super) fn on(&self, start: &Rows, t: &Interval) -> Option<Rows> {
-        let reach = self.norm.times(&t.size());
-        if reach.about()[1] > 2.0 {
+    pub(super) fn on(&self, start: &Rows, t: Range) -> Option<Rows> {
+        let reach = self.norm * t.size();
+        if reach.high() > 2.0 {
             return None;
         }
         let (mut sum, mut term) = (start.clone(), start.clone());
-        let mut left = Interval::integer(1);
+        let mut left = Range::from(1.0);
         for k in 1.. {
-            let share = Interval::integer(k);
-            left = left.times(&reach).over(&share);
-            let step = t.over(&share);
+            let share = Range::from(f64::from(k));
+            left = left * reach / share;
+            let step = t / share;
             let last = self.last(&term);
             term.remove(0);
             term.push(last);
-            term.iter_mut().flatten().for_each(|entry| *entry = entry.times(&step));
+            term.iter_mut().flatten().for_each(|entry| *entry = *entry * step);
             for (sum, term) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
-                *sum = sum.plus(term);
+                *sum = *sum + *term;
             }
             // From here on the terms halve at least: what is left is less than this one.
-            if k >= 6 && left.about()[1] < 2f64.powi(-66) {
+            if k >= 6 && left.high() < 2f64.powi(-60) {
                 break;
             }
         }
         for column in 0..start[0].len() {
             let size = start.iter().map(|row| row[column].size());
-            let size = size.reduce(|a, b| a.most(&b))?;
-            let rest = size.times(&left).both_signs();
-            sum.iter_mut().for_each(|row| row[column] = row[column].plus(&rest));
+            let size = size.reduce(Range::most)?;
+            let rest = (size * left).both_signs();
+            sum.iter_mut().for_each(|row| row[column] = row[column] + rest);
         }
         Some(sum)
     }
 
     /// e^(A t) `start` for all t >= 0.
     pub(super) fn ever(&self, start: &Rows) -> Option<Rows> {
-        let largest = self.largest.as_ref()?;
+        let largest = self.largest?;
         let bound = |column: usize| {
-            let size = start.iter().map(|row| row[column].size()).reduce(|a, b| a.most(&b));
-            size.map(|size| size.times(largest).both_signs())
+            let size = start.iter().map(|row| row[column].size()).reduce(Range::most);
+            size.map(|size| (size * largest).both_signs())
         };
         let row = (0..start.first()?.len()).map(bound).collect::<Option<Vec<_>>>()?;
         Some(vec![row; start.len()])
@@ -193,7 +194,7 @@ fn unit_rate(gains: &[BigRational]) -> Option<BigRational> {
         let row = gains.iter().zip(0..n).map(|(k, j)| k.abs() / rate.powi(n - j));
         rate * row.sum::<f64>().max(1.0)
     };
-    let least = (-60..=60).min_by(|a, b| norm(*a).total_cmp(&norm(*b)))?;
+    let least = (-60..=60).rev().min_by(|a, b| norm(*a).total_cmp(&norm(*b)))?;
     let size = num_traits::pow(integer(2), usize::try_from(least.abs()).ok()?);
     norm(least).is_finite().then(|| if least < 0 { BigRational::one() / size } else { size })
 }

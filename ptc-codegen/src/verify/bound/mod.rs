@@ -10,6 +10,7 @@ mod cell;
 mod clock;
 mod flow;
 mod margin;
+mod range;
 mod series;
 
 use cell::Loop;

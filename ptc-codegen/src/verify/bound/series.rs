@@ -1,7 +1,5 @@
 //! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
 
-use astro_float_num::Consts;
-
 use crate::check::membership::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Function, Variable};
@@ -19,7 +17,7 @@ pub(super) struct Arithmetic<'a> {
     pub(super) variable: Variable,
     pub(super) series: Series,
     pub(super) names: &'a Names,
-    pub(super) cache: &'a mut Consts,
+    pub(super) evaluator: &'a mut Evaluator,
 }
 
 fn integer(value: usize) -> Interval {
@@ -126,9 +124,8 @@ impl Arithmetic<'_> {
     pub(super) fn series(&mut self, e: &Expression) -> Option<Series> {
         use Expression as E;
         if !e.contains(self.variable) {
-            let value = Evaluator::new().value(e, self.names)?;
-            let sound = !value.is_undefined && !value.may_divide_by_zero;
-            return sound.then(|| Series::constant(value.interval, self.series.terms.len()));
+            let value = self.evaluator.sound(e, self.names)?;
+            return Some(Series::constant(value, self.series.terms.len()));
         }
         Some(match e {
             E::Variable(_) | E::Number(_) | E::Pi | E::Parameter(_) => self.series.clone(),
@@ -144,8 +141,8 @@ impl Arithmetic<'_> {
                     Some(k) if k > 0 => a.whole_power(k.unsigned_abs()),
                     Some(k) => a.whole_power(k.unsigned_abs()).reciprocal(),
                     None => {
-                        let exponent = Evaluator::new().value(b, self.names)?;
-                        self.power(&a, &exponent.interval)?
+                        let exponent = self.evaluator.sound(b, self.names)?;
+                        self.power(&a, &exponent)?
                     }
                 }
             }
@@ -179,14 +176,15 @@ impl Arithmetic<'_> {
 
     fn power(&mut self, a: &Series, exponent: &Interval) -> Option<Series> {
         let (leading, terms) = a.leading();
-        let scale = leading.is_positive().then(|| leading.power(exponent, self.cache))?;
+        let scale = leading.is_positive().then(|| self.evaluator.power(&leading, exponent))??;
         Some(Series { scale, terms: power(&terms, exponent) })
     }
 
     fn function(&mut self, function: Function, a: &Series) -> Option<Series> {
         if function == Function::Ln {
             let (leading, terms) = a.leading();
-            let first = leading.is_positive().then(|| leading.call(function, self.cache))?;
+            let first =
+                leading.is_positive().then(|| self.evaluator.call(function, &leading))??;
             let mut own = vec![first];
             (1..terms.len()).for_each(|k| own.push(next_quotient(&terms, &own, &terms, k)));
             return Some(Series::of(own));
@@ -202,7 +200,7 @@ impl Arithmetic<'_> {
             let sign = Series::constant(sign, inner.len());
             return Some(if function == Function::Abs { sign.times(a) } else { sign });
         }
-        let mut own = vec![at.call(function, self.cache)];
+        let mut own = vec![self.evaluator.call(function, at)?];
         let length = 1..inner.len();
         // Term k of 1 + w^2 or 1 - w^2.
         let square = |w: &[Interval], k: usize, minus: bool| {
@@ -220,7 +218,7 @@ impl Arithmetic<'_> {
                     Function::Sinh => (Function::Cosh, 1, 1),
                     _ => (Function::Sinh, 1, 1),
                 };
-                let mut other = vec![at.call(partner, self.cache)];
+                let mut other = vec![self.evaluator.call(partner, at)?];
                 for k in length {
                     let next = next_term(&inner, &other, k).times(&Interval::integer(own_sign));
                     other.push(next_term(&inner, &own, k).times(&Interval::integer(sign)));
