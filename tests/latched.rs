@@ -5,8 +5,8 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, passes};
+use ptc_codegen::program::interpret::{Interpreter, of_call};
+use ptc_codegen::program::passes;
 use ptc_codegen::reference::{Call, evaluate, tolerance};
 use ptc_codegen::spec::{Parameter, Spec};
 use support::random::Random;
@@ -34,15 +34,7 @@ fn worst(spec: &Spec, random: &mut Random) -> f64 {
     let x = vec![0.0; spec.n];
     let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
     let expected = evaluate(spec, &call).and_then(|outcome| outcome.control).expect("a control");
-    let input = |input| match input {
-        Input::Parameter(p) => parameter(p),
-        Input::StartTime => t0,
-        Input::Time => t,
-        Input::State(j) => x[j - 1],
-        Input::StateAtStart(j) => x0[j - 1],
-        Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
-    };
-    let u = Interpreter::new(&program, &input).value(program.step);
+    let u = Interpreter::new(&program, &of_call(&call)).value(program.step);
     expected.error(u) / tolerance::of(spec)
 }
 

@@ -5,8 +5,8 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::{Input, passes};
+use ptc_codegen::program::interpret::{Interpreter, of_call};
+use ptc_codegen::program::passes;
 use ptc_codegen::reference::{Call, evaluate, tolerance};
 use ptc_codegen::spec::{Parameter, Precision, Spec};
 use support::in_pairs;
@@ -62,18 +62,11 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
     let mut worst = (0.0, 1.0);
     for (t, definition) in calls {
         let t = settle(*t);
-        let input = |input| match input {
-            Input::Parameter(p) => parameter(p),
-            Input::StartTime => t0,
-            Input::Time => t,
-            Input::State(j) | Input::StateAtStart(j) => x[j - 1],
-            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
-        };
         let call = Call { parameter: &parameter, x0: x, t, x, law: None, after: 0.0 };
         let found = evaluate(definition, &call);
         let found = found.unwrap_or_else(|| panic!("no digits at {t}: {}", definition.command()));
         let control = found.control.expect("a law");
-        let u = Interpreter::new(&program, &input).value(program.step);
+        let u = Interpreter::new(&program, &of_call(&call)).value(program.step);
         let error = control.error(u) / tolerance::of(spec);
         if error > worst.0 || !u.is_finite() {
             worst = (if u.is_finite() { error } else { f64::NAN }, (tau - (t - t0)) / tau);

@@ -1,55 +1,28 @@
 //! The command line as a user meets it: exit codes, the two output streams, files.
 #![cfg(feature = "cli")]
 
+mod support;
+
 use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::Stdio;
 
 use serde_json::{Value, json};
+use support::{command, folder};
 
-fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    command.args(arguments).stdin(Stdio::null());
-    command
-}
-
-fn run(arguments: &[&str]) -> Output {
-    command(arguments).output().expect("the binary runs")
-}
-
-/// The standard output of a run that succeeds and has nothing to complain of.
 fn stdout(arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let stderr = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {stderr}");
-    assert_eq!(stderr, "", "{arguments:?}");
-    String::from_utf8(output.stdout).expect("UTF-8")
+    support::stdout(&mut command(arguments))
 }
 
-/// The standard error of a run that fails with `code` and prints nothing else.
 fn stderr(arguments: &[&str], code: i32) -> String {
-    let output = run(arguments);
-    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {stderr}");
-    assert_eq!(String::from_utf8_lossy(&output.stdout), "", "{arguments:?}");
-    assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
-    assert!(!stderr.contains('\u{1b}'), "colour off a terminal: {stderr}");
-    stderr
+    support::stderr(&mut command(arguments), code)
 }
 
 fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&stdout(arguments)).expect("JSON")
 }
 
-/// An empty folder of a test's own.
-fn folder(test: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    path
-}
-
-fn names(folder: &PathBuf) -> Vec<String> {
+fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
     let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
     let mut names: Vec<_> = entries.map(|entry| name(entry.expect("an entry"))).collect();
@@ -190,14 +163,15 @@ fn odd_input_is_refused_without_a_panic() {
             let mut arguments = vec!["emit", "--lang=c", "-o", "-", &flag];
             arguments.extend((key != "n").then_some("--n=2"));
             arguments.extend((key != "mu").then_some("--mu=exp"));
-            let output = run(&arguments);
+            let output = command(&arguments).output().expect("the binary runs");
             let told = String::from_utf8_lossy(&output.stderr);
             assert!(matches!(output.status.code(), Some(0 | 2)), "{key} {text:.40?}: {told:.400}");
             assert!(!told.contains("panicked"), "{key} {text:.40?}: {told:.400}");
             assert!(!told.contains('\u{1b}'), "{key}: a control character reaches the terminal");
             assert!(told.len() < 4000, "{key}: {} bytes of {told:.400}", told.len());
         }
-        let output = run(&["show", "r", &format!("--n={text}")]);
+        let output =
+            command(&["show", "r", &format!("--n={text}")]).output().expect("the binary runs");
         assert_eq!(output.status.code(), Some(2), "{text:.40?}");
     }
 }

@@ -1,30 +1,21 @@
 //! `emit --cost`: what was measured stands in the head, and what is no table is told.
 #![cfg(feature = "cli")]
 
-use std::fs;
-use std::path::PathBuf;
-use std::process::Command;
+mod support;
+
+use std::path::{Path, PathBuf};
 
 const HEAD: &str = "target\tinstructions\tstack\tcode\tcommand";
 
 /// A file of the test's own with `text`.
 fn file(name: &str, text: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    fs::write(&path, text).expect("a file");
-    path
+    support::folder_with(&format!("cost_{name}"), name, text).join(name)
 }
 
 /// Exit code, standard output and standard error of `emit` with a table and `flags`.
-fn emit(table: &PathBuf, flags: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"))
-        .args(["emit", "--n", "3", "--mu", "exp", "-o", "-", "--cost"])
-        .arg(table)
-        .args(flags)
-        .output()
-        .expect("the program runs");
-    let [out, told] =
-        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8"));
-    (output.status.code(), out, told)
+fn emit(table: &Path, flags: &[&str]) -> (Option<i32>, String, String) {
+    let mut command = support::command(&["emit", "--n", "3", "--mu", "exp", "-o", "-", "--cost"]);
+    support::told(command.arg(table).args(flags))
 }
 
 #[test]
@@ -52,7 +43,7 @@ fn what_is_no_table_is_told_with_its_line() {
     let (code, out, told) = emit(&table, &["--lang", "c"]);
     assert_eq!((code, out.as_str()), (Some(2), ""));
     assert!(told.contains("line 2: instructions `many` is not a whole number"), "{told}");
-    let (code, _, told) = emit(&PathBuf::from("no/such/table.tsv"), &["--lang", "c"]);
+    let (code, _, told) = emit(Path::new("no/such/table.tsv"), &["--lang", "c"]);
     assert_eq!(code, Some(2), "{told}");
     let (code, _, told) = emit(&table, &["--lang", "rust"]);
     assert_eq!(code, Some(2));

@@ -1,13 +1,15 @@
 //! The engine against the definition: the program of each kind of controller, interpreted, gives
 //! the u of `ptc_codegen::reference`, which shares nothing with the way from a spec to a program.
 
-use ptc_codegen::diagnostic::Place;
+mod support;
+
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::interpret::{Interpreter, of_call};
 use ptc_codegen::program::{Input, number, passes};
 use ptc_codegen::reference::{Call, evaluate, tolerance};
-use ptc_codegen::spec::{Entry, Fixed, Parameter, Spec, parse, read};
+use ptc_codegen::spec::{Fixed, Parameter, Spec};
+use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.
 const MAPPINGS: [(&str, &str, &[usize]); 17] = [
@@ -30,14 +32,9 @@ const MAPPINGS: [(&str, &str, &[usize]); 17] = [
     ("kappa", "tan(pi*dt/(2*tau))/a", &[3]),
 ];
 
+/// The spec of keys and values as they are written on the command line.
 fn spec(keys: &[(&str, &str)]) -> Spec {
-    let entry = |(key, text): &(&str, &str)| Entry {
-        key: (*key).to_owned(),
-        place: Place(0),
-        value: parse(key, text, &mut |_| Place(0)).expect("a value"),
-    };
-    let entries: Vec<_> = keys.iter().map(entry).collect();
-    read(&entries).unwrap_or_else(|found| panic!("{keys:?}: {found:?}"))
+    design(&keys.iter().map(|(key, text)| format!("{key} = {text:?}\n")).collect::<String>()).0
 }
 
 fn value(parameter: Parameter) -> f64 {
@@ -70,16 +67,9 @@ fn worst(spec: &Spec) -> f64 {
     let mut worst = 0.0_f64;
     for share in [0.0, 0.4, 0.97, 0.9997, 1.2] {
         let (t, x) = (settle(t0 + share * tau), state(share));
-        let input = |input| match input {
-            Input::Parameter(p) => parameter(p),
-            Input::StartTime => t0,
-            Input::Time => t,
-            Input::State(j) => x[j - 1],
-            Input::StateAtStart(j) => x0[j - 1],
-            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
-        };
-        let mut own = Interpreter::new(&program, &input);
         let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
+        let input = of_call(&call);
+        let mut own = Interpreter::new(&program, &input);
         let expected = evaluate(spec, &call).and_then(|told| told.control).expect("a control");
         // What leaves the range of f32 is refused by the emitted code, and is no number here.
         if expected.scale() > 1e30 {

@@ -1,39 +1,29 @@
 //! The design file on the command line: what `new` writes, what `emit` and `show` read.
 #![cfg(feature = "cli")]
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
-/// Exit code, standard output and standard error of a run in `folder`.
-fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output();
-    let output = output.expect("the binary runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
+fn run(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = support::command(arguments);
+    command.current_dir(folder);
+    command
 }
 
 fn stdout(folder: &Path, arguments: &[&str]) -> String {
-    let (code, stdout, stderr) = run(folder, arguments);
-    assert_eq!((code, stderr.as_str()), (Some(0), ""), "{arguments:?}");
-    stdout
+    support::stdout(&mut run(folder, arguments))
 }
 
 fn stderr(folder: &Path, arguments: &[&str]) -> String {
-    let (code, stdout, stderr) = run(folder, arguments);
-    assert_eq!((code, stdout.as_str()), (Some(2), ""), "{arguments:?}: {stderr}");
-    assert!(!stderr.contains("panicked") && !stderr.contains('\u{1b}'), "{stderr}");
-    stderr
+    support::stderr(&mut run(folder, arguments), 2)
 }
 
 /// A folder of a test's own that holds `design.toml`.
 fn folder(test: &str, design: &[u8]) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("design_{test}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    fs::write(path.join("design.toml"), design).expect("a design");
-    path
+    support::folder_with(&format!("design_{test}"), "design.toml", design)
 }
 
 const ROLL: &str = "name = \"roll\"\nn = 2\nmu = \"power(m=2)\"\ngains = [20, 9]\n\

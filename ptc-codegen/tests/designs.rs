@@ -5,19 +5,17 @@
 //! a part of what is printed, and `#: growth unsound: TEXT` how the outcome of a check begins.
 #![cfg(feature = "cli")]
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
 /// Exit code, standard output and standard error of `check` in `folder`.
 fn check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    command.arg("check").args(arguments).current_dir(folder).stdin(Stdio::null());
-    let output = command.output().expect("the binary runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
+    let mut command = support::command(&["check"]);
+    support::told(command.args(arguments).current_dir(folder))
 }
 
 /// How the outcome of each check begins, as text and JSON tell it: name, verdict and summary.

@@ -2,31 +2,21 @@
 //! source, refusals, and the same bytes twice. `cargo assure fmu` simulates them.
 #![cfg(all(unix, feature = "cli"))]
 
+mod support;
+
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::Output;
 
+use support::folder;
 use zip::ZipArchive;
 
-fn folder(test: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    path
-}
-
 fn emit(arguments: &[&str], folder: &Path, compiler: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ptc-codegen"))
-        .arg("emit")
-        .args(arguments)
-        .arg("-o")
-        .arg(folder)
-        .env("CC", compiler)
-        .stdin(Stdio::null())
-        .output()
-        .expect("the binary runs")
+    let mut command = support::command(&["emit"]);
+    command.args(arguments).arg("-o").arg(folder).env("CC", compiler);
+    command.output().expect("the binary runs")
 }
 
 /// Writes an FMU that nothing is complained of.

@@ -2,24 +2,21 @@
 //! library and the sketch compiled and run here. `cargo assure projects` runs the firmware.
 #![cfg(all(unix, feature = "cli"))]
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+mod support;
 
-fn folder(test: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    path
-}
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use support::folder;
 
 fn emit(kind: &str, arguments: &[&str], out: Option<&Path>, from: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    command.args(["emit", "--project", kind]).args(arguments).current_dir(from);
+    let mut command = support::command(&["emit", "--project", kind]);
+    command.args(arguments).current_dir(from);
     if let Some(out) = out {
         command.arg("-o").arg(out);
     }
-    command.stdin(Stdio::null()).output().expect("the binary runs")
+    command.output().expect("the binary runs")
 }
 
 /// Makes a project that nothing is complained of; what is told of it.
@@ -138,8 +135,8 @@ fn each_kind_has_its_files_and_the_same_bytes_twice() {
 fn the_controller_is_the_emitted_one() {
     let folder = folder("projects_controller");
     let emitted = |lang: &str, name: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-        run(command.args(["emit", "--lang", lang, "-o"]).arg(&folder).args(DESIGN));
+        let mut command = support::command(&["emit", "--lang", lang, "-o"]);
+        run(command.arg(&folder).args(DESIGN));
         fs::read(folder.join(name)).expect("written")
     };
     let (header, source) = (emitted("c", "stage.h"), emitted("c", "stage.c"));

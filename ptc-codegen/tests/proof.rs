@@ -1,19 +1,15 @@
 //! `emit --acsl`: the files of a proof, and what refuses it.
 #![cfg(feature = "cli")]
 
+mod support;
+
 use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::Output;
+
+use support::folder;
 
 fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ptc-codegen")).args(arguments).output().expect("it runs")
-}
-
-fn folder(test: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    path
+    support::command(arguments).output().expect("it runs")
 }
 
 /// The files that `flags` write into a folder of `test`, by name.

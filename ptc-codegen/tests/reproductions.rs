@@ -2,21 +2,17 @@
 //! drawn. `UPDATE_GOLDEN=1` writes the figures anew.
 #![cfg(all(feature = "cli", feature = "simulation"))]
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 fn home() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/reproductions")
 }
 
 fn simulate(arguments: &[&str]) -> String {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    let output = command.arg("simulate").args(arguments).current_dir(home()).output();
-    let output = output.expect("the binary runs");
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && told.is_empty(), "{arguments:?}\n{told}");
-    String::from_utf8(output.stdout).expect("UTF-8")
+    support::stdout(support::command(&["simulate"]).args(arguments).current_dir(home()))
 }
 
 /// The command in the head of a design.

@@ -1,33 +1,25 @@
 //! The sampled loop: the emitted C in it bit for bit, and what an actuator and a sensor add.
 #![cfg(all(feature = "simulation", unix))]
 
+mod support;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::reference::Status;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
-use ptc_codegen::spec::Spec;
-use ptc_codegen::{design, generate, spec};
+use ptc_codegen::{generate, spec};
+use support::design;
 
 /// t, x and u with the status of the controller.
 type Seen = Vec<(f64, Vec<f64>, f64, Status)>;
 
-fn of(text: &str) -> (Spec, Plant) {
-    let (entries, found) = design::read(text, &mut |_| Place(0));
-    assert_eq!(found, [], "{text}");
-    let spec = spec::read(&entries).expect("a controller");
-    let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
-    (spec, plant)
-}
-
 fn run(text: &str, x0: &[f64], around: &Loop) -> Seen {
-    let (spec, plant) = of(text);
+    let (spec, plant) = design(text);
     let values = Values::of(&spec, &plant);
     let mut seen = Vec::new();
     let end = Sampled::new(&spec, &plant).expect("a loop").run(&values, x0, around, &mut |s| {
@@ -41,7 +33,7 @@ fn run(text: &str, x0: &[f64], around: &Loop) -> Seen {
 fn in_c(name: &str, text: &str, calls: &Seen) -> Vec<(u64, i32)> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).expect("a folder");
-    let (spec, _) = of(text);
+    let (spec, _) = design(text);
     for file in generate(&spec, Language::C).expect("a controller") {
         fs::write(folder.join(&file.name), &file.text).expect("writable");
     }
@@ -123,7 +115,7 @@ const PLANT: &str = "[plant]\nf = \"0.2*sin(3*t) - 0.1*x2 + bias\"\nbias = 0.05\
 #[test]
 fn the_controller_in_the_loop_is_the_emitted_c() {
     let mut seen = std::collections::BTreeSet::new();
-    for (index, design) in [
+    for (index, own) in [
         "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\neps = 0.02\nu_max = 4\n",
         "n = 3\nmu = \"rational(a=2)\"\npoles = [-2, -3, -4]\neps = 0.05\nu_max = inf\nafter = \"zero\"\n",
         "n = 2\nmu = \"tanh(a=0.5)\"\npoles = [-5, -6]\ng = \"2 + x1^2\"\neps = 0.02\nu_max = 9\nprecision = \"f32\"\n",
@@ -132,9 +124,9 @@ fn the_controller_in_the_loop_is_the_emitted_c() {
     .into_iter()
     .enumerate()
     {
-        let text = format!("{BASE}{design}{PLANT}");
+        let text = format!("{BASE}{own}{PLANT}");
         let around = Loop { period: 0.004, end: 1.1, ..Loop::default() };
-        let (spec, plant) = of(&text);
+        let (spec, plant) = design(&text);
         let mut calls = Vec::new();
         let values = Values::of(&spec, &plant).with(spec::Parameter::StartTime, 0.25);
         let x0 = [1.0, -0.7, 0.3];

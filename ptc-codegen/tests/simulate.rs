@@ -1,31 +1,22 @@
 //! Simulated trajectories against exact solutions, reference values and each other.
 #![cfg(feature = "simulation")]
 
-use ptc_codegen::diagnostic::Place;
-use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::simulate::{Accuracy, Continuous, Direct, Values};
-use ptc_codegen::spec::{Parameter, Spec};
-use ptc_codegen::{design, spec};
+mod support;
 
-/// The controller and the plant of a design.
-fn of(text: &str) -> (Spec, Plant) {
-    let (entries, found) = design::read(text, &mut |_| Place(0));
-    assert_eq!(found, [], "{text}");
-    let spec = spec::read(&entries).expect("a controller");
-    let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
-    (spec, plant)
-}
+use ptc_codegen::simulate::{Accuracy, Continuous, Direct, Values};
+use ptc_codegen::spec::Parameter;
+use support::design;
 
 /// T/tau, x_1..x_n and u.
 type Seen = Vec<(f64, Vec<f64>, f64)>;
 
 fn continuous(text: &str, set: &[(Parameter, f64)], x0: &[f64], shares: &[f64]) -> Seen {
-    let (spec, plant) = of(text);
+    let (spec, plant) = design(text);
     let mut values = Values::of(&spec, &plant);
     set.iter().for_each(|(parameter, value)| values.set(*parameter, *value));
     let tau = values.get(Parameter::Tau);
     let mut seen = Vec::new();
-    let run = Continuous::new(&spec, &plant).expect("a loop").run(
+    let run = Continuous::of(&spec, &plant).expect("a loop").run(
         &values,
         x0,
         shares,
@@ -145,14 +136,14 @@ fn both_sides_of_the_equivalence_agree() {
             "n = 3\nmu = \"{mu}\"\ng = \"2 + cos(x1)\"\npoles = [-7, -8, -9]\ntau = 2\nt0 = 0.3\neps = 1e-12\n\
              u_max = inf\n[plant]\nf = \"0.3*sin(5*t) - 0.1*x2*abs(x2) + 0.02*u\"\ng = \"1.9 + cos(x1)\"\n"
         );
-        let (spec, plant) = of(&text);
+        let (spec, plant) = design(&text);
         let shares = [1.0, 0.9, 0.5, 0.2, 0.1];
         let x0 = [1.0, -0.4, 0.3];
         let values = Values::of(&spec, &plant);
         let mapped = continuous(&text, &[], &x0, &shares);
         let mut direct = Vec::new();
         let accuracy = Accuracy { relative: 1e-10, absolute: 1e-18, ..Accuracy::default() };
-        Direct::new(&spec, &plant)
+        Direct::of(&spec, &plant)
             .expect("a loop")
             .run(&values, &x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u)))
             .unwrap_or_else(|failure| panic!("{mu}: {failure}"));

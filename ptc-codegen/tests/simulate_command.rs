@@ -1,32 +1,30 @@
 //! `simulate` on the command line: the CSV, and what is told of bad input.
 #![cfg(all(feature = "cli", feature = "simulation"))]
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
-/// Exit code, standard output and standard error of a run in `folder`.
+/// A run in `folder`.
+fn simulate(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = support::command(&["simulate"]);
+    command.args(arguments).current_dir(folder);
+    command
+}
+
 fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    let command = command.arg("simulate").args(arguments).current_dir(folder).stdin(Stdio::null());
-    let output = command.output().expect("the binary runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
+    support::told(&mut simulate(folder, arguments))
 }
 
 fn stdout(folder: &Path, arguments: &[&str]) -> String {
-    let (code, stdout, stderr) = run(folder, arguments);
-    assert_eq!((code, stderr.as_str()), (Some(0), ""), "{arguments:?}");
-    stdout
+    support::stdout(&mut simulate(folder, arguments))
 }
 
 /// A folder of a test's own that holds `stage.toml`.
 fn folder(test: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("simulate_{test}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    fs::write(path.join("stage.toml"), STAGE).expect("a design");
-    path
+    support::folder_with(&format!("simulate_{test}"), "stage.toml", STAGE)
 }
 
 /// x1 = 3T^2 - 2T^3 and u = 3 - 6T from (1, 0) with tau = 1.

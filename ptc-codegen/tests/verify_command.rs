@@ -1,30 +1,26 @@
 //! `verify` as it is run: objectives with known answers, parts that merge exactly, runs that are
 //! interrupted, and bad input.
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    command.current_dir(folder).arg("verify").args(arguments);
+    let mut command = support::command(&["verify"]);
+    command.args(arguments).current_dir(folder);
     command
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = command(folder, arguments).output().expect("the command runs");
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("UTF-8");
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
+    support::told(&mut command(folder, arguments))
 }
 
 /// A folder of a test's own that holds `stage.toml`.
 fn folder(test: &str, design: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("verify_{test}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    fs::write(path.join("stage.toml"), design).expect("a design");
-    path
+    support::folder_with(&format!("verify_{test}"), "stage.toml", design)
 }
 
 /// x1 = 3T^2 - 2T^3, x2 = -6T + 6T^2 and u = 3 - 6T from (1, 0) with tau = 1.

@@ -1,9 +1,8 @@
 //! The associated infinite-time system, mapped back to the plant.
 
-use std::cell::RefCell;
-
-use super::solver::{Rates, State, integrate};
-use super::{Accuracy, Failure, Sample, Values, controller};
+use super::side::{At, Run, Side};
+use super::solver::State;
+use super::{Failure, Sample, Values, controller};
 use crate::lower::{ClosedLoop, closed_loop};
 use crate::plant::Plant;
 use crate::program::machine::{Machine, Slot};
@@ -23,7 +22,8 @@ pub struct Continuous {
     /// What an integration asks for, many times for each instant that is looked at.
     rates: Point,
     outputs: Point,
-    here: (f64, State),
+    /// The plant's state, when it is told.
+    x: Vec<f64>,
 }
 
 /// Values of the closed loop at one point of it.
@@ -39,7 +39,7 @@ impl Continuous {
     ///
     /// # Errors
     /// The law is a function of the user's program.
-    pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
+    pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
         controller::has_text(spec, false)?;
         let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
@@ -47,32 +47,13 @@ impl Continuous {
         closed.program = passes::optimise(closed.program, &mut |_, _| {});
         let rates = Point::new(&spec, &closed.program, &[closed.pace(), closed.program.step]);
         let outputs = Point::new(&spec, &closed.program, &closed.program.outputs());
-        let here = (0.0, State::zeros());
-        Ok(Self { n: spec.n, closed, rates, outputs, here })
+        let x = vec![0.0; spec.n];
+        Ok(Run::of(Self { n: spec.n, closed, rates, outputs, x }))
     }
+}
 
-    /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
-    /// from at most 1 and end above 0.
-    ///
-    /// # Errors
-    /// A parameter without a value, or a loop that leaves the range of numbers.
-    pub fn run(
-        &mut self,
-        values: &Values,
-        x0: &[f64],
-        shares: &[f64],
-        accuracy: Accuracy,
-        visit: &mut dyn FnMut(Sample<'_>),
-    ) -> Result<(), Failure> {
-        self.start(values, x0)?;
-        self.advance(values, shares, accuracy, visit)
-    }
-
-    /// Stands at t0 in `x0`.
-    ///
-    /// # Errors
-    /// A parameter without a value.
-    pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
+impl Side for Continuous {
+    fn start(&mut self, values: &Values, x0: &[f64]) -> Result<State, Failure> {
         for Point { machine, .. } in [&mut self.rates, &mut self.outputs] {
             for (j, x) in (1..).zip(x0) {
                 let slot = machine.slot(Input::StateAtStart(j));
@@ -84,73 +65,7 @@ impl Continuous {
         for (xi, value) in xi.iter_mut().zip(self.closed.xi_at_start()) {
             *xi = self.outputs.machine.get(*value);
         }
-        self.here = (0.0, xi);
-        Ok(())
-    }
-
-    /// Goes on from where it stands, with `values` from there on: as [`run`](Self::run), to which a
-    /// disturbance that jumps is several pieces.
-    ///
-    /// # Errors
-    /// As [`run`](Self::run).
-    pub fn advance(
-        &mut self,
-        values: &Values,
-        shares: &[f64],
-        accuracy: Accuracy,
-        visit: &mut dyn FnMut(Sample<'_>),
-    ) -> Result<(), Failure> {
-        self.give(values)?;
-        let (from, start) = self.here;
-        let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let n = self.n;
-        let here = RefCell::new(self);
-        let rates = |sigma: f64, xi: &State, rates: &mut State| {
-            let mut here = here.borrow_mut();
-            here.rates.at(tau * (-sigma).exp(), xi);
-            let pace = here.rates.machine.get(here.closed.pace());
-            for i in 0..n - 1 {
-                rates[i] = pace * xi[i + 1];
-            }
-            rates[n - 1] = here.rates.machine.get(here.closed.program.step);
-        };
-        // A run begins where it stands, whether or not it is asked for.
-        let mut points = vec![from];
-        points.extend(shares.iter().map(|share| -share.ln()));
-        let mut x = vec![0.0; n];
-        let mut seen = |index: usize, sigma, xi: &State| {
-            here.borrow_mut().here = (sigma, *xi);
-            let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) else {
-                return;
-            };
-            let mut here = here.borrow_mut();
-            let time_to_go = tau * share;
-            here.outputs.at(time_to_go, xi);
-            let get = |value| here.outputs.machine.get(value);
-            for (x, value) in x.iter_mut().zip(here.closed.states()) {
-                *x = get(*value);
-            }
-            visit(Sample {
-                t: t0 + (tau - time_to_go),
-                time_to_go,
-                stretched: get(here.closed.stretched()),
-                x: &x,
-                u: get(here.closed.control()),
-                status: Status::Ok,
-            });
-        };
-        // u is kappa'^n times xi, so that this is 1e-18 of what it began with.
-        let power = i32::try_from(n).unwrap_or(i32::MAX);
-        let nothing = |sigma: f64| {
-            let mut here = here.borrow_mut();
-            let time_to_go = tau * (-sigma).exp();
-            here.rates.at(time_to_go, &State::zeros());
-            let slope = time_to_go / here.rates.machine.get(here.closed.pace());
-            1e-18 * start.amax() * slope.min(1.0).powi(power)
-        };
-        let system = Rates { order: n, rates };
-        let end = integrate(&system, start, &points, accuracy, &nothing, &mut seen);
-        end.map_err(|(sigma, failure)| failure.at(t0, tau, (-sigma).exp()))
+        Ok(xi)
     }
 
     fn give(&mut self, values: &Values) -> Result<(), Failure> {
@@ -160,6 +75,42 @@ impl Continuous {
             machine.run(Stage::Arm, None);
         }
         Ok(())
+    }
+
+    fn rates(&mut self, At { time_to_go, .. }: At, xi: &State, rates: &mut State) {
+        self.rates.at(time_to_go, xi);
+        let pace = self.rates.machine.get(self.closed.pace());
+        for i in 0..self.n - 1 {
+            rates[i] = pace * xi[i + 1];
+        }
+        rates[self.n - 1] = self.rates.machine.get(self.closed.program.step);
+    }
+
+    fn order(&self) -> usize {
+        self.n
+    }
+
+    fn tell(&mut self, At { t, time_to_go }: At, xi: &State, visit: &mut dyn FnMut(Sample<'_>)) {
+        self.outputs.at(time_to_go, xi);
+        let get = |value| self.outputs.machine.get(value);
+        for (x, value) in self.x.iter_mut().zip(self.closed.states()) {
+            *x = get(*value);
+        }
+        visit(Sample {
+            t,
+            time_to_go,
+            stretched: get(self.closed.stretched()),
+            x: &self.x,
+            u: get(self.closed.control()),
+            status: Status::Ok,
+        });
+    }
+
+    /// u is kappa'^n times xi, so that this is 1e-18 of what it began with.
+    fn nothing(&mut self, At { time_to_go, .. }: At, most: f64) -> f64 {
+        self.rates.at(time_to_go, &State::zeros());
+        let slope = time_to_go / self.rates.machine.get(self.closed.pace());
+        1e-18 * most * slope.min(1.0).powi(i32::try_from(self.n).unwrap_or(i32::MAX))
     }
 }
 
@@ -180,13 +131,5 @@ impl Point {
             self.machine.set(*slot, *xi);
         }
         self.machine.run(Stage::Step, None);
-    }
-}
-
-impl Failure {
-    /// The same with the instant at which it happened.
-    pub(super) fn at(self, t0: f64, tau: f64, share: f64) -> Self {
-        let t = t0 + tau * (1.0 - share);
-        Self { message: format!("{}, at t = {t} s, T/tau = {share:.2e}", self.message), ..self }
     }
 }

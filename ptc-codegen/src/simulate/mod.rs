@@ -14,6 +14,7 @@ mod controller;
 mod direct;
 mod plant;
 mod sampled;
+mod side;
 mod solver;
 mod values;
 
@@ -23,6 +24,7 @@ pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;
 pub use sampled::{Loop, Sampled};
+pub use side::{At, Run, Side};
 pub use values::Values;
 
 use crate::reference::Status;

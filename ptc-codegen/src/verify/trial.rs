@@ -2,14 +2,14 @@
 
 use super::objective::Observer;
 use super::{Campaign, Setting};
-use crate::simulate::{Accuracy, Continuous, Direct, Failure, Sample};
+use crate::simulate::{Accuracy, Continuous, Direct, Failure, Run, Sample, Side};
 use crate::spec::{Precision, Spec};
 
 /// Both closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
 pub struct Trial {
-    infinite: Continuous,
-    direct: Direct,
+    infinite: Run<Continuous>,
+    direct: Run<Direct>,
     observer: Observer,
     objectives: usize,
 }
@@ -55,8 +55,8 @@ impl Trial {
         let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
         let plant = campaign.disturbed();
         Ok(Self {
-            infinite: Continuous::new(&spec, &plant)?,
-            direct: Direct::new(&spec, &plant)?,
+            infinite: Continuous::of(&spec, &plant)?,
+            direct: Direct::of(&spec, &plant)?,
             observer: Observer::new(&spec, &campaign.objectives),
             objectives: campaign.objectives.len(),
         })
@@ -95,22 +95,12 @@ impl Trial {
         setting: &Setting,
         visit: &mut dyn FnMut(Instant),
     ) -> Result<(), Failure> {
-        self.infinite.start(&setting.values, &setting.x0)?;
-        let mut watch = Watch::new(&mut self.observer, setting, self.objectives)?;
-        setting.pieces.iter().try_for_each(|(shares, values)| {
-            let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
-            self.infinite.advance(values, shares, ACCURACY, seen)
-        })
+        along(&mut self.infinite, (&mut self.observer, self.objectives), setting, visit)
     }
 
     /// The side of the plant with the emitted program, instant by instant.
     fn direct(&mut self, setting: &Setting, visit: &mut dyn FnMut(Instant)) -> Result<(), Failure> {
-        self.direct.start(&setting.values, &setting.x0)?;
-        let mut watch = Watch::new(&mut self.observer, setting, self.objectives)?;
-        setting.pieces.iter().try_for_each(|(shares, values)| {
-            let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
-            self.direct.advance(values, shares, ACCURACY, seen)
-        })
+        along(&mut self.direct, (&mut self.observer, self.objectives), setting, visit)
     }
 
     /// Excess of each objective at t0, with u = 0 where one holds u.
@@ -124,6 +114,21 @@ impl Trial {
         self.observer.excess((tau, &setting.x0, 0.0), false, &mut |i, value| excess[i] = value);
         Ok(excess)
     }
+}
+
+/// One side with its objectives, instant by instant.
+fn along<S: Side>(
+    run: &mut Run<S>,
+    (observer, objectives): (&mut Observer, usize),
+    setting: &Setting,
+    visit: &mut dyn FnMut(Instant),
+) -> Result<(), Failure> {
+    run.start(&setting.values, &setting.x0)?;
+    let mut watch = Watch::new(observer, setting, objectives)?;
+    setting.pieces.iter().try_for_each(|(shares, values)| {
+        let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
+        run.advance(values, shares, ACCURACY, seen)
+    })
 }
 
 /// The objectives along one run.

@@ -5,15 +5,17 @@
 
 mod allowance;
 mod emitted;
+#[path = "../support/mod.rs"]
+mod support;
 mod tables;
 
 use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 
 /// The command with the engine asked for.
 fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    command.args(arguments).args(["--engine", "symbolica"]).stdin(Stdio::null());
+    let mut command = support::command(arguments);
+    command.args(["--engine", "symbolica"]);
     command
 }
 
@@ -31,8 +33,5 @@ fn stdout(arguments: &[&str]) -> String {
 
 /// An empty folder of a test's own.
 fn folder(test: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("symbolica").join(test);
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).expect("a folder for the test");
-    path
+    support::folder(&format!("symbolica/{test}"))
 }

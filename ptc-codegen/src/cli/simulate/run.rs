@@ -67,7 +67,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
     shares.dedup();
     let mut rows = Vec::with_capacity(shares.len());
     let mut index = 0;
-    let end = Continuous::new(spec, plant).and_then(|mut run| {
+    let end = Continuous::of(spec, plant).and_then(|mut run| {
         run.run(&values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
             let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
             let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);

@@ -1,0 +1,67 @@
+//! What the tests of the command and of its library share.
+// Each test file uses its own part of this module.
+#![allow(dead_code)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::plant::{self, Plant};
+use ptc_codegen::spec::Spec;
+use ptc_codegen::{design, spec};
+
+/// The controller and the plant of a design file's text.
+pub(crate) fn design(text: &str) -> (Spec, Plant) {
+    let (entries, found) = design::read(text, &mut |_| Place(0));
+    assert_eq!(found, [], "{text}");
+    let spec = spec::read(&entries).unwrap_or_else(|found| panic!("{text}: {found:?}"));
+    let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
+    (spec, plant)
+}
+
+/// An empty folder of a test's own.
+pub(crate) fn folder(test: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder for the test");
+    path
+}
+
+/// An empty folder of a test's own that holds a file.
+pub(crate) fn folder_with(test: &str, file: &str, text: impl AsRef<[u8]>) -> PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join(file), text).expect("a file");
+    folder
+}
+
+/// The command, with nothing to read.
+#[cfg(feature = "cli")]
+pub(crate) fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
+    command.args(arguments).stdin(Stdio::null());
+    command
+}
+
+/// The exit code, standard output and standard error of a run.
+pub(crate) fn told(command: &mut Command) -> (Option<i32>, String, String) {
+    let Output { status, stdout, stderr } = command.output().expect("the binary runs");
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    (status.code(), text(stdout), text(stderr))
+}
+
+/// The standard output of a run that succeeds and has nothing to complain of.
+pub(crate) fn stdout(command: &mut Command) -> String {
+    let (code, stdout, stderr) = told(command);
+    assert_eq!((code, stderr.as_str()), (Some(0), ""), "{command:?}");
+    stdout
+}
+
+/// The standard error of a run that fails with `code` and prints nothing else.
+pub(crate) fn stderr(command: &mut Command, code: i32) -> String {
+    let (found, stdout, stderr) = told(command);
+    assert_eq!((found, stdout.as_str()), (Some(code), ""), "{command:?}: {stderr}");
+    assert!(!stderr.contains("panicked"), "{command:?}: {stderr}");
+    assert!(!stderr.contains('\u{1b}'), "colour off a terminal: {stderr}");
+    stderr
+}
