@@ -247,6 +247,64 @@ fn what_is_proved_is_what_dense_samples_show() {
     }
 }
 
+#[test]
+fn a_disturbance_is_held_against_its_worst_signal() {
+    let mut drawn = Drawn(9);
+    for round in 0..6 {
+        let n = 1 + round % 3;
+        let kappa = &mappings(0.75)[[0, 4, 6, 1, 0, 8][round]];
+        let until = [0.05, 0.3].into_iter().find(|w| (kappa.1)(*w, 0.75)[0] < 5.0).expect("one");
+        let (gains, words) = law(&mut drawn, n);
+        let (tau, g, share) = (1.5, 2.0, 0.5);
+        // f is between -0.7 and 1.3 times it, in the middle of which the loop is driven too.
+        let (middle, most) = (0.3 * share, share);
+        let count = 300;
+        let shares: Vec<_> = (0..=count).map(|i| until_share(until, i, count)).collect();
+        let rows: Vec<_> =
+            shares.iter().map(|w| in_units(transition(&gains, kappa, 0.75, *w), tau, g)).collect();
+        let last = DVector::from_fn(n, |i, _| f64::from(u8::from(i + 1 == n)));
+        let back = |rows: &DMatrix<f64>| {
+            let states = rows.view((0, 0), (n, n)).clone_owned();
+            states.try_inverse().expect("an inverse") * &last
+        };
+        let back: Vec<_> = rows.iter().map(back).collect();
+        let mut peaks = [0.0_f64; 2];
+        for (at, rows) in rows.iter().enumerate() {
+            // The worst f turns with the kernel of what it acts on: x_1, or u.
+            for (peak, i) in peaks.iter_mut().zip([0, n]) {
+                let kernel = |k: usize| (rows * &back[k])[i];
+                let area = |f: fn(f64) -> f64| -> f64 {
+                    let mean = |k: usize| 0.5 * (f(kernel(k)) + f(kernel(k + 1)));
+                    (0..at).map(|k| mean(k) * tau * (shares[k] - shares[k + 1])).sum()
+                };
+                let (signed, size) = (area(|x| x), area(f64::abs));
+                // From x0 = (1, 0, ...).
+                let alone = rows[(i, 0)] + middle * signed;
+                *peak = peak.max(alone.abs() + most * size);
+            }
+        }
+        let design = |more: &str| {
+            let zeros: String = (2..=n).map(|j| format!("x{j} = 0\n")).collect();
+            format!(
+                "n = {n}\n{}\ng = {g}\n{words}\n[params]\ntau = {tau}\n[plant]\nf = \"{share}*d\"\n\
+                 d = [-0.7, 1.3]\n[disturbance]\nd = \"any\"\n[verify]\nuntil = {until}\nx1 = 1\n{zeros}{more}",
+                kappa.0
+            )
+        };
+        let mut objectives = String::new();
+        for factor in [1.1, 0.98] {
+            let [x, u] = peaks.map(|peak| factor * peak);
+            objectives.push_str(&format!(
+                "[[objective]]\nbound = \"within\"\nh = \"x1\"\nlow = -{x}\nhigh = {x}\n\
+                 [[objective]]\nbound = \"input\"\nupsilon = {u}\n"
+            ));
+        }
+        let text = design(&objectives);
+        let proved = verify::bound::proved(&campaign(&text));
+        assert_eq!(proved, [true, true, false, false], "round {round}, {peaks:?}\n{text}");
+    }
+}
+
 /// T/tau from 1 to `until`, even in its logarithm.
 fn until_share(until: f64, i: u32, last: u32) -> f64 {
     until.powf(f64::from(i) / f64::from(last))

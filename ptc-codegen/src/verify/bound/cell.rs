@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use super::clock::Clock;
 use super::flow::{Flow, Rows, dot};
+use super::forced::{Response, Source};
 use super::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
@@ -17,18 +18,22 @@ use crate::expression::interval::Interval;
 pub(super) struct Cell {
     /// Least and greatest T/tau.
     pub(super) share: [BigRational; 2],
-    /// x_1..x_n and g u over the cell, each by its slope along x_1..x_n at t0.
+    /// x_1..x_n and g u over the cell, each by its slope along x_1..x_n at t0, and what f adds.
     pub(super) rows: Rows,
 }
 
 /// The loop in units of tau.
 pub(super) struct Loop {
-    flow: Flow,
-    clock: Clock,
+    pub(super) n: usize,
+    pub(super) flow: Flow,
+    pub(super) clock: Clock,
     /// xi at t0, by its slope along x at t0.
     start: Rows,
     cells: BTreeMap<[BigRational; 2], Option<Rc<Cell>>>,
     left: usize,
+    /// The middle of f and its distance from there, where it is not 0.
+    drift: Option<[Range; 2]>,
+    pub(super) sources: Vec<Source>,
 }
 
 impl Loop {
@@ -45,7 +50,15 @@ impl Loop {
             let row = (0..n).map(entry).collect();
             start.push(row);
         }
-        Some(Self { flow, clock, start, cells: BTreeMap::new(), left: cells })
+        let (cells, left, sources) = (BTreeMap::new(), cells, Vec::new());
+        Some(Self { n, flow, clock, start, cells, left, drift: None, sources })
+    }
+
+    /// The same with an f between two bounds, in a run to `until`.
+    pub(super) fn with_drift(mut self, drift: [Range; 2], until: &BigRational) -> Option<Self> {
+        self.sources = self.sources(until)?;
+        self.drift = Some(drift);
+        Some(self)
     }
 
     /// What is known over a cell; none where nothing is, or no more cells may be looked at.
@@ -75,38 +88,43 @@ impl Loop {
                 self.flow.ever(&at_start)?
             }
         };
-        let centre = self.derivatives(&Interval::exact(&middle), &here, at_middle)?;
-        let mut rows = self.derivatives(&wide, &during, of_cell)?;
-        let moved = Range::from(&Interval::exact(&middle).plus(&wide.neg()));
+        let point = Interval::exact(&middle);
+        let at_point = self.table(&point, &here)?;
+        let over_cell = self.table(&wide, &during)?;
+        let centre = self.flow.derivatives(&point, &at_point, at_middle);
+        let mut rows = self.flow.derivatives(&wide, &over_cell, of_cell);
+        let moved = Range::from(&point.plus(&wide.neg()));
         for i in (0..rows.len() - 1).rev() {
             for c in 0..rows[i].len() {
                 let by_slope = centre[i][c] + moved * rows[i + 1][c];
                 rows[i][c] = rows[i][c].common(by_slope);
             }
         }
+        let added = match self.drift {
+            None => vec![Range::from(0.0); rows.len()],
+            Some([drift, most]) => {
+                let Response { mut signed, mut size } = self.response(&middle, &here, &at_point)?;
+                let (last, at_once) = self.response_over(share, (&here, around), &over_cell)?;
+                let end = rows.len() - 1;
+                (signed[end], size[end]) = (last.both_signs(), last);
+                for i in (0..end).rev() {
+                    signed[i] = signed[i] + moved * (at_once[i] + signed[i + 1]);
+                    size[i] = size[i] + moved.size() * (at_once[i].size() + size[i + 1]);
+                }
+                let one =
+                    |(signed, size): (Range, Range)| drift * signed + (most * size).both_signs();
+                signed.into_iter().zip(size).map(one).collect()
+            }
+        };
+        rows.iter_mut().zip(added).for_each(|(row, added)| row.push(added));
         rows.pop();
         Some(Cell { share: share.clone(), rows })
     }
 
-    /// x_1 and its first n + 1 derivatives by time.
-    fn derivatives(
-        &mut self,
-        share: &Interval,
-        stretched: &Interval,
-        mut xi: Rows,
-    ) -> Option<Rows> {
-        let table = self.clock.bell(share, stretched)?;
-        let n = xi.len();
-        for i in 0..2 {
-            let next = self.flow.last(&xi[i..n + i]);
-            xi.push(next);
-        }
-        let inverse = Range::from(1.0) / Range::from(share);
-        let row = |(i, row): (i32, &Vec<Range>)| {
-            let power = inverse.power(i);
-            let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])) * power;
-            (0..xi[0].len()).map(entry).collect()
-        };
-        Some((0..).zip(&table).map(row).collect())
+    /// B_{i,j} w^i, for x_1 and its first n + 1 derivatives.
+    fn table(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
+        let mut table = self.clock.bell(share, stretched)?;
+        table.truncate(self.n + 2);
+        Some(table)
     }
 }

@@ -131,7 +131,11 @@ impl Clock {
 
     /// kappa^(k) w^k/k! for k = 1..order, w = T/tau over all of `share` and kappa in units of
     /// stretched time, of which all is in `stretched`.
-    fn derivatives(&mut self, share: &Interval, stretched: &Interval) -> Option<Vec<Interval>> {
+    pub(super) fn derivatives(
+        &mut self,
+        share: &Interval,
+        stretched: &Interval,
+    ) -> Option<Vec<Interval>> {
         let length = self.order + 1;
         let unit = |first: i64, second: i64| -> Vec<Interval> {
             let of = |k: usize| {

@@ -133,7 +133,35 @@ impl Flow {
         self.on(&node, Range::from(&t.plus(&here.neg())))
     }
 
-    /// A times rows: those after the first, and -(k_1 xi_1 + ... + k_n xi_n).
+    /// How far e^(A t) may go within a time, |A t|.
+    pub(super) fn reach(&self, t: Range) -> f64 {
+        (self.norm * t.size()).high()
+    }
+
+    /// A times rows.
+    pub(super) fn rate_of(&self, rows: &Rows) -> Rows {
+        let mut next = rows[1..].to_vec();
+        next.push(self.last(rows));
+        next
+    }
+
+    /// x_1 and its first n + 1 derivatives by time, from xi and B_{i,j} w^i.
+    pub(super) fn derivatives(&self, share: &Interval, table: &Rows, mut xi: Rows) -> Rows {
+        let n = xi.len();
+        for i in 0..2 {
+            let next = self.last(&xi[i..n + i]);
+            xi.push(next);
+        }
+        let inverse = Range::from(1.0) / Range::from(share);
+        let row = |(i, row): (i32, &Vec<Range>)| {
+            let power = inverse.power(i);
+            let entry = |c: usize| dot(row, xi.iter().map(|xi| &xi[c])) * power;
+            (0..xi[0].len()).map(entry).collect()
+        };
+        (0..).zip(table).map(row).collect()
+    }
+
+    /// The last row of A times rows, -(k_1 xi_1 + ... + k_n xi_n).
     pub(super) fn last(&self, rows: &[Vec<Range>]) -> Vec<Range> {
         let columns = rows.first().map_or(0, Vec::len);
         let one = |c: usize| -dot(&self.gains, rows.iter().map(|row| &row[c]));
@@ -152,9 +180,7 @@ impl Flow {
             let share = Range::from(f64::from(k));
             left = left * reach / share;
             let step = t / share;
-            let last = self.last(&term);
-            term.remove(0);
-            term.push(last);
+            term = self.rate_of(&term);
             term.iter_mut().flatten().for_each(|entry| *entry = *entry * step);
             for (sum, term) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
                 *sum = *sum + *term;

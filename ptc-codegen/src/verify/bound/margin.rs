@@ -33,7 +33,7 @@ fn sum(terms: impl Iterator<Item = Range>) -> Range {
 
 /// x and u over a cell, in the units of the plant.
 struct Point {
-    /// x_1..x_n and u, each by its slope along x_1..x_n at t0.
+    /// x_1..x_n and u, each by its slope along x_1..x_n at t0, and what f adds.
     rows: Rows,
     names: Names,
 }
@@ -45,7 +45,9 @@ impl Bounds {
             values.map(|(name, value)| (name.into(), Interval::exact(&value))).collect();
         names.insert(Parameter::StartTime.into(), Interval::integer(0));
         let ends = |(low, high): &(f64, f64)| [Range::from(*low), Range::from(*high)];
-        let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(high)).collect();
+        let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(high));
+        // What f adds stands in a column of its own.
+        let start = start.chain([Range::from(1.0)]).collect();
         let mut corners = vec![Vec::new()];
         for mut ends in campaign.x0.iter().map(ends).map(Vec::from) {
             ends.dedup();
@@ -56,6 +58,7 @@ impl Bounds {
             let all = corners.iter().flat_map(|corner| ends.iter().map(|end| with(corner, *end)));
             corners = all.collect();
         }
+        corners.iter_mut().for_each(|corner| corner.push(Range::from(1.0)));
         let gain = Range::from(&Interval::exact(gain));
         Some(Self { n: campaign.spec.n, gain, start, corners, names, evaluator: Evaluator::new() })
     }
@@ -127,7 +130,7 @@ impl Bounds {
         let zeta = self.value(zeta, &point.names)?;
         let bound = (Range::from(sigma) * zeta).square();
         let rows = &point.rows[..self.n];
-        let least = sum(self.start.iter().map(|x| x.square()));
+        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
         let of_box = self.greatest(rows).is_below(bound * least);
         let proved = of_box || is_contraction(rows, bound);
         Some(zeta.is_positive() && proved)
@@ -157,7 +160,7 @@ impl Bounds {
         let moves = |e: &Expression| {
             matches!(e, Expression::Variable(Variable::State(_) | Variable::Control))
         };
-        let mut row = vec![Range::from(0.0); self.n];
+        let mut row = vec![Range::from(0.0); self.n + 1];
         for (name, own) in names.zip(&point.rows) {
             let slope = h.derivative(name);
             if slope.any(&moves) {
@@ -171,10 +174,13 @@ impl Bounds {
     }
 }
 
-/// Whether |rows x|^2 < bound |x|^2 for all x: bound - rows^T rows is positive definite, by the
+/// Whether |rows x|^2 < bound |x|^2 for all x, where f adds nothing: bound - rows^T rows is positive definite, by the
 /// pivots of an elimination.
 fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
     let n = rows.len();
+    if rows.iter().any(|row| row[n] != Range::from(0.0)) {
+        return false;
+    }
     let entry = |a: usize, b: usize| {
         let product = match a == b {
             true => sum(rows.iter().map(|row| row[a].square())),

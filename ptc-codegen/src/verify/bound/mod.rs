@@ -1,7 +1,7 @@
 //! Objectives that are proved: no scenario is needed where the loop is linear in stretched time.
 //!
-//! With f = 0 and a constant g, Theorem 1 makes the loop xi' = A xi with the companion matrix A of the
-//! gains, and maps it back. [`flow`] encloses e^(At), [`clock`] the mapping, and [`cell`] x and u over a
+//! With a constant g and an f that is bounded, Theorem 1 makes the loop xi' = A xi + mu'^n f with the
+//! companion matrix A of the gains, and maps it back. [`flow`] encloses e^(At), [`clock`] the mapping, [`forced`] what f adds, and [`cell`] x and u over a
 //! cell of T/tau, for tau = 1; another tau scales them. What an objective leaves of its bound is looked
 //! at over cells of T/tau and tau that cover all of them, which are halved until it is positive on each.
 
@@ -9,18 +9,23 @@ mod ball;
 mod cell;
 mod clock;
 mod flow;
+mod forced;
 mod margin;
 mod range;
 mod series;
+
+use num_traits::Signed;
 
 use cell::Loop;
 use clock::Clock;
 use flow::Flow;
 use margin::Bounds;
+use range::Range;
 
 use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigRational, integer};
 use crate::expression::Expression;
+use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::spec::{Feedback, Fixed, Parameter};
 
@@ -67,20 +72,25 @@ impl Proof {
             Some(gain) => gain.number()?.clone(),
         };
         let own = |g: &Expression| spec.input_gain.as_ref() == Some(g);
-        let linear = spec.feedback == Feedback::Linear
-            && normal(&campaign.plant.f) == Expression::integer(0)
-            && campaign.plant.g.as_ref().is_none_or(own);
+        let linear = spec.feedback == Feedback::Linear && campaign.plant.g.as_ref().is_none_or(own);
         if !linear {
             return None;
         }
         let gains = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i))?.number().cloned());
         let flow = Flow::new(&gains.collect::<Option<Vec<_>>>()?)?;
-        let clock = Clock::new(campaign, spec.n + 1, &flow.rate)?;
+        let clock = Clock::new(campaign, (spec.n + 1).max(3), &flow.rate)?;
         let exact = BigRational::from_float;
+        let until = exact(campaign.until)?;
+        let [middle, most] = drift(campaign)?;
+        let mut closed = Loop::new(flow, clock, spec.n, CELLS)?;
+        if middle != integer(0) || most != integer(0) {
+            let range = |value: &BigRational| Range::from(&Interval::exact(value));
+            closed = closed.with_drift([range(&middle), range(&most)], &until)?;
+        }
         Some(Self {
-            closed: Loop::new(flow, clock, spec.n, CELLS)?,
+            closed,
             bounds: Bounds::new(campaign, &gain)?,
-            until: exact(campaign.until)?,
+            until,
             tau: [exact(campaign.tau.0)?, exact(campaign.tau.1)?],
         })
     }
@@ -125,6 +135,38 @@ impl Proof {
         cells.reverse();
         cells
     }
+}
+
+/// The middle of f, and how far it is from there at most; none where f is no sum of bounded symbols.
+fn drift(campaign: &Campaign) -> Option<[BigRational; 2]> {
+    let values = clock::values(campaign);
+    let known = campaign.plant.f.substitute(&|e| match e {
+        Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+        _ => None,
+    });
+    let of_constants = campaign.intervals.iter().copied();
+    let varying = campaign.disturbances.iter().map(|(symbol, interval, _)| (*symbol, *interval));
+    let bounded: Vec<_> = of_constants.chain(varying).collect();
+    let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
+    // f with one of them 1, and the others 0.
+    let with = |one: Option<Parameter>| {
+        let value = |e: &Expression| {
+            let (symbol, _) = bounded.iter().find(|(symbol, _)| is(e, *symbol))?;
+            Some(Expression::integer(i64::from(one == Some(*symbol))))
+        };
+        normal(&known.substitute(&value)).number().cloned()
+    };
+    let alone = with(None)?;
+    let (mut middle, mut most) = (alone.clone(), integer(0));
+    let mut rest = known.clone().sub(Expression::Number(alone.clone()));
+    for (symbol, (low, high)) in &bounded {
+        let share = with(Some(*symbol))? - &alone;
+        let [low, high] = [BigRational::from_float(*low)?, BigRational::from_float(*high)?];
+        middle += &share * (&low + &high) / integer(2);
+        most += (&share * (&high - &low) / integer(2)).abs();
+        rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
+    }
+    (normal(&rest) == Expression::integer(0)).then_some([middle, most])
 }
 
 fn halved([low, high]: &[BigRational; 2]) -> [[BigRational; 2]; 2] {
