@@ -30,6 +30,8 @@ pub(super) struct Flow {
     grid: u32,
     doubled: Vec<Ball>,
     nodes: BTreeMap<u64, Ball>,
+    /// The same, in doubles.
+    rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
 }
 
@@ -61,8 +63,8 @@ impl Flow {
         let grid = (grid < 64.0).then_some(grid as u32)?;
         let doubled = vec![a.exponential(grid)];
         let gains = (0..n).map(|j| Range::from(&Interval::exact(&scaled(j)))).collect();
-        let (nodes, largest) = (BTreeMap::new(), None);
-        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, largest };
+        let (nodes, rounded, largest) = (BTreeMap::new(), BTreeMap::new(), None);
+        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, rounded, largest };
         flow.largest = flow.largest();
         Some(flow)
     }
@@ -120,13 +122,17 @@ impl Flow {
         let node = match k {
             0 => start.clone(),
             k => {
-                let node = self.node(k);
+                if !self.rounded.contains_key(&k) {
+                    let node = self.node(k);
+                    let row = |i: usize| (0..n).map(|j| node.entry(i, j)).collect();
+                    self.rounded.insert(k, (0..n).map(row).collect());
+                }
                 let columns = start.first()?.len();
-                let entry = |i: usize, column: usize| {
-                    let own: Vec<_> = (0..n).map(|j| node.entry(i, j)).collect();
-                    dot(&own, start.iter().map(|row| &row[column]))
+                let times = |row: &Vec<Range>| {
+                    let entry = |c: usize| dot(row, start.iter().map(|row| &row[c]));
+                    (0..columns).map(entry).collect()
                 };
-                (0..n).map(|i| (0..columns).map(|c| entry(i, c)).collect()).collect()
+                self.rounded.get(&k)?.iter().map(times).collect()
             }
         };
         let here = Interval::scaled(&k.into(), -i32::try_from(self.grid).ok()?);

@@ -1,9 +1,10 @@
 //! Objectives that are proved: no scenario is needed where the loop is linear in stretched time.
 //!
 //! With a constant g and an f that is bounded, Theorem 1 makes the loop xi' = A xi + mu'^n f with the
-//! companion matrix A of the gains, and maps it back. [`flow`] encloses e^(At), [`clock`] the mapping, [`forced`] what f adds, and [`cell`] x and u over a
-//! cell of T/tau, for tau = 1; another tau scales them. What an objective leaves of its bound is looked
-//! at over cells of T/tau and tau that cover all of them, which are halved until it is positive on each.
+//! companion matrix A of the gains, and maps it back. [`flow`] encloses e^(At), [`clock`] the mapping,
+//! [`forced`] what f adds, and [`cell`] x and u over a cell of T/tau, for tau = 1; another tau scales
+//! them. What an objective leaves of its bound is looked at over cells of T/tau and tau that cover all
+//! of them, which are halved until it is positive on each.
 
 mod ball;
 mod cell;
@@ -31,6 +32,9 @@ use crate::spec::{Feedback, Fixed, Parameter};
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 6000;
+
+/// The same where an f is summed at each.
+const DRIVEN: usize = 1000;
 
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
@@ -82,8 +86,10 @@ impl Proof {
         let exact = BigRational::from_float;
         let until = exact(campaign.until)?;
         let [middle, most] = drift(campaign)?;
-        let mut closed = Loop::new(flow, clock, spec.n, CELLS)?;
-        if middle != integer(0) || most != integer(0) {
+        let driven = middle != integer(0) || most != integer(0);
+        let cells = if driven { DRIVEN } else { CELLS };
+        let mut closed = Loop::new(flow, clock, spec.n, cells)?;
+        if driven {
             let range = |value: &BigRational| Range::from(&Interval::exact(value));
             closed = closed.with_drift([range(&middle), range(&most)], &until)?;
         }

@@ -154,3 +154,41 @@ impl Div for Range {
         self * Self::new(1.0 / other.high, 1.0 / other.low)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{BigRational, integer};
+
+    fn exact(value: f64) -> BigRational {
+        BigRational::from_float(value).expect("a finite number")
+    }
+
+    fn holds(range: Range, value: &BigRational) -> bool {
+        exact(range.low) <= *value && *value <= exact(range.high)
+    }
+
+    #[test]
+    fn exact_results_are_within() {
+        let numbers = [-3.1, -1e-9, 0.0, 0.1, 1.0 / 3.0, 7e5];
+        for a in numbers {
+            for b in numbers {
+                let (x, y) = (Range::from(a), Range::from(b).hull(Range::from(2.0 * b)));
+                let (p, q) = (exact(a), exact(b));
+                for q in [q.clone(), &q * integer(2)] {
+                    assert!(holds(x + y, &(&p + &q)) && holds(x - y, &(&p - &q)), "{a} {b}");
+                    assert!(holds(x * y, &(&p * &q)) && holds(y.square(), &(&q * &q)), "{a} {b}");
+                    assert!(holds(y.power(3), &(&q * &q * &q)), "{a} {b}");
+                    if b == 0.0 {
+                        assert_eq!(x / y, Range::WHOLE);
+                    } else {
+                        assert!(holds(x / y, &(&p / &q)), "{a} {b}");
+                    }
+                }
+            }
+        }
+        let third = Interval::exact(&(integer(1) / integer(3)));
+        assert!(holds(Range::from(&third), &(integer(1) / integer(3))));
+        assert!(Range::from(1e-320).power(2).high() > 0.0 && !Range::WHOLE.is_bounded());
+    }
+}
