@@ -93,10 +93,12 @@ fn what_is_linear_in_stretched_time_is_proved() {
     let linear = STAGE
         .replace("gains = [6, 5]", "poles = [-2, -3]")
         .replace("x1 = 1\nx2 = 0", "x1 = [-1, 1]\nx2 = [-1, 1]");
-    // x from (1, 0) and from (0, 1), and the norm of both together.
+    // x from (1, 0) and from (0, 1), and the Euclidean norm of the matrix of both.
     let size = |t: f64| {
-        let first = (3.0 * t.powi(2) - 2.0 * t.powi(3)).hypot(6.0 * t.powi(2) - 6.0 * t);
-        first.hypot((t.powi(2) - t.powi(3)).hypot(3.0 * t.powi(2) - 2.0 * t))
+        let (a, b) = (3.0 * t.powi(2) - 2.0 * t.powi(3), 6.0 * t.powi(2) - 6.0 * t);
+        let (c, d) = (t.powi(2) - t.powi(3), 3.0 * t.powi(2) - 2.0 * t);
+        let (squares, det) = (a * a + b * b + c * c + d * d, a * d - b * c);
+        (0.5 * (squares + (squares * squares - 4.0 * det * det).sqrt())).sqrt()
     };
     let norm = (0..=10_000).map(|i| size(f64::from(i) / 1e4)).fold(0.0, f64::max);
     let state = |sigma: f64| format!("bound = \"state\"\nsigma = {sigma}");
@@ -113,7 +115,10 @@ fn what_is_linear_in_stretched_time_is_proved() {
         // |x| at T = 1e-3 is at most that of 6T + 2T and a little.
         ("bound = \"attractive\"\nerror = 8.01e-3".to_owned(), proved),
         ("bound = \"attractive\"\nerror = 5.9e-3".to_owned(), fails),
-        ("bound = \"within\"\nh = \"x1\"\nhigh = 9".to_owned(), sampled),
+        // From (1, 1) it rises to 1.09, and x1 + x2 starts at 2.
+        ("bound = \"within\"\nh = \"x1\"\nhigh = 1.1".to_owned(), proved),
+        ("bound = \"within\"\nh = \"x1 + x2\"\nlow = -2.5\nhigh = 2.5".to_owned(), proved),
+        ("bound = \"within\"\nh = \"abs(x1) + abs(x2)\"\nhigh = 4".to_owned(), proved),
     ] {
         let folder = folder("proved", &format!("{linear}{}", objective(&text)));
         let (code, told, wrong) = run(&folder, &["stage.toml"]);
@@ -122,7 +127,7 @@ fn what_is_linear_in_stretched_time_is_proved() {
         assert_eq!(code, Some(i32::from(verdict == fails)), "{text}: {told}");
     }
     // What is not of that kind is not proved.
-    for (from, to) in [("f = 0", "f = \"1e-9*x1\""), ("tau = 1", "tau = 1\nu_max = 100")] {
+    for (from, to) in [("f = 0", "f = \"1e-9*x1\""), ("tau = 1", "tau = 1\nu_max = 5")] {
         let design = format!("{linear}{}", objective("bound = \"input\"\nupsilon = 6"));
         let folder = folder("unproved", &design.replace(from, to));
         let (code, told, _) = run(&folder, &["stage.toml"]);

@@ -93,12 +93,19 @@ impl Interval {
     }
 
     fn of_integer(value: &BigInt) -> Self {
-        if let Some(value) = value.to_i64().filter(|v| v.unsigned_abs() < 1 << 62) {
+        Self::scaled(value, 0)
+    }
+
+    /// value * 2^exponent.
+    pub(crate) fn scaled(value: &BigInt, exponent: i32) -> Self {
+        let plain = |v: &i64| *v == 0 || exponent == 0 && v.unsigned_abs() < 1 << 62;
+        if let Some(value) = value.to_i64().filter(plain) {
             return Self::integer(value);
         }
         // The leading 60 bits, and one more unit of the last of them.
         let cut = value.magnitude().bits().saturating_sub(60);
         let Ok(shift) = i32::try_from(cut) else { return Self::whole() };
+        let shift = shift.saturating_add(exponent);
         let head = (value.magnitude() >> cut).to_i64().unwrap_or(i64::MAX);
         let lift = |head: i64| {
             let mut x = small(head);
@@ -107,7 +114,8 @@ impl Interval {
             }
             x
         };
-        let size = Self::new(lift(head), lift(head + 1));
+        let next = if cut > 0 { head + 1 } else { head };
+        let size = Self::new(lift(head), lift(next));
         if value.is_negative() { size.neg() } else { size }
     }
 
@@ -156,8 +164,35 @@ impl Interval {
         below(&other.low, &self.low) && below(&self.high, &other.high)
     }
 
+    /// From one double to another, either of which may be infinite.
+    pub(crate) fn of_doubles(low: f64, high: f64) -> Self {
+        Self::new(BigFloat::from_f64(low, BITS), BigFloat::from_f64(high, BITS))
+    }
+
+    /// Its ends, each rounded to a neighbouring double.
+    pub(crate) fn about(&self) -> [f64; 2] {
+        [&self.low, &self.high].map(|end| match (end.mantissa_digits(), end.exponent()) {
+            _ if end.is_inf() => {
+                if end.is_positive() {
+                    f64::INFINITY
+                } else {
+                    f64::NEG_INFINITY
+                }
+            }
+            #[allow(clippy::cast_precision_loss)]
+            (Some([.., digits]), Some(exponent)) => {
+                // In two steps, as 2^exponent alone may be out of range.
+                let half = exponent / 2;
+                let size = *digits as f64 * 2f64.powi(-64);
+                let size = size * 2f64.powi(half) * 2f64.powi(exponent - half);
+                if end.is_positive() { size } else { -size }
+            }
+            _ => 0.0,
+        })
+    }
+
     /// The least interval that holds both.
-    fn hull(&self, other: &Self) -> Self {
+    pub(crate) fn hull(&self, other: &Self) -> Self {
         Self::new(self.low.min(&other.low), self.high.max(&other.high))
     }
 
@@ -176,6 +211,10 @@ impl Interval {
         let product = |a: &BigFloat, b: &BigFloat, mode| {
             if a.is_zero() || b.is_zero() { small(0) } else { a.mul(b, BITS, mode) }
         };
+        if self.is_not_negative() && other.is_not_negative() {
+            let (low, high) = (&self.low, &self.high);
+            return Self::new(product(low, &other.low, DOWN), product(high, &other.high, UP));
+        }
         let ends = [
             (&self.low, &other.low),
             (&self.low, &other.high),

@@ -220,6 +220,17 @@ impl Family {
 }
 
 impl TimeMapping {
+    /// The form in which it is computed.
+    pub(crate) fn form(&self) -> Form {
+        match self {
+            Self::Family { family, .. } => match self.complement() {
+                Some(complement) if family.is_iterated() => Form::Complement(complement),
+                _ => Form::Kappa(family.kappa()),
+            },
+            Self::Custom(custom) => custom.form.clone(),
+        }
+    }
+
     /// tau - mu(t), t the stretched time since the start; none where only kappa is known in closed
     /// form.
     pub(super) fn complement(&self) -> Option<Expression> {

@@ -1,0 +1,217 @@
+//! Stretched time over a cell of the time-to-go, and the derivatives of kappa there.
+
+use std::collections::BTreeMap;
+use std::ops::Add;
+
+use super::Campaign;
+use super::flow::Rows;
+use super::range::Range;
+use super::series::{Arithmetic, Series, product};
+use crate::algebra::{BigInt, BigRational, integer};
+use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expansion::bell::factorials;
+use crate::expression::interval::Interval;
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Variable};
+use crate::mapping::{Form, Kappa};
+use crate::spec::{Fixed, Parameter, TimeMapping};
+
+/// A mapping in units of tau: its T is the T/tau of the run.
+pub(super) struct Clock {
+    form: Form,
+    names: Names,
+    evaluator: Evaluator,
+    /// Derivatives that are asked for.
+    order: usize,
+    /// Units of stretched time in one second of it.
+    rate: Interval,
+    factorials: Vec<Range>,
+    /// Stretched time at the T/tau that were asked for.
+    known: BTreeMap<BigRational, Interval>,
+}
+
+/// The values of what is fixed in a design.
+pub(super) fn values(campaign: &Campaign) -> BTreeMap<Parameter, BigRational> {
+    let fixed = campaign.spec.fixed.iter().chain(&campaign.plant.fixed);
+    fixed.filter_map(|(name, value)| Some((*name, Fixed::number(value)?.clone()))).collect()
+}
+
+impl Clock {
+    /// The mapping of a campaign; none where it does not scale with a tau that is not known.
+    pub(super) fn new(campaign: &Campaign, order: usize, rate: &BigRational) -> Option<Self> {
+        let values = values(campaign);
+        let (low, high) = campaign.tau;
+        let tau = Expression::Number(BigRational::from_float(low)?);
+        let with = |form: &Expression, tau: &Expression| {
+            let share = Expression::from(Variable::TimeToGo).mul(tau.clone());
+            normal(&form.substitute(&|e| match e {
+                Expression::Variable(Variable::TimeToGo) => Some(share.clone()),
+                Expression::Parameter(Parameter::Tau) => Some(tau.clone()),
+                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+                _ => None,
+            }))
+        };
+        let unknown = Expression::from(Parameter::Tau);
+        let scales = |form: &Expression| !form.parameters().contains(&Parameter::Tau);
+        let of_family = matches!(campaign.spec.time_mapping, TimeMapping::Family { .. });
+        // mu of a family is tau times a function of stretched time alone.
+        let one = Expression::integer(1);
+        let in_units = |form: &Expression, of_mu: bool| {
+            let share = if of_mu { form.clone().div(unknown.clone()) } else { form.clone() };
+            match () {
+                () if of_family => Some(with(form, &one)),
+                () if scales(&with(&share, &unknown)) => Some(with(form, &one)),
+                () if low == high && of_mu => Some(with(&share, &tau)),
+                () if low == high => Some(with(form, &tau)),
+                () => None,
+            }
+        };
+        let form = match campaign.spec.time_mapping.form() {
+            Form::Kappa(kappa) => Form::Kappa(Kappa::new(&in_units(&kappa.form, false)?)),
+            Form::Complement(form) => Form::Complement(in_units(&form, true)?),
+        };
+        let known = BTreeMap::from([(integer(1), Interval::integer(0))]);
+        let (names, evaluator) = (Names::new(), Evaluator::new());
+        let rate = Interval::exact(rate);
+        let exact = |value: &BigInt| Range::from(&Interval::scaled(value, 0));
+        let factorials = factorials(order).iter().map(exact).collect();
+        Some(Self { form, names, evaluator, order, rate, factorials, known })
+    }
+
+    fn value(
+        &mut self,
+        expression: &Expression,
+        name: Variable,
+        at: &Interval,
+    ) -> Option<Interval> {
+        self.names.insert(name.into(), at.clone());
+        self.evaluator.sound(expression, &self.names)
+    }
+
+    /// Stretched time in its units at one T/tau.
+    pub(super) fn stretched(&mut self, share: &BigRational) -> Option<Interval> {
+        if let Some(known) = self.known.get(share) {
+            return Some(known.clone());
+        }
+        let at = Interval::exact(share);
+        let seconds = match self.form.clone() {
+            Form::Kappa(kappa) => self.value(&kappa.form, Variable::TimeToGo, &at)?,
+            Form::Complement(form) => self.root(&form, &at)?,
+        };
+        let stretched = seconds.times(&self.rate);
+        self.known.insert(share.clone(), stretched.clone());
+        Some(stretched)
+    }
+
+    /// The stretched time at which tau - mu, which falls, is `target`.
+    fn root(&mut self, form: &Expression, target: &Interval) -> Option<Interval> {
+        let number =
+            |value: f64| BigRational::from_float(value).map(|value| Interval::exact(&value));
+        let mut is_early = |t: f64| {
+            let excess = self.value(form, Variable::SinceStart, &number(t)?)?;
+            Some(excess.plus(&target.neg()))
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        while !is_early(high)?.is_negative() {
+            (low, high) = (high, 2.0 * high);
+            (high < 1e15).then_some(())?;
+        }
+        // Each end is moved as long as it is certain on which side of the root it is.
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            let excess = is_early(middle)?;
+            match () {
+                () if excess.is_positive() => low = middle,
+                () if excess.is_negative() => high = middle,
+                () => break,
+            }
+        }
+        Some(number(low)?.hull(&number(high)?))
+    }
+
+    /// kappa^(k) w^k/k! for k = 1..order, w = T/tau over all of `share` and kappa in units of
+    /// stretched time, of which all is in `stretched`.
+    pub(super) fn derivatives(
+        &mut self,
+        share: &Interval,
+        stretched: &Interval,
+    ) -> Option<Vec<Interval>> {
+        let length = self.order + 1;
+        let unit = |first: i64, second: i64| -> Vec<Interval> {
+            let of = |k: usize| {
+                Interval::integer(match k {
+                    0 => first,
+                    1 => second,
+                    _ => 0,
+                })
+            };
+            (0..length).map(of).collect()
+        };
+        let form = self.form.clone();
+        let terms = match form {
+            Form::Kappa(kappa) => {
+                let series = Series { scale: share.clone(), terms: unit(1, -1) };
+                let left = Series { scale: Interval::integer(1), terms: unit(1, -1) };
+                let (names, evaluator) = (&self.names, &mut self.evaluator);
+                let variable = Variable::TimeToGo;
+                let rate = Arithmetic { variable, series, names, evaluator }.series(&kappa.rate)?;
+                // w kappa' = 1/((1 - z) rate), with T (1 - z) in place of T.
+                let slope = rate.times(&left).reciprocal().plain();
+                let term = |(k, slope): (i64, &Interval)| slope.over(&Interval::integer(k));
+                (1..).zip(&slope[..self.order]).map(term).collect()
+            }
+            Form::Complement(form) => {
+                let mut around = unit(0, 1);
+                around[0] = stretched.over(&self.rate);
+                let series = Series { scale: Interval::integer(1), terms: around };
+                let (names, evaluator) = (&self.names, &mut self.evaluator);
+                let variable = Variable::SinceStart;
+                let falls = Arithmetic { variable, series, names, evaluator }.series(&form)?;
+                reversed(&falls.neg().plain(), share)
+            }
+        };
+        Some(terms.iter().map(|term| term.times(&self.rate)).collect())
+    }
+
+    /// B_{i,j}(kappa', kappa'', ...) w^i for 0 <= j <= i <= order, which BB\[mu\] is made of; none
+    /// where kappa is not seen to grow.
+    pub(super) fn bell(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
+        let derivatives = self.derivatives(share, stretched)?;
+        let mut series = vec![Range::from(0.0)];
+        series.extend(derivatives.iter().map(Range::from));
+        if !series[1].is_positive() || !series.iter().all(|entry| entry.is_bounded()) {
+            return None;
+        }
+        let length = series.len();
+        let mut power = vec![Range::from(0.0); length];
+        power[0] = Range::from(1.0);
+        let mut table = vec![Vec::new(); length];
+        for j in 0..length {
+            for (i, row) in table.iter_mut().enumerate().skip(j) {
+                row.push(power[i] * self.factorials[i] / self.factorials[j]);
+            }
+            let term = |k: usize| {
+                let terms = (j..k).map(|i| power[i] * series[k - i]);
+                terms.reduce(Range::add).unwrap_or(Range::from(0.0))
+            };
+            power = (0..length).map(term).collect();
+        }
+        Some(table)
+    }
+}
+
+/// The series of q in z for which sum_l m_l q^l = w z, l >= 1, from the order 1 on.
+fn reversed(m: &[Interval], w: &Interval) -> Vec<Interval> {
+    let zero = Interval::integer(0);
+    let mut q = vec![zero.clone(); m.len()];
+    q[1] = w.over(&m[1]);
+    for k in 2..m.len() {
+        let (mut power, mut sum) = (q.clone(), zero.clone());
+        for m in &m[2..=k] {
+            power = product(&power, &q);
+            sum = sum.plus(&m.times(&power[k]));
+        }
+        q[k] = sum.over(&m[1]).neg();
+    }
+    q.split_off(1)
+}

@@ -1,0 +1,245 @@
+//! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
+
+use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expression::interval::Interval;
+use crate::expression::{Expression, Function, Variable};
+
+/// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
+/// power of the variable stay single numbers, however wide the variable is.
+#[derive(Clone, Debug)]
+pub(super) struct Series {
+    pub(super) scale: Interval,
+    pub(super) terms: Vec<Interval>,
+}
+
+/// The series around one point, in one variable.
+pub(super) struct Arithmetic<'a> {
+    pub(super) variable: Variable,
+    pub(super) series: Series,
+    pub(super) names: &'a Names,
+    pub(super) evaluator: &'a mut Evaluator,
+}
+
+fn integer(value: usize) -> Interval {
+    Interval::integer(i64::try_from(value).unwrap_or(i64::MAX))
+}
+
+/// sum_{j in range} weight(j) a_j b_(k-j).
+fn convolution(
+    (a, b): (&[Interval], &[Interval]),
+    k: usize,
+    range: std::ops::RangeInclusive<usize>,
+    weight: &dyn Fn(usize) -> Interval,
+) -> Interval {
+    let term = |j: usize| weight(j).times(&a[j].times(&b[k - j]));
+    range.map(term).fold(Interval::integer(0), |sum, term| sum.plus(&term))
+}
+
+fn one(_: usize) -> Interval {
+    Interval::integer(1)
+}
+
+/// The product of two series, as long as the first.
+pub(super) fn product(a: &[Interval], b: &[Interval]) -> Vec<Interval> {
+    (0..a.len()).map(|k| convolution((a, b), k, 0..=k, &one)).collect()
+}
+
+/// Term k of w with w' = a' v: (1/k) sum_j j a_j v_(k-j).
+fn next_term(a: &[Interval], v: &[Interval], k: usize) -> Interval {
+    convolution((a, v), k, 1..=k, &integer).over(&integer(k))
+}
+
+/// Term k of w with w' v = a': (a_k - (1/k) sum_{j<k} j w_j v_(k-j))/v_0.
+fn next_quotient(a: &[Interval], w: &[Interval], v: &[Interval], k: usize) -> Interval {
+    let sum = convolution((w, v), k, 1..=k - 1, &integer).over(&integer(k));
+    a[k].plus(&sum.neg()).over(&v[0])
+}
+
+impl Series {
+    fn constant(value: Interval, length: usize) -> Self {
+        let mut terms = vec![Interval::integer(0); length];
+        terms[0] = Interval::integer(1);
+        Self { scale: value, terms }
+    }
+
+    /// The terms with the scale in them.
+    pub(super) fn plain(&self) -> Vec<Interval> {
+        self.terms.iter().map(|term| self.scale.times(term)).collect()
+    }
+
+    fn of(terms: Vec<Interval>) -> Self {
+        Self { scale: Interval::integer(1), terms }
+    }
+
+    pub(super) fn neg(self) -> Self {
+        Self { scale: self.scale.neg(), ..self }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let pairs = self.plain().into_iter().zip(other.plain());
+        Self::of(pairs.map(|(a, b)| a.plus(&b)).collect())
+    }
+
+    pub(super) fn times(&self, other: &Self) -> Self {
+        let scale = self.scale.times(&other.scale);
+        Self { scale, terms: product(&self.terms, &other.terms) }
+    }
+
+    /// Leading term, and the terms divided by it.
+    fn leading(&self) -> (Interval, Vec<Interval>) {
+        let first = &self.terms[0];
+        let mut terms: Vec<_> = self.terms.iter().map(|term| term.over(first)).collect();
+        terms[0] = Interval::integer(1);
+        (self.scale.times(first), terms)
+    }
+
+    pub(super) fn reciprocal(&self) -> Self {
+        let (leading, terms) = self.leading();
+        let terms = power(&terms, &Interval::integer(-1));
+        Self { scale: Interval::integer(1).over(&leading), terms }
+    }
+
+    fn whole_power(&self, k: u32) -> Self {
+        if k == 1 {
+            return self.clone();
+        }
+        let half = self.whole_power(k / 2);
+        let square = half.times(&half);
+        if k % 2 == 1 { square.times(self) } else { square }
+    }
+}
+
+/// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).
+fn power(a: &[Interval], p: &Interval) -> Vec<Interval> {
+    let mut terms = vec![Interval::integer(1)];
+    for k in 1..a.len() {
+        let weight = |j| p.times(&integer(j)).plus(&integer(k - j).neg());
+        terms.push(convolution((a, &terms), k, 1..=k, &weight).over(&integer(k)));
+    }
+    terms
+}
+
+impl Arithmetic<'_> {
+    /// The series of an expression; none where it is not smooth, or has no value.
+    pub(super) fn series(&mut self, e: &Expression) -> Option<Series> {
+        use Expression as E;
+        if !e.contains(self.variable) {
+            let value = self.evaluator.sound(e, self.names)?;
+            return Some(Series::constant(value, self.series.terms.len()));
+        }
+        Some(match e {
+            E::Variable(_) | E::Number(_) | E::Pi | E::Parameter(_) => self.series.clone(),
+            E::Neg(a) => self.series(a)?.neg(),
+            E::Add(a, b) => self.series(a)?.plus(&self.series(b)?),
+            E::Sub(a, b) => self.series(a)?.plus(&self.series(b)?.neg()),
+            E::Mul(a, b) => self.series(a)?.times(&self.series(b)?),
+            E::Div(a, b) => self.series(a)?.times(&self.series(b)?.reciprocal()),
+            E::Power(a, b) if !b.contains(self.variable) => {
+                let a = self.series(a)?;
+                let whole = b.small_integer().filter(|k| k.unsigned_abs() <= 64 && *k != 0);
+                match whole {
+                    Some(k) if k > 0 => a.whole_power(k.unsigned_abs()),
+                    Some(k) => a.whole_power(k.unsigned_abs()).reciprocal(),
+                    None => {
+                        let exponent = self.evaluator.sound(b, self.names)?;
+                        self.power(&a, &exponent)?
+                    }
+                }
+            }
+            E::Power(a, b) => {
+                let logarithm = E::call(Function::Ln, (**a).clone());
+                self.series(&E::call(Function::Exp, (**b).clone().mul(logarithm)))?
+            }
+            E::Min(a, b) | E::Max(a, b) => {
+                let (a, b) = (self.series(a)?, self.series(b)?);
+                let gap = a.plus(&b.clone().neg()).plain().swap_remove(0);
+                let first = match e {
+                    E::Min(..) => gap.is_negative(),
+                    _ => gap.is_positive(),
+                };
+                match gap.has_zero() {
+                    true => return None,
+                    false if first => a,
+                    false => b,
+                }
+            }
+            E::Call(Function::Sqrt, a) => {
+                let a = self.series(a)?;
+                self.power(&a, &Interval::integer(1).over(&Interval::integer(2)))?
+            }
+            E::Call(function, a) => {
+                let a = self.series(a)?;
+                self.function(*function, &a)?
+            }
+        })
+    }
+
+    fn power(&mut self, a: &Series, exponent: &Interval) -> Option<Series> {
+        let (leading, terms) = a.leading();
+        let scale = leading.is_positive().then(|| self.evaluator.power(&leading, exponent))??;
+        Some(Series { scale, terms: power(&terms, exponent) })
+    }
+
+    fn function(&mut self, function: Function, a: &Series) -> Option<Series> {
+        if function == Function::Ln {
+            let (leading, terms) = a.leading();
+            let first =
+                leading.is_positive().then(|| self.evaluator.call(function, &leading))??;
+            let mut own = vec![first];
+            (1..terms.len()).for_each(|k| own.push(next_quotient(&terms, &own, &terms, k)));
+            return Some(Series::of(own));
+        }
+        let inner = a.plain();
+        let at = &inner[0];
+        if let Function::Abs | Function::Sign = function {
+            let sign = match () {
+                () if at.is_positive() => Interval::integer(1),
+                () if at.is_negative() => Interval::integer(-1),
+                () => return None,
+            };
+            let sign = Series::constant(sign, inner.len());
+            return Some(if function == Function::Abs { sign.times(a) } else { sign });
+        }
+        let mut own = vec![self.evaluator.call(function, at)?];
+        let length = 1..inner.len();
+        // Term k of 1 + w^2 or 1 - w^2.
+        let square = |w: &[Interval], k: usize, minus: bool| {
+            let square = convolution((w, w), k, 0..=k, &one);
+            let unit = Interval::integer(i64::from(k == 0));
+            unit.plus(&if minus { square.neg() } else { square })
+        };
+        match function {
+            Function::Exp => length.for_each(|k| own.push(next_term(&inner, &own, k))),
+            Function::Sin | Function::Cos | Function::Sinh | Function::Cosh => {
+                // What each is the derivative of, up to sign.
+                let (partner, own_sign, sign) = match function {
+                    Function::Sin => (Function::Cos, 1, -1),
+                    Function::Cos => (Function::Sin, -1, 1),
+                    Function::Sinh => (Function::Cosh, 1, 1),
+                    _ => (Function::Sinh, 1, 1),
+                };
+                let mut other = vec![self.evaluator.call(partner, at)?];
+                for k in length {
+                    let next = next_term(&inner, &other, k).times(&Interval::integer(own_sign));
+                    other.push(next_term(&inner, &own, k).times(&Interval::integer(sign)));
+                    own.push(next);
+                }
+            }
+            Function::Tan | Function::Tanh => {
+                let mut slope = vec![square(&own, 0, function == Function::Tanh)];
+                for k in length {
+                    own.push(next_term(&inner, &slope, k));
+                    slope.push(square(&own, k, function == Function::Tanh));
+                }
+            }
+            _ => {
+                let minus = function == Function::Atanh;
+                let under: Vec<_> = (0..inner.len()).map(|k| square(&inner, k, minus)).collect();
+                // The domain of atanh; of atan it is always positive.
+                under[0].is_positive().then_some(())?;
+                length.for_each(|k| own.push(next_quotient(&inner, &own, &under, k)));
+            }
+        }
+        Some(Series::of(own))
+    }
+}
