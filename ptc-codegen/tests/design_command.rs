@@ -5,20 +5,13 @@ mod support;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-
-fn run(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = support::command(arguments);
-    command.current_dir(folder);
-    command
-}
 
 fn stdout(folder: &Path, arguments: &[&str]) -> String {
-    support::stdout(&mut run(folder, arguments))
+    support::stdout(&mut support::command_in(folder, arguments))
 }
 
 fn stderr(folder: &Path, arguments: &[&str]) -> String {
-    support::stderr(&mut run(folder, arguments), 2)
+    support::stderr(&mut support::command_in(folder, arguments), 2)
 }
 
 /// A folder of a test's own that holds `design.toml`.

@@ -63,6 +63,8 @@ fn objectives_hold_and_fail_as_their_exact_solutions_do() {
         ("bound = \"input\"\nupsilon = \"abs(3 - 6*T/tau) - 1e-6 + 0*dt\"", false),
         ("bound = \"within\"\nh = \"x2\"\nlow = -1.501\nhigh = 0", true),
         ("bound = \"within\"\nh = \"x2\"\nlow = -1.49", false),
+        // The least x2, -1.5 at T = 0.5, lies between two instants: -1.49985 is the least there.
+        ("bound = \"within\"\nh = \"x2\"\nlow = -1.49999", false),
         ("bound = \"within\"\nh = \"x1 - 3*T^2 + 2*T^3\"\nlow = -1e-8\nhigh = 1e-8", true),
         ("bound = \"within\"\nh = \"u - 3 + 6*T\"\nlow = -1e-6\nhigh = 1e-6", true),
         ("bound = \"within\"\nh = \"sqrt(x1 - 2)\"\nlow = -1e9", false),

@@ -1,17 +1,15 @@
 //! What `verify` proves, against dense samples of exact solutions: derivatives of kappa written down by
 //! hand, and the matrix exponential of nalgebra in doubles.
 
+mod support;
+
 use nalgebra::{DMatrix, DVector};
-use ptc_codegen::diagnostic::Place;
 use ptc_codegen::verify::{self, Campaign};
-use ptc_codegen::{design, plant, spec};
 
 fn campaign(text: &str) -> Campaign {
-    let (entries, found) = design::read(text, &mut |_| Place(0));
-    assert!(found.is_empty(), "{found:?}\n{text}");
-    let spec = spec::read(&entries).expect("a spec");
-    let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
-    verify::read(&entries, &spec, &plant).unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"))
+    let (spec, plant) = support::design(text);
+    let read = verify::read(&support::entries(text), &spec, &plant);
+    read.unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"))
 }
 
 /// Numbers that look drawn, the same in each run.

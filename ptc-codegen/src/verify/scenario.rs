@@ -162,6 +162,16 @@ impl Campaign {
 
     /// A scenario in the plant's units.
     pub fn setting(&self, scenario: &Scenario) -> Setting {
+        self.looked_at(scenario, 1)
+    }
+
+    /// The same, looked at often enough that a peak between two instants is near one of them.
+    pub fn closely(&self, scenario: &Scenario) -> Setting {
+        self.looked_at(scenario, 16)
+    }
+
+    /// A scenario with each step of the grid divided.
+    fn looked_at(&self, scenario: &Scenario, parts: u32) -> Setting {
         let mut next = scenario.0.iter().copied();
         let mut draw = |interval: Interval| between(interval, next.next().unwrap_or(0.5));
         let mut values = Values::of(&self.spec, &self.plant);
@@ -192,6 +202,9 @@ impl Campaign {
         grid.extend(&breaks);
         grid.sort_by(|a, b| b.total_cmp(a));
         grid.dedup();
+        let within: Vec<_> = grid.windows(2).flat_map(|step| divided(step, parts)).collect();
+        grid.extend(within);
+        grid.sort_by(|a, b| b.total_cmp(a));
         let (mut from, mut pieces) = (1.0, Vec::with_capacity(breaks.len()));
         for to in breaks {
             let mut values = values.clone();
@@ -251,6 +264,12 @@ fn wave(d: usize) -> [Parameter; 4] {
         let name = Name::new(&format!("ptc_disturbance{d}_{part}"));
         name.map_or(Parameter::StartTime, Parameter::Named)
     })
+}
+
+/// What divides a step of the grid evenly.
+fn divided(step: &[f64], parts: u32) -> impl Iterator<Item = f64> + use<> {
+    let (from, to) = (step[0], step[1]);
+    (1..parts).map(move |part| from + (to - from) * (f64::from(part) / f64::from(parts)))
 }
 
 fn between((low, high): Interval, part: f64) -> f64 {

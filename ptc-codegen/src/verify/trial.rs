@@ -28,6 +28,13 @@ pub struct Outcome {
     pub ended: Option<Failure>,
 }
 
+impl Outcome {
+    /// By how much an objective is exceeded on the side on which it comes off worse.
+    pub(super) fn worst(&self, objective: usize) -> f64 {
+        self.excess[objective].max(self.excess_direct[objective])
+    }
+}
+
 /// One instant of a run, to be shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {

@@ -3,29 +3,19 @@
 #![cfg(all(feature = "cli", feature = "campaign"))]
 
 mod mathml;
+#[path = "../support/mod.rs"]
+mod support;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use roxmltree::{Document, Node, ParsingOptions};
-
-/// Exit code, standard output and standard error of a run in `folder`.
-fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    let command = command.args(arguments).current_dir(folder).stdin(Stdio::null());
-    let output = command.output().expect("the binary runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.code(), text(&output.stdout), text(&output.stderr))
-}
+use support::run_in as run;
 
 /// A folder of a test's own that holds `stage.toml`.
 fn folder(test: &str, design: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("report_{test}"));
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).expect("a folder for the test");
-    fs::write(path.join("stage.toml"), design).expect("a design");
-    path
+    support::folder_with(&format!("report_{test}"), "stage.toml", design)
 }
 
 /// The report that a run which succeeds has written.
@@ -262,7 +252,7 @@ fn a_verification_has_its_verdicts() {
     ] {
         assert!(told.contains(part), "{part}: {told}");
     }
-    assert_eq!(told.matches("holds, by sampling").count(), 4, "{told}");
+    assert_eq!(told.matches("holds, proved by intervals").count(), 4, "{told}");
     // Bounds of four objectives are drawn, in dashes.
     let bounds =
         named(section(&page, "run"), "line").chain(named(section(&page, "run"), "polyline"));

@@ -8,13 +8,19 @@ use std::process::{Command, Output, Stdio};
 
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::spec::{Entry, Spec};
 use ptc_codegen::{design, spec};
+
+/// The entries of a design file's text.
+pub(crate) fn entries(text: &str) -> Vec<Entry> {
+    let (entries, found) = design::read(text, &mut |_| Place(0));
+    assert_eq!(found, [], "{text}");
+    entries
+}
 
 /// The controller and the plant of a design file's text.
 pub(crate) fn design(text: &str) -> (Spec, Plant) {
-    let (entries, found) = design::read(text, &mut |_| Place(0));
-    assert_eq!(found, [], "{text}");
+    let entries = entries(text);
     let spec = spec::read(&entries).unwrap_or_else(|found| panic!("{text}: {found:?}"));
     let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
     (spec, plant)
@@ -41,6 +47,20 @@ pub(crate) fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
     command.args(arguments).stdin(Stdio::null());
     command
+}
+
+/// The command in a folder.
+#[cfg(feature = "cli")]
+pub(crate) fn command_in(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = command(arguments);
+    command.current_dir(folder);
+    command
+}
+
+/// The exit code, standard output and standard error of a run in a folder.
+#[cfg(feature = "cli")]
+pub(crate) fn run_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    told(&mut command_in(folder, arguments))
 }
 
 /// The exit code, standard output and standard error of a run.

@@ -141,7 +141,7 @@ fn figure(
     trajectory: &Trajectory,
 ) -> Result<Figure, Failure> {
     let Trajectory { scenario, instants, .. } = trajectory;
-    let setting = campaign.setting(scenario);
+    let setting = campaign.closely(scenario);
     let levels = trial
         .levels(&setting, instants)
         .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;

@@ -153,7 +153,7 @@ fn trajectory(
     scenario: &Scenario,
 ) -> Result<Vec<Instant>, Failure> {
     let mut instants = Vec::new();
-    let ended = trial.infinite(&campaign.setting(scenario), &mut |instant| instants.push(instant));
+    let ended = trial.infinite(&campaign.closely(scenario), &mut |instant| instants.push(instant));
     match ended {
         // How far it came is what is to be seen.
         Err(_) if !instants.is_empty() => Ok(instants),
