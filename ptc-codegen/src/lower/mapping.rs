@@ -221,6 +221,7 @@ impl Family {
 
 impl TimeMapping {
     /// The form in which it is computed.
+    #[cfg(feature = "campaign")]
     pub(crate) fn form(&self) -> Form {
         match self {
             Self::Family { family, .. } => match self.complement() {

@@ -37,22 +37,26 @@ impl Evaluator {
     }
 
     /// The same with all of the work left; the constants of its functions, which take long, are kept.
+    #[cfg(feature = "campaign")]
     pub(crate) fn again(&mut self) -> &mut Self {
         self.left = MAX_OPERATIONS;
         self
     }
 
     /// A function of an interval.
+    #[cfg(feature = "campaign")]
     pub(crate) fn call(&mut self, function: Function, x: &Interval) -> Option<Interval> {
         Some(x.call(function, self.cache.as_mut()?))
     }
 
     /// x^exponent of a positive x.
+    #[cfg(feature = "campaign")]
     pub(crate) fn power(&mut self, x: &Interval, exponent: &Interval) -> Option<Interval> {
         Some(x.power(exponent, self.cache.as_mut()?))
     }
 
     /// The values of an expression where it certainly has one for all of the arguments.
+    #[cfg(feature = "campaign")]
     pub(crate) fn sound(&mut self, expression: &Expression, names: &Names) -> Option<Interval> {
         let value = self.again().value(expression, names)?;
         (!value.is_undefined && !value.may_divide_by_zero).then_some(value.interval)
