@@ -1,8 +1,8 @@
 //! Objectives that are proved: no scenario is needed where the loop is linear in stretched time.
 //!
 //! With a constant g and an f that is bounded, Theorem 1 makes the loop xi' = A xi + mu'^n f with the
-//! companion matrix A of the gains, and maps it back. [`flow`] encloses e^(At), [`clock`] the mapping,
-//! [`forced`] what f adds, and [`cell`] x and u over a cell of T/tau, for tau = 1; another tau scales
+//! companion matrix A of the gains, and maps it back. `flow` encloses e^(At), `clock` the mapping,
+//! `forced` what f adds, and `cell` x and u over a cell of T/tau, for tau = 1; another tau scales
 //! them. What an objective leaves of its bound is looked at over cells of T/tau and tau that cover all
 //! of them, which are halved until it is positive on each.
 
