@@ -22,10 +22,13 @@ pub struct Context {
     pub brief: bool,
 }
 
+/// For which the fuzzer draws controllers unless it is told otherwise.
+pub const TIME: Duration = Duration::from_secs(20);
+
 impl Context {
     /// The context that works below `root`.
     pub fn new(root: PathBuf, seed: u64) -> Self {
-        Self { root, seed, time: Duration::from_secs(20), brief: false }
+        Self { root, seed, time: TIME, brief: false }
     }
 
     /// The greatest order of the families that a layer examines, `full` where the run is not brief.

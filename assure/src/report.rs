@@ -4,14 +4,18 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::context::Context;
+use crate::context::{Context, TIME};
 use crate::layer::{Finding, Layer, Outcome, Table};
 
 /// The text of the report.
 pub fn report(context: &Context, layers: &[(&Layer, Outcome)]) -> String {
     let (seed, brief) = (context.seed, if context.brief { " --brief" } else { "" });
+    let minutes = match context.time {
+        TIME => String::new(),
+        time => format!(" --minutes {}", time.as_secs_f64() / 60.0),
+    };
     let mut text = format!(
-        "# Assurance\n\nWritten by `cargo assure --seed {seed}{brief}`, every number by that run. It \
+        "# Assurance\n\nWritten by `cargo assure --seed {seed}{minutes}{brief}`, every number by that run. It \
          examines what ptc-codegen {} emits: the controllers of `generated/`, every family at \
          several orders in both precisions, and random ones of that seed.\nEach layer also \
          examines code with defects put in on purpose, and fails where it does not see them.\n\n\
