@@ -307,3 +307,20 @@ fn a_disturbance_is_held_against_its_worst_signal() {
 fn until_share(until: f64, i: u32, last: u32) -> f64 {
     until.powf(f64::from(i) / f64::from(last))
 }
+
+/// u is 3 - 6T and 1 - 3T from (1, 0) and (0, 1): at most 5 - dt in size together.
+#[test]
+fn bounds_in_t_begin_at_t0() {
+    let proved = |upsilon: &str| {
+        let text = format!(
+            "n = 2\nmu = \"exp(a=1)\"\ng = 2\npoles = [-2, -3]\n[params]\ntau = 1\nt0 = 10\n\
+             [plant]\nf = 0\n[verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\n\
+             [[objective]]\nbound = \"input\"\nupsilon = \"{upsilon}\"\n"
+        );
+        verify::bound::proved(&campaign(&text))
+    };
+    assert_eq!(proved("15.001 - t"), [true]);
+    assert_eq!(proved("5.001 - (t - t0)"), [true]);
+    assert_eq!(proved("5.001 - t"), [false]);
+    assert_eq!(proved("14.99 - t"), [false]);
+}

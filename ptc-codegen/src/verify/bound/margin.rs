@@ -43,7 +43,7 @@ impl Bounds {
         let values = values(campaign).into_iter();
         let mut names: Names =
             values.map(|(name, value)| (name.into(), Interval::exact(&value))).collect();
-        names.insert(Parameter::StartTime.into(), Interval::integer(0));
+        names.entry(Parameter::StartTime.into()).or_insert_with(|| Interval::integer(0));
         let ends = |(low, high): &(f64, f64)| [Range::from(*low), Range::from(*high)];
         let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(high));
         // What f adds stands in a column of its own.
@@ -88,7 +88,8 @@ impl Bounds {
         let elapsed = within(&((&one - high) * &tau[0]), &((&one - low) * &tau[1]));
         let mut names = self.names.clone();
         names.insert(Variable::TimeToGo.into(), within(&(low * &tau[0]), &(high * &tau[1])));
-        names.insert(Variable::Time.into(), elapsed.clone());
+        let time = names.get(&Parameter::StartTime.into()).map(|start| start.plus(&elapsed));
+        names.extend(time.map(|time| (Variable::Time.into(), time)));
         names.insert(Variable::Elapsed.into(), elapsed);
         let tau = within(&tau[0], &tau[1]);
         let scale = Range::from(&tau);
