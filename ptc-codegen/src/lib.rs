@@ -39,7 +39,7 @@ use emit::measured::Measured;
 use emit::{Controller, File, Language, Project};
 use law::Law;
 use program::{Op, Program, number, passes};
-use spec::{Precision, Spec};
+use spec::Spec;
 
 /// Generates the source files of one controller.
 ///
@@ -136,7 +136,7 @@ fn optimised(spec: &Spec, law: &Law) -> Result<Program, Vec<Diagnostic>> {
     });
     let Some(overflow) = overflow else { return Ok(program) };
     let name = overflow.name.as_ref().map_or("a coefficient", |(_, meaning)| meaning.as_str());
-    let precision = if spec.precision == Precision::F32 { "f32" } else { "f64" };
+    let precision = spec.precision.name();
     let mut found = Diagnostics::default();
     found.push(
         "overflow",

@@ -234,7 +234,7 @@ impl TimeMapping {
 
     /// tau - mu(t), t the stretched time since the start; none where only kappa is known in closed
     /// form.
-    pub(super) fn complement(&self) -> Option<Expression> {
+    pub fn complement(&self) -> Option<Expression> {
         match self {
             Self::Family { family: Family::ExpSum, rates } => {
                 let decay = |i| {

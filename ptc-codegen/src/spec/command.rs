@@ -73,10 +73,15 @@ impl Spec {
         words
     }
 
+    /// The poles as they are written for `--poles`, exact.
+    pub fn written_poles(&self) -> String {
+        let poles: Vec<_> = self.poles.iter().map(|(re, im)| pole(re, im)).collect();
+        poles.join(",")
+    }
+
     fn gain_words(&self) -> Option<String> {
         if !self.poles.is_empty() {
-            let poles: Vec<_> = self.poles.iter().map(|(re, im)| pole(re, im)).collect();
-            return Some(format!("--poles={}", poles.join(",")));
+            return Some(format!("--poles={}", self.written_poles()));
         }
         let gains = (1..=self.n).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
         list(gains).map(|gains| format!("--gains={gains}"))

@@ -41,6 +41,16 @@ pub enum Precision {
     F64,
 }
 
+impl Precision {
+    /// Its name, as a key's value and in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+}
+
 /// Which run-time checks of the inputs of `step` are emitted. A result that is not finite is
 /// [`PTC_E_RANGE`](crate::emit) under each of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -62,10 +62,7 @@ pub(super) fn input_name(input: Input) -> String {
 
 impl From<&Envelope> for Outcome {
     fn from(envelope: &Envelope) -> Self {
-        let type_name = match envelope.precision {
-            Precision::F32 => "f32",
-            Precision::F64 => "f64",
-        };
+        let type_name = envelope.precision.name();
         let mut found: Vec<_> = [("step", &envelope.step), ("axis", &envelope.axis)]
             .into_iter()
             .filter_map(|(function, excess)| Some((function, excess.as_ref()?)))

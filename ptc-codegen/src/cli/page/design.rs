@@ -1,10 +1,7 @@
 //! What a design is, in tables, and the command that runs it again.
 
-use std::cmp::Ordering;
-
-use ptc_codegen::algebra::BigRational;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{After, Feedback, Fixed, Guard, Precision, Spec};
+use ptc_codegen::spec::{After, Feedback, Fixed, Guard, Spec};
 
 use crate::cli::source::Source;
 
@@ -44,7 +41,6 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         Guard::Result => "result: the result is checked",
         Guard::None => "none: inputs are trusted",
     };
-    let precision = if spec.precision == Precision::F32 { "f32" } else { "f64" };
     let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
     let mut facts = vec![
         fact("name", spec.name()),
@@ -54,19 +50,12 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("input gain g", gain),
     ];
     if !spec.poles.is_empty() {
-        let zero = ptc_codegen::algebra::integer(0);
-        let complex = |(re, im): &(BigRational, BigRational)| match im.cmp(&zero) {
-            Ordering::Equal => re.to_string(),
-            Ordering::Less => format!("{re} - {} i", -im),
-            Ordering::Greater => format!("{re} + {im} i"),
-        };
-        let poles: Vec<_> = spec.poles.iter().map(complex).collect();
-        facts.push(fact("poles", poles.join(", ")));
+        facts.push(fact("poles", spec.written_poles()));
     }
     facts.extend([
         fact("after the deadline", after.to_owned()),
         fact("guard", guard.to_owned()),
-        fact("precision", precision.to_owned()),
+        fact("precision", spec.precision.name().to_owned()),
     ]);
     facts
 }

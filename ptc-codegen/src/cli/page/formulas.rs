@@ -1,7 +1,7 @@
 //! The formulas of a design: plant, mapping, closed forms, law and gains.
 
 use ptc_codegen::algebra::{Kind, Symbol};
-use ptc_codegen::expression::{Expression, Function, Subject as Meaning, Variable};
+use ptc_codegen::expression::{Expression, Subject as Meaning, Variable};
 use ptc_codegen::law::{Form, Law};
 use ptc_codegen::mapping::{Family, Form as Computed};
 use ptc_codegen::plant::Plant;
@@ -36,7 +36,7 @@ fn elapsed() -> Math {
     variable(Variable::Elapsed)
 }
 
-/// n - 1 and the like, which is a number here.
+/// The order n, which is a number here.
 fn n(spec: &Spec) -> Math {
     number(spec.n)
 }
@@ -87,10 +87,13 @@ fn mapping(spec: &Spec) -> Group {
         "mu maps stretched time t to the time since the start, and kappa is its inverse."
             .to_owned();
     match &spec.time_mapping {
-        TimeMapping::Family { family, rates } => {
+        TimeMapping::Family { family, .. } => {
             let info = family.info();
             let form = match family {
-                Family::ExpSum => Some(sum_of_rates(*rates)),
+                Family::ExpSum => {
+                    let tau = Expression::from(Parameter::Tau);
+                    spec.time_mapping.complement().map(|complement| tau.sub(complement))
+                }
                 _ => info.form(Meaning::Mu),
             };
             formulas.extend(form.map(|form| equal(mu, of_expression(&form))));
@@ -126,17 +129,6 @@ fn mapping(spec: &Spec) -> Group {
         None => equal(slope, inverse),
     });
     Group { title: "Time mapping", told, formulas }
-}
-
-/// mu of `exp_sum` with this many rates.
-fn sum_of_rates(rates: usize) -> Expression {
-    let mode = |i| {
-        let phase = Expression::from(Parameter::Rate(i)).mul(Variable::SinceStart.into());
-        Expression::integer(1).sub(Expression::call(Function::Exp, phase.neg()))
-    };
-    let count = Expression::integer(i64::try_from(rates).unwrap_or(i64::MAX));
-    let sum = (1..=rates).map(mode).reduce(Expression::add).unwrap_or(Expression::integer(0));
-    Expression::from(Parameter::Tau).div(count).mul(sum)
 }
 
 fn r(spec: &Spec) -> Result<Group, Failure> {

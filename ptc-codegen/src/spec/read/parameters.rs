@@ -194,7 +194,7 @@ impl Reader<'_> {
                     _ => parameter.key(),
                 };
                 let place = self.keys.get(key).map(|node| node.place);
-                let name = if precision == Precision::F32 { "f32" } else { "f64" };
+                let name = precision.name();
                 let message =
                     format!("{} = {value} is no finite nonzero number in {name}", parameter.key());
                 self.wrong(key, place, message, format!("give a value within the range of {name}"));

@@ -16,7 +16,7 @@ pub(super) type Rows = Vec<Vec<Range>>;
 /// |A| times the distance of two nodes is at most this.
 const STEP: f64 = 0.25;
 
-/// Nodes at each of which, and then at every so manieth of which, the largest e^(At) is looked for.
+/// The largest e^(At) is looked for at each of the first nodes, and then at every one after as many.
 const FINE: u64 = 256;
 const COARSE: u64 = 512;
 

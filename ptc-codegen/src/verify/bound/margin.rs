@@ -175,8 +175,8 @@ impl Bounds {
     }
 }
 
-/// Whether |rows x|^2 < bound |x|^2 for all x, where f adds nothing: bound - rows^T rows is positive definite, by the
-/// pivots of an elimination.
+/// Whether |rows x|^2 < bound |x|^2 for all x, where f adds nothing: bound - rows^T rows is positive
+/// definite, by the pivots of an elimination.
 fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
     let n = rows.len();
     if rows.iter().any(|row| row[n] != Range::from(0.0)) {
