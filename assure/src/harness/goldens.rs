@@ -1,4 +1,4 @@
-//! The controllers whose sources are kept in generated/.
+//! The controllers whose sources are kept in generated/: the families, and what they do not show.
 
 use ptc_codegen::spec::Spec;
 
@@ -32,5 +32,42 @@ pub fn controllers() -> Vec<Spec> {
             ("u_max", "inf"),
         ]),
     ]);
+    all.extend(features());
     all
+}
+
+/// Mappings, laws, ends and divisors of one's own, and states that are latched.
+fn features() -> [Spec; 5] {
+    [
+        spec(&[
+            ("n", "2"),
+            ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3"),
+            ("name", "ptc_own_kappa2"),
+        ]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "mean(rational(a=1), tanh(a=a))"),
+            ("name", "ptc_own_mu2_iterated"),
+        ]),
+        spec(&[
+            ("n", "1"),
+            ("mu", "exp(a=1)"),
+            ("pi0", "-xi1/(abs(xi1) + abs(xi1_0)/4)"),
+            ("name", "ptc_own_law1_latched"),
+        ]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "rational"),
+            ("g", "2 + x1*x1"),
+            ("after", "zero"),
+            ("name", "ptc_rational2_input_gain"),
+        ]),
+        spec(&[
+            ("n", "3"),
+            ("mu", "tanh"),
+            ("pi0", "extern"),
+            ("after", "extern"),
+            ("name", "ptc_tanh3_extern"),
+        ]),
+    ]
 }

@@ -1,0 +1,197 @@
+/* Prescribed-time controller ptc_own_kappa2: see ptc_own_kappa2.h. DO NOT EDIT. */
+#include "ptc_own_kappa2.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        const double p_a = params->a;
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && isfinite(p_a)
+            && (p_a > 0.0)
+            && (eps < tau)) {
+            struct ptc_own_kappa2 built;
+
+            const double hold_from = -eps;
+            const double v1 = tau * tau;
+            const double w1 = -k1;
+            const double w2 = -k2;
+            built.tau = tau;
+            built.eps = eps;
+            built.hold_from = hold_from;
+            built.f22 = tau * v1 * p_a;
+            built.f24 = v1 * v1;
+            built.f26 = 3.0 * v1 * p_a;
+            built.f29 = 3.0 * p_a;
+            built.f40 = 6.0 * tau * p_a;
+            built.w1 = w1;
+            built.w2 = w2;
+            built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
+
+            if (isfinite(built.hold_from)
+                && isfinite(built.f22)
+                && isfinite(built.f24)
+                && isfinite(built.f26)
+                && isfinite(built.f29)
+                && isfinite(built.f40)
+                && isfinite(built.w1)
+                && isfinite(built.w2)) {
+                status = ptc_own_kappa2_arm(&built, t0);
+            }
+            if (status == PTC_OK) {
+                *self = built;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline) != 0) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double v1 = T * T;
+            const double v2 = self->f26 * v1;
+            const double v3 = v1 * v1 * self->f29;
+            const double v4 = T * v1 * self->f40;
+            const double v5 = self->f24 + v2 + v3 + (-v4);
+            const double v6 = (-(((v2 * (-2.0)) + (v3 * (-4.0)) + (v4 * 3.0)) * (1.0 / v5))) - 1.0;
+            const double unit = (self->f22 * T) / v5;
+            const double inv_r1 = 1.0 / (T * unit);
+            const double v7 = (self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * x2);
+            double v = v7 * inv_r1;
+
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            *u = v;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_own_kappa2_tick(const ptc_own_kappa2 *self, double t, ptc_own_kappa2_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double v1 = T * T;
+        const double v2 = self->f26 * v1;
+        const double v3 = v1 * v1 * self->f29;
+        const double v4 = T * v1 * self->f40;
+        const double v5 = self->f24 + v2 + v3 + (-v4);
+        const double v6 = (-(((v2 * (-2.0)) + (v3 * (-4.0)) + (v4 * 3.0)) * (1.0 / v5))) - 1.0;
+        const double unit = (self->f22 * T) / v5;
+        const double inv_r1 = 1.0 / (T * unit);
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = self->w1 * inv_r1 * inv_r1;
+        gains->gain[1] = (self->w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * inv_r1;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_own_kappa2_axis(const ptc_own_kappa2_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(x1)
+            && isfinite(x2)) {
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+
+            status = gains->status;
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else {
+                /* within the bound */
+            }
+            *u = v;
+        }
+    }
+    return status;
+}

@@ -1,0 +1,123 @@
+/* Prescribed-time controller ptc_rational2_input_gain: see ptc_rational2_input_gain.h. DO NOT EDIT. */
+#include "ptc_rational2_input_gain.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_rational2_input_gain_init(ptc_rational2_input_gain *self, const ptc_rational2_input_gain_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_rational2_input_gain built;
+
+            const double rate = a / tau;
+            const double K1 = k1 / (rate * rate);
+            const double K2 = k2 / rate;
+            const double c1_2 = -K1;
+            const double hold_from = -eps;
+            const double c2_1 = -K2;
+            built.tau = tau;
+            built.c1_2 = c1_2;
+            built.eps = eps;
+            built.hold_from = hold_from;
+            built.c2_1 = c2_1;
+            built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
+
+            if (isfinite(built.c1_2)
+                && isfinite(built.hold_from)
+                && isfinite(built.c2_1)) {
+                status = ptc_rational2_input_gain_arm(&built, t0);
+            }
+            if (status == PTC_OK) {
+                *self = built;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_rational2_input_gain_arm(ptc_rational2_input_gain *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline) != 0) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_rational2_input_gain_step(const ptc_rational2_input_gain *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double row1 = self->c1_2 * inv_T * inv_T;
+            const double row2 = (self->c2_1 * inv_T) + 2.0;
+            const double v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+            const double input_gain = 2.0 + (x1 * x1);
+            const double v2 = ((input_gain < 0.0) || (input_gain > 0.0)) ? (v1 / input_gain) : (double)NAN;
+            double v = (past >= 0.0) ? 0.0 : (v2);
+
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
+            }
+            *u = v;
+        }
+    }
+    return status;
+}

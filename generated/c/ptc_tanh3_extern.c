@@ -1,0 +1,132 @@
+/* Prescribed-time controller ptc_tanh3_extern: see ptc_tanh3_extern.h. DO NOT EDIT. */
+#include "ptc_tanh3_extern.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && (eps < tau)) {
+            struct ptc_tanh3_extern built;
+
+            const double hold_from = -eps;
+            const double f16 = 2.0 * tau;
+            built.tau = tau;
+            built.eps = eps;
+            built.hold_from = hold_from;
+            built.f16 = f16;
+            built.a = a;
+            built.f22 = 2.0 * a;
+            built.f24 = f16 * a;
+            built.f29 = 1.0 / tau;
+            built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
+
+            if (isfinite(built.hold_from)
+                && isfinite(built.f16)
+                && isfinite(built.f22)
+                && isfinite(built.f24)
+                && isfinite(built.f29)) {
+                status = ptc_tanh3_extern_arm(&built, t0);
+            }
+            if (status == PTC_OK) {
+                *self = built;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline) != 0) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_tanh3_extern_step(const ptc_tanh3_extern *self, double t, const double x[3], ptc_tanh3_extern_pi0 pi0, ptc_tanh3_extern_after after, void *context, double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (pi0 != NULL) && (after != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)
+            && isfinite(x3)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double v1 = T * self->a;
+            const double v2 = self->f24 + (-v1);
+            const double unit = self->f29 * v2;
+            const double v3 = v1 * (1.0 / v2);
+            const double v4 = v3 - 1.0;
+            const double v5 = v4 * 0.5;
+            const double v6 = T * unit;
+            const double inv_r1 = 1.0 / v6;
+            const double v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
+            const double xi2 = x2 * v6;
+            const double xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
+            const double t_kappa = self->t0 + ((-log(T / (self->f16 - T))) / self->f22);
+            const double xi[3] = {x1, xi2, xi3};
+            const double law = pi0(context, xi, t_kappa);
+            const double v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
+            double v = (past >= 0.0) ? after(context, x, t) : (v8 * inv_r1);
+
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
+            }
+            *u = v;
+        }
+    }
+    return status;
+}

@@ -1,0 +1,206 @@
+/*
+ * Prescribed-time controller ptc_own_law1_latched: order n = 1, mapping exp.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name ptc_own_law1_latched
+ *       --pi0="-xi1/(abs(xi1) + abs(xi1_0)/4)"
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a = 1, fixed: rate of stretched time [1/s], finite, > 0
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*(1 - exp(-a*t))
+ *   kappa(Dt) = -ln(T/tau)/a
+ *   atoms: T = time-to-go
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = (-1)^(k-1) a^k T
+ *   r_1 = a*T
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = -xi1/(abs(xi1) + abs(xi1_0)/4)
+ *   g   = 1
+ *   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Checks of the design (ptc-codegen check tells more):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: the law is no sum of gains, so its poles are not known.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step: 7 + - or comparison, 1 *, 2 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 60 cycles, Cortex-M4F about 36 cycles.
+ */
+#ifndef PTC_OWN_LAW1_LATCHED_HPP
+#define PTC_OWN_LAW1_LATCHED_HPP
+
+#include <array>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0,        ///< tracking
+    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3,     ///< the deadline is over, and what was chosen for then gives u
+    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Input = -2,    ///< x or t not finite, or t before t0
+    Range = -3     ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u;        ///< input of the plant
+    Status status; ///< how it came about
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot;  ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct PtcOwnLaw1LatchedParams {
+    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double t0{}; ///< start time [s], finite
+    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+};
+
+/// Controller: init or arm set it, all else reads it.
+class PtcOwnLaw1Latched {
+public:
+    using Params = PtcOwnLaw1LatchedParams;
+    using State = std::array<double, 1>;
+
+    /// Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0.
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params, const State& x0) noexcept
+    {
+        const double tau = params.tau;
+        const double t0 = params.t0;
+        const double eps = params.eps;
+        const double u_max = params.u_max;
+        if (!(finite(tau)
+            && (tau > 0.0)
+            && finite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && (eps < tau))) {
+            return Status::Param;
+        }
+        const double hold_from = -eps;
+        PtcOwnLaw1Latched built{};
+        built.tau_ = tau;
+        built.eps_ = eps;
+        built.hold_from_ = hold_from;
+        built.u_max_ = u_max;
+        if (!(finite(built.hold_from_))) {
+            return Status::Param;
+        }
+        const Status status = built.arm(t0, x0);
+        if (status == Status::Ok) {
+            *this = built;
+        }
+        return status;
+    }
+
+    /// Starts again at t0 [s], latching the state x0. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0, const State& x0) noexcept
+    {
+        if (!(finite(t0) && finite(x0[0]))) {
+            return Status::Param;
+        }
+        const double x1_0 = x0[0];
+        const double deadline = t0 + tau_;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
+        if (!(finite(deadline) && finite(absolute(x1_0) / 4.0))) {
+            return Status::Param;
+        }
+        t0_ = t0;
+        deadline_ = deadline;
+        correction_ = correction;
+        f23_ = absolute(x1_0) / 4.0;
+        return Status::Ok;
+    }
+
+    /// u at time t [s] and state x = (x1, x1', ...).
+    constexpr Control<double> step(double t, const State& x) const noexcept
+    {
+        const double x1 = x[0];
+        if (!(finite(t)
+            && (t >= t0_)
+            && finite(x1))) {
+            return {0.0, Status::Input};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < hold_from_) ? past : hold_from_;
+        const double T = -late;
+        const double inv_r1 = 1.0 / T;
+        const double law = (-x1) / (absolute(x1) + f23_);
+        const double v = law * inv_r1;
+        if (v > u_max_) {
+            return {u_max_, Status::Saturated};
+        }
+        if (v < -u_max_) {
+            return {-u_max_, Status::Saturated};
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        if (late < hold_from_) {
+            return {v, Status::Ok};
+        }
+        return {v, Status::Hold};
+    }
+
+private:
+    /// std::isfinite is no constant in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
+
+    double t0_{}; // start time
+    double tau_{}; // prescribed settling time
+    double deadline_{}; // t0 + tau, rounded
+    double correction_{}; // what the rounding of t0 + tau left out
+    double eps_{}; // time-to-go at which the gains are held
+    double hold_from_{}; // -eps: later than this the gains are held
+    double f23_{}; // known at the start
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

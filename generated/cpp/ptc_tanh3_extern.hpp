@@ -1,0 +1,243 @@
+/*
+ * Prescribed-time controller ptc_tanh3_extern: order n = 3, mapping tanh.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang cpp --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern --after
+ *       extern
+ * Version 0.1.0.
+ *
+ * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ *
+ * Parameters:
+ *   tau: prescribed settling time [s], finite, > 0
+ *   t0: start time [s], finite
+ *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   u_max: bound of |u| [unit of u], > 0, infinity allowed
+ *   a: rate of stretched time [1/s], finite, > 0
+ *
+ * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ *   mu(t)     = tau*tanh(a*t)
+ *   kappa(Dt) = -ln(E)/(2*a), E = T/(2*tau - T)
+ *   atoms: T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)
+ * Derivatives r_k = mu^(k)(kappa(Dt)):
+ *   r_k = 2*tau*(-2*a)^k Li_{-k}(-E)
+ *   r_1 = 2*a*T*g
+ *   r_2 = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+ *   r_3 = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ *   B_{0,0} = 1
+ *   B_{1,1} = 2*a*T*g
+ *   B_{2,1} = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+ *   B_{2,2} = 4*a^2*T^2*g^2
+ *   B_{3,1} = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+ *   B_{3,2} = 24*a^3*T^2*E*g^3 - 24*a^3*T^2*g^3
+ *
+ * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ *   pi0 = a function of yours, called with xi and t_kappa
+ *   g   = 1
+ *   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ *
+ * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+ * |u| <= u_max always (status SATURATED where u was clipped).
+ * Guard full: every input and pointer is checked.
+ * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+ *       (-ffp-contract=off).
+ *
+ * Checks of the design (ptc-codegen check tells more):
+ *   membership: sound: tanh is of class M for all its parameters.
+ *   growth: not checked: the law is no sum of gains, so its poles are not known.
+ *   sampling: not checked: `sample_time` is not given.
+ *   deadline: not checked: `error` is not given.
+ *   envelope: not checked: `x_max` is not given.
+ *
+ * Operations of one step: 16 + - or comparison, 24 *, 4 /, 0 sqrt, 2 calls.
+ * Latencies added up: x86-64 about 336 cycles, Cortex-M4F about 396 cycles.
+ */
+#ifndef PTC_TANH3_EXTERN_HPP
+#define PTC_TANH3_EXTERN_HPP
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ptc {
+
+#ifndef PTC_STATUS_HPP
+#define PTC_STATUS_HPP
+/// Outcome of a call; a negative one leaves u = 0.
+enum class Status : int {
+    Ok = 0,        ///< tracking
+    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Saturated = 2, ///< u clipped to u_max; wins over Hold and After
+    After = 3,     ///< the deadline is over, and what was chosen for then gives u
+    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Input = -2,    ///< x or t not finite, or t before t0
+    Range = -3     ///< u not finite
+};
+
+/// What a step gives.
+template <class Real>
+struct [[nodiscard]] Control {
+    Real u;        ///< input of the plant
+    Status status; ///< how it came about
+};
+
+/// What the infinite-time system gives.
+template <class State>
+struct [[nodiscard]] Rate {
+    State xi_dot;  ///< zeros on a negative status
+    Status status;
+};
+#endif
+
+/// Run-time parameters.
+struct PtcTanh3ExternParams {
+    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double t0{}; ///< start time [s], finite
+    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
+    double a{}; ///< rate of stretched time [1/s], finite, > 0
+};
+
+/// Controller: init or arm set it, all else reads it.
+class PtcTanh3Extern {
+public:
+    using Params = PtcTanh3ExternParams;
+    using State = std::array<double, 3>;
+
+    /// Takes the parameters and arms at params.t0 (or the fixed t0).
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status init(const Params& params) noexcept
+    {
+        const double tau = params.tau;
+        const double t0 = params.t0;
+        const double eps = params.eps;
+        const double u_max = params.u_max;
+        const double a = params.a;
+        if (!(finite(tau)
+            && (tau > 0.0)
+            && finite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && finite(a)
+            && (a > 0.0)
+            && (eps < tau))) {
+            return Status::Param;
+        }
+        const double hold_from = -eps;
+        const double f16 = 2.0 * tau;
+        PtcTanh3Extern built{};
+        built.tau_ = tau;
+        built.eps_ = eps;
+        built.hold_from_ = hold_from;
+        built.f16_ = f16;
+        built.a_ = a;
+        built.f22_ = 2.0 * a;
+        built.f24_ = f16 * a;
+        built.f29_ = 1.0 / tau;
+        built.u_max_ = u_max;
+        if (!(finite(built.hold_from_)
+            && finite(built.f16_)
+            && finite(built.f22_)
+            && finite(built.f24_)
+            && finite(built.f29_))) {
+            return Status::Param;
+        }
+        const Status status = built.arm(t0);
+        if (status == Status::Ok) {
+            *this = built;
+        }
+        return status;
+    }
+
+    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0) noexcept
+    {
+        if (!(finite(t0))) {
+            return Status::Param;
+        }
+        const double deadline = t0 + tau_;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
+        if (!(finite(deadline))) {
+            return Status::Param;
+        }
+        t0_ = t0;
+        deadline_ = deadline;
+        correction_ = correction;
+        return Status::Ok;
+    }
+
+    /// u at time t [s] and state x = (x1, x1', ...). pi0(xi, t) is the law of yours, t the stretched time kappa + t0. after(x, t) gives u for t >= t0 + tau.
+    template <class Pi0, class Then>
+    Control<double> step(double t, const State& x, Pi0&& pi0, Then&& after) const
+    {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        if (!(finite(t)
+            && (t >= t0_)
+            && finite(x1)
+            && finite(x2)
+            && finite(x3))) {
+            return {0.0, Status::Input};
+        }
+        const double past = (t - deadline_) - correction_;
+        const double late = (past < hold_from_) ? past : hold_from_;
+        const double T = -late;
+        const double v1 = T * a_;
+        const double v2 = f24_ + (-v1);
+        const double unit = f29_ * v2;
+        const double v3 = v1 * (1.0 / v2);
+        const double v4 = v3 - 1.0;
+        const double v5 = v4 * 0.5;
+        const double v6 = T * unit;
+        const double inv_r1 = 1.0 / v6;
+        const double v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
+        const double xi2 = x2 * v6;
+        const double xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
+        const double t_kappa = t0_ + ((-std::log(T / (f16_ - T))) / f22_);
+        const std::array<double, 3> xi{{x1, xi2, xi3}};
+        const double law = pi0(xi, t_kappa);
+        const double v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
+        const double v = (past >= 0.0) ? after(x, t) : (v8 * inv_r1);
+        if (v > u_max_) {
+            return {u_max_, Status::Saturated};
+        }
+        if (v < -u_max_) {
+            return {-u_max_, Status::Saturated};
+        }
+        if (!finite(v)) {
+            return {0.0, Status::Range};
+        }
+        if (late < hold_from_) {
+            return {v, Status::Ok};
+        }
+        return {v, (past >= 0.0) ? Status::After : Status::Hold};
+    }
+
+private:
+    /// std::isfinite is no constant in C++17.
+    static constexpr bool finite(double v) noexcept
+    {
+        return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    double t0_{}; // start time
+    double tau_{}; // prescribed settling time
+    double deadline_{}; // t0 + tau, rounded
+    double correction_{}; // what the rounding of t0 + tau left out
+    double eps_{}; // time-to-go at which the gains are held
+    double hold_from_{}; // -eps: later than this the gains are held
+    double f16_{}; // known when the parameters are
+    double a_{}; // rate of stretched time
+    double f22_{}; // known when the parameters are
+    double f24_{}; // known when the parameters are
+    double f29_{}; // known when the parameters are
+    double u_max_{}; // bound of |u|
+};
+
+} // namespace ptc
+
+#endif

@@ -1,0 +1,118 @@
+function self = ptc_tanh3_extern_init(params) %#codegen
+%PTC_TANH3_EXTERN_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
+%
+%   self = ptc_tanh3_extern_init(params) is the controller, for the functions that stand
+%   beside this one. A parameter outside its domain, or coefficients that overflow, raise an
+%   error ptc_tanh3_extern:param, which names what is wrong and what is legal.
+%
+%   params is a struct:
+%     tau: prescribed settling time [s], finite, > 0
+%     t0: start time [s], finite
+%     eps: time-to-go at which the gains are held [s], > 0, < tau
+%     u_max: bound of |u| [unit of u], > 0, infinity allowed
+%     a: rate of stretched time [1/s], finite, > 0
+
+% Prescribed-time controller ptc_tanh3_extern: order n = 3, mapping tanh.
+%
+% DO NOT EDIT. Made by:
+%   ptc-codegen emit --lang matlab --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern
+%       --after extern
+% Version 0.1.0.
+%
+% It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+%
+% Parameters:
+%   tau: prescribed settling time [s], finite, > 0
+%   t0: start time [s], finite
+%   eps: time-to-go at which the gains are held [s], > 0, < tau
+%   u_max: bound of |u| [unit of u], > 0, infinity allowed
+%   a: rate of stretched time [1/s], finite, > 0
+%
+% Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+%   mu(t)     = tau*tanh(a*t)
+%   kappa(Dt) = -ln(E)/(2*a), E = T/(2*tau - T)
+%   atoms: T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)
+% Derivatives r_k = mu^(k)(kappa(Dt)):
+%   r_k = 2*tau*(-2*a)^k Li_{-k}(-E)
+%   r_1 = 2*a*T*g
+%   r_2 = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+%   r_3 = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+% Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+%   B_{0,0} = 1
+%   B_{1,1} = 2*a*T*g
+%   B_{2,1} = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+%   B_{2,2} = 4*a^2*T^2*g^2
+%   B_{3,1} = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+%   B_{3,2} = 24*a^3*T^2*E*g^3 - 24*a^3*T^2*g^3
+%
+% Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+%   pi0 = a function of yours, called with xi and t_kappa
+%   g   = 1
+%   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+%   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+%
+% From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+% |u| <= u_max always (status SATURATED where u was clipped).
+% Guard full: every input and pointer is checked.
+% Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+%       (-ffp-contract=off).
+%
+% Checks of the design (ptc-codegen check tells more):
+%   membership: sound: tanh is of class M for all its parameters.
+%   growth: not checked: the law is no sum of gains, so its poles are not known.
+%   sampling: not checked: `sample_time` is not given.
+%   deadline: not checked: `error` is not given.
+%   envelope: not checked: `x_max` is not given.
+%
+% Operations of one step: 16 + - or comparison, 24 *, 4 /, 0 sqrt, 2 calls.
+% Latencies added up: x86-64 about 336 cycles, Cortex-M4F about 396 cycles.
+
+tau = double(params.tau);
+t0 = double(params.t0);
+eps = double(params.eps);
+u_max = double(params.u_max);
+a = double(params.a);
+
+if ~(isfinite(tau) && (tau > 0.0))
+    error('ptc_tanh3_extern:param', 'params.tau is %g; legal: finite, > 0', tau);
+end
+if ~isfinite(t0)
+    error('ptc_tanh3_extern:param', 'params.t0 is %g; legal: finite', t0);
+end
+if ~(eps > 0.0)
+    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: > 0, < tau', eps);
+end
+if ~(u_max > 0.0)
+    error('ptc_tanh3_extern:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+end
+if ~(isfinite(a) && (a > 0.0))
+    error('ptc_tanh3_extern:param', 'params.a is %g; legal: finite, > 0', a);
+end
+if ~(eps < tau)
+    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: > 0, < tau', eps);
+end
+
+hold_from = -eps;
+f16 = 2.0 * tau;
+self.tau = tau;
+self.eps = eps;
+self.hold_from = hold_from;
+self.f16 = f16;
+self.a = a;
+self.f22 = 2.0 * a;
+self.f24 = f16 * a;
+self.f29 = 1.0 / tau;
+self.u_max = u_max;
+self.t0 = 0.0;
+self.deadline = 0.0;
+self.correction = 0.0;
+
+if ~(isfinite(self.hold_from) ...
+        && isfinite(self.f16) ...
+        && isfinite(self.f22) ...
+        && isfinite(self.f24) ...
+        && isfinite(self.f29))
+    error('ptc_tanh3_extern:param', 'the coefficients overflow: take smaller gains, or rates nearer to 1');
+end
+self = ptc_tanh3_extern_arm(self, t0);
+end

@@ -1,0 +1,196 @@
+"""
+Prescribed-time controller ptc_own_law1_latched: order n = 1, mapping exp.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 1 --mu "exp(a=1)" --name ptc_own_law1_latched
+      --pi0="-xi1/(abs(xi1) + abs(xi1_0)/4)"
+Version 0.1.0.
+
+It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+
+Parameters:
+  tau: prescribed settling time [s], finite, > 0
+  t0: start time [s], finite
+  eps: time-to-go at which the gains are held [s], > 0, < tau
+  u_max: bound of |u| [unit of u], > 0, infinity allowed
+  a = 1, fixed: rate of stretched time [1/s], finite, > 0
+
+Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+  mu(t)     = tau*(1 - exp(-a*t))
+  kappa(Dt) = -ln(T/tau)/a
+  atoms: T = time-to-go
+Derivatives r_k = mu^(k)(kappa(Dt)):
+  r_k = (-1)^(k-1) a^k T
+  r_1 = a*T
+Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+  B_{0,0} = 1
+
+Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+  pi0 = -xi1/(abs(xi1) + abs(xi1_0)/4)
+  g   = 1
+  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+
+From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+|u| <= u_max always (status SATURATED where u was clipped).
+Guard full: every input and pointer is checked.
+Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+      (-ffp-contract=off).
+
+Checks of the design (ptc-codegen check tells more):
+  membership: sound: exp is of class M for all its parameters.
+  growth: not checked: the law is no sum of gains, so its poles are not known.
+  sampling: not checked: `sample_time` is not given.
+  deadline: not checked: `error` is not given.
+  envelope: not checked: `x_max` is not given.
+
+Operations of one step: 7 + - or comparison, 1 *, 2 /, 0 sqrt, 0 calls.
+Latencies added up: x86-64 about 60 cycles, Cortex-M4F about 36 cycles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "PtcOwnLaw1Latched", "Status"]
+
+_R = np.float64
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """How u came about; u is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over, and what was chosen for then gives u."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives, for each time and state of the batch."""
+
+    u: Array
+    """Input of the plant."""
+    status: NDArray[np.int8]
+    """Its Status."""
+
+@dataclass(frozen=True)
+class Params:
+    """Run-time parameters."""
+
+    tau: float
+    """prescribed settling time [s], finite, > 0"""
+    t0: float
+    """start time [s], finite"""
+    eps: float
+    """time-to-go at which the gains are held [s], > 0, < tau"""
+    u_max: float
+    """bound of |u| [unit of u], > 0, infinity allowed"""
+
+def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
+    """The states along the last axis, one by one."""
+    states = np.asarray(x, dtype=_R)
+    if states.ndim == 0 or states.shape[-1] != 1:
+        raise ValueError(f"{name} has shape {states.shape}; legal: (..., 1), the states along the last axis")
+    return tuple(np.moveaxis(states, -1, 0))
+
+class PtcOwnLaw1Latched:
+    """The controller: takes the parameters and arms at params.t0, or the fixed t0, latching x0.
+
+    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    """
+
+    def __init__(self, params: Params, x0: ArrayLike) -> None:
+        with np.errstate(all="ignore"):
+            tau = np.asarray(params.tau, dtype=_R)
+            t0 = np.asarray(params.t0, dtype=_R)
+            eps = np.asarray(params.eps, dtype=_R)
+            u_max = np.asarray(params.u_max, dtype=_R)
+            if not (np.isfinite(tau) and (tau > 0.0)):
+                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not np.isfinite(t0):
+                raise ValueError(f"params.t0 is {t0}; legal: finite")
+            if not (eps > 0.0):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (u_max > 0.0):
+                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
+            if not (eps < tau):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            hold_from = -eps
+            self._tau = np.asarray(tau)
+            self._eps = np.asarray(eps)
+            self._hold_from = np.asarray(hold_from)
+            self._u_max = np.asarray(u_max)
+            self._t0 = np.asarray(0.0)
+            self._deadline = np.asarray(0.0)
+            self._correction = np.asarray(0.0)
+            self._f23 = np.asarray(0.0)
+            if not (
+                np.isfinite(self._hold_from)
+            ):
+                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+        self._arm(np.asarray(t0), np.asarray(x0, dtype=_R))
+
+    def arm(self, t0: float, x0: ArrayLike) -> None:
+        """Starts again at t0 [s], latching the state x0 of shape (1,).
+
+        ValueError where t0, x0 or the deadline is not finite; the controller is left as it was.
+        """
+        self._arm(np.asarray(t0, dtype=_R), np.asarray(x0, dtype=_R))
+
+    def _arm(self, t0: Array, x0: Array) -> None:
+        if not np.isfinite(t0):
+            raise ValueError(f"t0 is {t0}; legal: finite")
+        if x0.shape != (1,) or not (
+            np.isfinite(x0[0])
+        ):
+            raise ValueError(f"x0 is {x0}; legal: 1 finite numbers")
+        x1_0 = x0[0]
+        with np.errstate(all="ignore"):
+            deadline = t0 + self._tau
+            v1 = deadline - t0
+            correction = (t0 - (deadline - v1)) + (self._tau - v1)
+            if not np.isfinite(deadline):
+                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
+            if not np.isfinite(np.abs(x1_0) / 4.0):
+                raise ValueError("what follows from x0 and t0 is not finite: np.abs(x1_0) / 4.0")
+            self._t0 = np.asarray(t0)
+            self._deadline = np.asarray(deadline)
+            self._correction = np.asarray(correction)
+            self._f23 = np.asarray(np.abs(x1_0) / 4.0)
+
+    def step(self, t: ArrayLike, x: ArrayLike) -> Control:
+        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 1); t and x[..., 0] are broadcast.
+        """
+        return self._step(np.asarray(t, dtype=_R), _states(x, "x"))
+
+    def _step(self, t: Array, states: tuple[Array, ...]) -> Control:
+        x1,  = states
+        with np.errstate(all="ignore"):
+            past = (t - self._deadline) - self._correction
+            late = np.where(past < self._hold_from, past, self._hold_from)
+            T = -late
+            inv_r1 = 1.0 / T
+            law = (-x1) / (np.abs(x1) + self._f23)
+            v = np.asarray(law * inv_r1)
+            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
+            status = np.where(np.isfinite(v), status, Status.RANGE)
+            saturated = (v > self._u_max) | (v < -self._u_max)
+            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
+            status = np.where(saturated, Status.SATURATED, status)
+
+            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1)
+            status = np.where(legal, status, Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))

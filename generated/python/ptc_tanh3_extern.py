@@ -1,0 +1,231 @@
+"""
+Prescribed-time controller ptc_tanh3_extern: order n = 3, mapping tanh.
+
+DO NOT EDIT. Made by:
+  ptc-codegen emit --lang python --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern
+      --after extern
+Version 0.1.0.
+
+It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+
+Parameters:
+  tau: prescribed settling time [s], finite, > 0
+  t0: start time [s], finite
+  eps: time-to-go at which the gains are held [s], > 0, < tau
+  u_max: bound of |u| [unit of u], > 0, infinity allowed
+  a: rate of stretched time [1/s], finite, > 0
+
+Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+  mu(t)     = tau*tanh(a*t)
+  kappa(Dt) = -ln(E)/(2*a), E = T/(2*tau - T)
+  atoms: T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)
+Derivatives r_k = mu^(k)(kappa(Dt)):
+  r_k = 2*tau*(-2*a)^k Li_{-k}(-E)
+  r_1 = 2*a*T*g
+  r_2 = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+  r_3 = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+  B_{0,0} = 1
+  B_{1,1} = 2*a*T*g
+  B_{2,1} = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
+  B_{2,2} = 4*a^2*T^2*g^2
+  B_{3,1} = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
+  B_{3,2} = 24*a^3*T^2*E*g^3 - 24*a^3*T^2*g^3
+
+Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+  pi0 = a function of yours, called with xi and t_kappa
+  g   = 1
+  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
+  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+
+From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+|u| <= u_max always (status SATURATED where u was clipped).
+Guard full: every input and pointer is checked.
+Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+      (-ffp-contract=off).
+
+Checks of the design (ptc-codegen check tells more):
+  membership: sound: tanh is of class M for all its parameters.
+  growth: not checked: the law is no sum of gains, so its poles are not known.
+  sampling: not checked: `sample_time` is not given.
+  deadline: not checked: `error` is not given.
+  envelope: not checked: `x_max` is not given.
+
+Operations of one step: 16 + - or comparison, 24 *, 4 /, 0 sqrt, 2 calls.
+Latencies added up: x86-64 about 336 cycles, Cortex-M4F about 396 cycles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Control", "Params", "PtcTanh3Extern", "Status"]
+
+_R = np.float64
+Array = NDArray[np.float64]
+
+class Status(IntEnum):
+    """How u came about; u is 0 on a negative status."""
+
+    OK = 0
+    """Tracking."""
+    HOLD = 1
+    """Time-to-go is held at eps: the deadline is near or over, u is valid."""
+    SATURATED = 2
+    """u was clipped to u_max; wins over HOLD and AFTER."""
+    AFTER = 3
+    """The deadline is over, and what was chosen for then gives u."""
+    INPUT = -2
+    """x or t is not finite, or t is before t0."""
+    RANGE = -3
+    """u is not finite."""
+
+class Control(NamedTuple):
+    """What a step gives, for each time and state of the batch."""
+
+    u: Array
+    """Input of the plant."""
+    status: NDArray[np.int8]
+    """Its Status."""
+
+@dataclass(frozen=True)
+class Params:
+    """Run-time parameters."""
+
+    tau: float
+    """prescribed settling time [s], finite, > 0"""
+    t0: float
+    """start time [s], finite"""
+    eps: float
+    """time-to-go at which the gains are held [s], > 0, < tau"""
+    u_max: float
+    """bound of |u| [unit of u], > 0, infinity allowed"""
+    a: float
+    """rate of stretched time [1/s], finite, > 0"""
+
+def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
+    """The states along the last axis, one by one."""
+    states = np.asarray(x, dtype=_R)
+    if states.ndim == 0 or states.shape[-1] != 3:
+        raise ValueError(f"{name} has shape {states.shape}; legal: (..., 3), the states along the last axis")
+    return tuple(np.moveaxis(states, -1, 0))
+
+class PtcTanh3Extern:
+    """The controller: takes the parameters and arms at params.t0, or the fixed t0.
+
+    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    """
+
+    def __init__(self, params: Params) -> None:
+        with np.errstate(all="ignore"):
+            tau = np.asarray(params.tau, dtype=_R)
+            t0 = np.asarray(params.t0, dtype=_R)
+            eps = np.asarray(params.eps, dtype=_R)
+            u_max = np.asarray(params.u_max, dtype=_R)
+            a = np.asarray(params.a, dtype=_R)
+            if not (np.isfinite(tau) and (tau > 0.0)):
+                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not np.isfinite(t0):
+                raise ValueError(f"params.t0 is {t0}; legal: finite")
+            if not (eps > 0.0):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (u_max > 0.0):
+                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
+            if not (np.isfinite(a) and (a > 0.0)):
+                raise ValueError(f"params.a is {a}; legal: finite, > 0")
+            if not (eps < tau):
+                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            hold_from = -eps
+            f16 = 2.0 * tau
+            self._tau = np.asarray(tau)
+            self._eps = np.asarray(eps)
+            self._hold_from = np.asarray(hold_from)
+            self._f16 = np.asarray(f16)
+            self._a = np.asarray(a)
+            self._f22 = np.asarray(2.0 * a)
+            self._f24 = np.asarray(f16 * a)
+            self._f29 = np.asarray(1.0 / tau)
+            self._u_max = np.asarray(u_max)
+            self._t0 = np.asarray(0.0)
+            self._deadline = np.asarray(0.0)
+            self._correction = np.asarray(0.0)
+            if not (
+                np.isfinite(self._hold_from)
+                and np.isfinite(self._f16)
+                and np.isfinite(self._f22)
+                and np.isfinite(self._f24)
+                and np.isfinite(self._f29)
+            ):
+                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+        self._arm(np.asarray(t0))
+
+    def arm(self, t0: float) -> None:
+        """Starts again at t0 [s].
+
+        ValueError where t0 or the deadline is not finite; the controller is left as it was.
+        """
+        self._arm(np.asarray(t0, dtype=_R))
+
+    def _arm(self, t0: Array) -> None:
+        if not np.isfinite(t0):
+            raise ValueError(f"t0 is {t0}; legal: finite")
+        with np.errstate(all="ignore"):
+            deadline = t0 + self._tau
+            v1 = deadline - t0
+            correction = (t0 - (deadline - v1)) + (self._tau - v1)
+            if not np.isfinite(deadline):
+                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
+            self._t0 = np.asarray(t0)
+            self._deadline = np.asarray(deadline)
+            self._correction = np.asarray(correction)
+
+    def step(self, t: ArrayLike, x: ArrayLike, *, pi0: Callable[[Array, Array], ArrayLike], after: Callable[[Array, Array], ArrayLike]) -> Control:
+        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 3); t and x[..., 0] are broadcast.
+
+        pi0(xi, t) is the law of yours, for the whole batch; t is the stretched time kappa + t0.
+
+        after(x, t) gives u for t >= t0 + tau; it is called with the whole batch where any t is so late.
+        """
+        return self._step(np.asarray(t, dtype=_R), _states(x, "x"), pi0, x, after)
+
+    def _step(self, t: Array, states: tuple[Array, ...], pi0: Callable[[Array, Array], ArrayLike], x: ArrayLike, after: Callable[[Array, Array], ArrayLike]) -> Control:
+        x1, x2, x3 = states
+        with np.errstate(all="ignore"):
+            past = (t - self._deadline) - self._correction
+            late = np.where(past < self._hold_from, past, self._hold_from)
+            T = -late
+            v1 = T * self._a
+            v2 = self._f24 + (-v1)
+            unit = self._f29 * v2
+            v3 = v1 * (1.0 / v2)
+            v4 = v3 - 1.0
+            v5 = v4 * 0.5
+            v6 = T * unit
+            inv_r1 = 1.0 / v6
+            v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit)
+            xi2 = x2 * v6
+            xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6
+            t_kappa = self._t0 + ((-np.log(T / (self._f16 - T))) / self._f22)
+            xi = np.stack(np.broadcast_arrays(x1, xi2, xi3), axis=-1)
+            law = np.asarray(pi0(xi, np.asarray(t_kappa)), dtype=_R)
+            v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3)
+            v = np.asarray(v8 * inv_r1)
+            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
+            over = np.asarray(past >= 0.0)
+            if over.any():
+                v = np.where(over, np.asarray(after(np.asarray(x, dtype=_R), t), dtype=_R), v)
+            status = np.where(over, Status.AFTER, status)
+            status = np.where(np.isfinite(v), status, Status.RANGE)
+            saturated = (v > self._u_max) | (v < -self._u_max)
+            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
+            status = np.where(saturated, Status.SATURATED, status)
+
+            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
+            status = np.where(legal, status, Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))

@@ -1,0 +1,459 @@
+//! Prescribed-time controller ptc_own_mu2_iterated: order n = 2, mapping custom.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu="(tau*t/(1 + t) + tau*tanh(a*t))*(1/2)" --name
+//!       ptc_own_mu2_iterated
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!   a: parameter of an expression of the design [as in its expression], finite, > 0
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)  = (tau*t/(1 + t) + tau*tanh(a*t))*(1/2)
+//!   tau - mu(t) = tau/(2*(1 + t)) + tau*exp(-2*a*t)/(1 + exp(-2*a*t)), t the stretched time
+//!       since t0
+//!   kappa = the root t of tau - mu(t) = T, by a bounded iteration
+//! r_k and BB_n come from its Taylor series at each tick.
+//!
+//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+//!   g   = 1
+//!   u = (sum_j gain_j x_j)/g
+//!   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
+//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
+//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Checks of the design (ptc-codegen check tells more):
+//!   membership: sound: the mapping is of its class, proved.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step: 28 + - or comparison, 30 *, 12 /, 0 sqrt, 3 calls, one round of the
+//!       iteration.
+//! Latencies added up: x86-64 about 580 cycles, Cortex-M4F about 676 cycles.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over, and what was chosen for then gives u.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// From `std`, or from the crate `libm` where the feature of that name is on.
+#[allow(unexpected_cfgs)]
+mod math {
+    #[inline]
+    pub fn exp(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::exp(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.exp()
+        }
+    }
+
+    #[inline]
+    pub fn ln(a: f64) -> f64 {
+        #[cfg(feature = "libm")]
+        {
+            libm::log(a)
+        }
+        #[cfg(not(feature = "libm"))]
+        {
+            a.ln()
+        }
+    }
+}
+
+/// Run-time parameters of [`PtcOwnMu2Iterated`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcOwnMu2IteratedParams {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 2],
+    /// parameter of an expression of the design, unit as in its expression, finite, > 0.
+    pub a: f64,
+}
+
+/// Prescribed-time controller of order 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcOwnMu2Iterated {
+    /// start time
+    t0: f64,
+    /// prescribed settling time
+    tau: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// known when the parameters are
+    f29: f64,
+    /// known when the parameters are
+    f63: f64,
+    /// weighted gain -0!*k1
+    w1: f64,
+    /// weighted gain -1!*k2
+    w2: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcOwnMu2Iterated`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PtcOwnMu2IteratedGains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
+    pub gain: [f64; 2],
+    /// Bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcOwnMu2Iterated {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcOwnMu2IteratedParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        let p_a = params.a;
+        if !(tau.is_finite()
+            && (tau > 0.0)
+            && t0.is_finite()
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && k1.is_finite()
+            && k2.is_finite()
+            && p_a.is_finite()
+            && (p_a > 0.0)
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let hold_from = -eps;
+        let f29 = (-2.0) * p_a;
+        let w1 = -k1;
+        let w2 = -k2;
+        let mut built = Self {
+            tau,
+            eps,
+            hold_from,
+            f29,
+            f63: f29 * f29 * 0.5,
+            w1,
+            w2,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.hold_from.is_finite()
+            && built.f29.is_finite()
+            && built.f63.is_finite()
+            && built.w1.is_finite()
+            && built.w2.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !(t0.is_finite()) {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !(deadline.is_finite()) {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        if !(t.is_finite()
+            && (t >= self.t0)
+            && x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let mut y = 0.0;
+        let mut y_low = 0.0;
+        let mut y_high = 1e300;
+        for _ in 0..40 {
+            let v1 = (y + 1.0) * 2.0;
+            let v2 = self.tau / v1;
+            let v3 = math::exp(y * self.f29);
+            let v4 = 1.0 + v3;
+            let v5 = (v3 * self.tau) / v4;
+            let v6 = v2 + v5;
+            let v7 = (v2 * (-(2.0 * (1.0 / v1)))) + (v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29));
+            let v8 = math::ln(v6 / T);
+            let y_next = y - (v8 * (v6 / v7));
+            let y_size = v8.abs();
+            if v8 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= 1e-9 {
+                break;
+            }
+        }
+        let v9 = (y + 1.0) * 2.0;
+        let v10 = 2.0 * (1.0 / v9);
+        let v11 = -v10;
+        let v12 = self.tau / v9;
+        let v13 = math::exp(y * self.f29);
+        let v14 = 1.0 + v13;
+        let v15 = 1.0 / v14;
+        let v16 = v13 * self.f29 * v15;
+        let v17 = -v16;
+        let v18 = (-((v16 * v17) + (v13 * self.f63 * v15))) + (self.f29 * v17) + self.f63;
+        let v19 = (v13 * self.tau) / v14;
+        let v20 = (v12 * v11) + (v19 * (v17 + self.f29));
+        let inv_r1 = 1.0 / (-v20);
+        let v21 = self.w2 + ((-2.0) * (((v12 * (-(v10 * v11))) + (v19 * v18)) * (1.0 / v20)));
+        let u = ((self.w1 * x1 * inv_r1) + (v21 * x2)) * inv_r1;
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
+        }
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
+        }
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: Status::Hold })
+        }
+    }
+
+    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
+    /// round otherwise than `step` does.
+    ///
+    /// # Errors
+    /// `Input`: `t` is not finite or lies before the start.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcOwnMu2IteratedGains, Error> {
+        if !(t.is_finite() && (t >= self.t0)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let T = -late;
+        let mut y = 0.0;
+        let mut y_low = 0.0;
+        let mut y_high = 1e300;
+        for _ in 0..40 {
+            let v1 = (y + 1.0) * 2.0;
+            let v2 = self.tau / v1;
+            let v3 = math::exp(y * self.f29);
+            let v4 = 1.0 + v3;
+            let v5 = (v3 * self.tau) / v4;
+            let v6 = v2 + v5;
+            let v7 = (v2 * (-(2.0 * (1.0 / v1)))) + (v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29));
+            let v8 = math::ln(v6 / T);
+            let y_next = y - (v8 * (v6 / v7));
+            let y_size = v8.abs();
+            if v8 > 0.0 {
+                y_low = y;
+            } else {
+                y_high = y;
+            }
+            if y_next >= y_low && y_next <= y_high {
+                y = y_next;
+            } else {
+                y = 0.5 * (y_low + y_high);
+            }
+            if y_size <= 1e-9 {
+                break;
+            }
+        }
+        let v9 = (y + 1.0) * 2.0;
+        let v10 = 2.0 * (1.0 / v9);
+        let v11 = -v10;
+        let v12 = self.tau / v9;
+        let v13 = math::exp(y * self.f29);
+        let v14 = 1.0 + v13;
+        let v15 = 1.0 / v14;
+        let v16 = v13 * self.f29 * v15;
+        let v17 = -v16;
+        let v18 = (-((v16 * v17) + (v13 * self.f63 * v15))) + (self.f29 * v17) + self.f63;
+        let v19 = (v13 * self.tau) / v14;
+        let v20 = (v12 * v11) + (v19 * (v17 + self.f29));
+        let inv_r1 = 1.0 / (-v20);
+        let v21 = self.w2 + ((-2.0) * (((v12 * (-(v10 * v11))) + (v19 * v18)) * (1.0 / v20)));
+        let held = late >= self.hold_from;
+        Ok(PtcOwnMu2IteratedGains {
+            gain: [
+                self.w1 * inv_r1 * inv_r1,
+                v21 * inv_r1,
+            ],
+            u_max: self.u_max,
+            status: if held { Status::Hold } else { Status::Ok },
+        })
+    }
+}
+
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcOwnMu2IteratedGains {
+    /// u of one axis with state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        let [gain1, gain2] = self.gain;
+        if !(x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let u = (gain1 * x1) + (gain2 * x2);
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
+        }
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
+        }
+        if u.is_finite() {
+            Ok(Control { u, status: self.status })
+        } else {
+            Err(Error::Range)
+        }
+    }
+}
+
+impl Controller<2> for PtcOwnMu2Iterated {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}

@@ -1,0 +1,288 @@
+//! Prescribed-time controller ptc_rational2_input_gain: order n = 2, mapping rational.
+//!
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --mu rational --name ptc_rational2_input_gain --g="2 +
+//!       x1*x1" --after zero
+//! Version 0.1.0.
+//!
+//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], finite, > 0
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], finite, > 0
+//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!
+//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//!   mu(t)     = tau*a*t/(1 + a*t)
+//!   kappa(Dt) = Dt/(a*T)
+//!   atoms: T = time-to-go
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) k! (a/tau)^k T^(k+1)
+//!   r_1 = tau^-1*a*T^2
+//!   r_2 = -2*tau^-2*a^2*T^3
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//!   B_{0,0} = 1
+//!   B_{1,1} = tau^-1*a*T^2
+//!   B_{2,1} = -2*tau^-2*a^2*T^3
+//!
+//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
+//!   g   = 2 + x1*x1
+//!   u = (sum_j gain_j x_j)/g
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K_i = k_i/(tau^-1*a)^(n+1-i)
+//!   row_1 = -K1*inv_T^2
+//!   row_2 = 2 - K2*inv_T
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
+//! |u| <= u_max always (status SATURATED where u was clipped).
+//! Guard full: every input and pointer is checked.
+//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
+//!       (-ffp-contract=off).
+//!
+//! Checks of the design (ptc-codegen check tells more):
+//!   membership: sound: rational is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step: 6 + - or comparison, 8 *, 2 /, 0 sqrt, 0 calls.
+//! Latencies added up: x86-64 about 84 cycles, Cortex-M4F about 42 cycles.
+#![forbid(unsafe_code)]
+
+/// How a valid u came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over, and what was chosen for then gives u.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// How it came about.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// A controller of the plant x1' = x2, ..., xN' = u.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`PtcRational2InputGain`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcRational2InputGainParams {
+    /// prescribed settling time, unit s, finite, > 0.
+    pub tau: f64,
+    /// start time, unit s, finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    pub eps: f64,
+    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time, unit 1/s, finite, > 0.
+    pub a: f64,
+    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    pub k: [f64; 2],
+}
+
+/// Prescribed-time controller of order 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcRational2InputGain {
+    /// prescribed settling time
+    tau: f64,
+    /// coefficient of inv_T^2 in the gain of x1
+    c1_2: f64,
+    /// start time
+    t0: f64,
+    /// t0 + tau, rounded
+    deadline: f64,
+    /// what the rounding of t0 + tau left out
+    correction: f64,
+    /// time-to-go at which the gains are held
+    eps: f64,
+    /// -eps: later than this the gains are held
+    hold_from: f64,
+    /// coefficient of inv_T^1 in the gain of x2
+    c2_1: f64,
+    /// bound of |u|
+    u_max: f64,
+}
+
+#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+impl PtcRational2InputGain {
+    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    pub fn new(params: PtcRational2InputGainParams) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        if !(tau.is_finite()
+            && (tau > 0.0)
+            && t0.is_finite()
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && a.is_finite()
+            && (a > 0.0)
+            && k1.is_finite()
+            && k2.is_finite()
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let rate = a / tau;
+        let K1 = k1 / (rate * rate);
+        let K2 = k2 / rate;
+        let c1_2 = -K1;
+        let hold_from = -eps;
+        let c2_1 = -K2;
+        let mut built = Self {
+            tau,
+            c1_2,
+            eps,
+            hold_from,
+            c2_1,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        if !(built.c1_2.is_finite()
+            && built.hold_from.is_finite()
+            && built.c2_1.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !(t0.is_finite()) {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !(deadline.is_finite()) {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let [x1, x2] = *x;
+        if !(t.is_finite()
+            && (t >= self.t0)
+            && x1.is_finite()
+            && x2.is_finite())
+        {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from { past } else { self.hold_from };
+        let inv_T = (-1.0) / late;
+        let row1 = self.c1_2 * inv_T * inv_T;
+        let row2 = (self.c2_1 * inv_T) + 2.0;
+        let v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+        let input_gain = 2.0 + (x1 * x1);
+        let v2 = if input_gain < 0.0 || input_gain > 0.0 { v1 / input_gain } else { f64::NAN };
+        let u = if past >= 0.0 { 0.0 } else { v2 };
+if u > self.u_max {
+            return Ok(Control { u: self.u_max, status: Status::Saturated });
+        }
+        if u < -self.u_max {
+            return Ok(Control { u: -self.u_max, status: Status::Saturated });
+        }
+        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        let margin = (u - u) - late;
+        if margin > self.eps {
+            Ok(Control { u, status: Status::Ok })
+        } else if margin.is_nan() {
+            Err(Error::Range)
+        } else {
+            Ok(Control { u, status: if past >= 0.0 { Status::After } else { Status::Hold } })
+        }
+    }
+}
+
+impl Controller<2> for PtcRational2InputGain {
+    type Real = f64;
+
+    fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        Self::arm(self, t0)
+    }
+
+    fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        Self::step(self, t, x)
+    }
+}
