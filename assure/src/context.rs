@@ -25,10 +25,16 @@ pub struct Context {
 /// For which the fuzzer draws controllers unless it is told otherwise.
 pub const TIME: Duration = Duration::from_secs(20);
 
+/// The root of the workspace.
+pub fn workspace() -> &'static Path {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().unwrap_or(here)
+}
+
 impl Context {
-    /// The context that works below `root`.
-    pub fn new(root: PathBuf, seed: u64) -> Self {
-        Self { root, seed, time: TIME, brief: false }
+    /// The context that works in the folder `assure` of cargo's `target`.
+    pub fn new(target: &Path, seed: u64) -> Self {
+        Self { root: target.join("assure"), seed, time: TIME, brief: false }
     }
 
     /// The greatest order of the families that a layer examines, `full` where the run is not brief.
@@ -46,10 +52,9 @@ impl Context {
         self.root.join("builds").join(name)
     }
 
-    /// The root of the workspace.
-    pub fn workspace(&self) -> &'static Path {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-        here.parent().unwrap_or(here)
+    /// Cargo's own folder, where what other builds compiled serves again.
+    pub fn target(&self) -> &Path {
+        self.root.parent().unwrap_or(&self.root)
     }
 
     /// The controllers of generated/.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Parser;
-use ptc_assure::context::Context;
+use ptc_assure::context::{Context, workspace};
 use ptc_assure::layer::{Layer, Outcome};
 use ptc_assure::layers::{LAYERS, cost};
 use ptc_assure::{report, tool};
@@ -73,10 +73,9 @@ fn execute(line: &CommandLine) -> Result<bool> {
         let tools: Vec<_> = chosen.iter().flat_map(|layer| layer.tools).copied().collect();
         tool::install(&tools);
     }
-    let here = Context::new(PathBuf::new(), line.seed);
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let target = std::path::absolute(target.unwrap_or_else(|| here.workspace().join("target")))?;
-    let mut context = Context::new(target.join("assure"), line.seed);
+    let target = std::path::absolute(target.unwrap_or_else(|| workspace().join("target")))?;
+    let mut context = Context::new(&target, line.seed);
     context.brief = line.brief;
     if let Some(minutes) = line.minutes {
         context.time = Duration::try_from_secs_f64(60.0 * minutes)
@@ -102,7 +101,7 @@ fn execute(line: &CommandLine) -> Result<bool> {
         }
         outcomes.push((layer, outcome));
     }
-    let whole = line.layers.is_empty().then(|| context.workspace().join("assurance/REPORT.md"));
+    let whole = line.layers.is_empty().then(|| workspace().join("assurance/REPORT.md"));
     if let Some(path) = line.report.clone().or(whole) {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         folder.map_or(Ok(()), fs::create_dir_all)?;

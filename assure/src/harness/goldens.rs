@@ -31,6 +31,7 @@ pub fn controllers() -> Vec<Spec> {
             ("gains", "1,2"),
             ("u_max", "inf"),
         ]),
+        spec(&[("n", "2"), ("mu", "power(m=3/2)"), ("name", "ptc_power2_by_root")]),
     ]);
     all.extend(features());
     all

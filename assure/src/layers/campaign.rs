@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Result, ensure};
 
 use super::command::generator;
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::command::{succeed, text};
 use crate::harness::runtime;
 use crate::layer::{Finding, Layer};
@@ -31,13 +31,13 @@ const SHARDS: &str = "6";
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("dask"), &["dask[distributed]"])?;
-    let command = generator(context)?;
+    let command = generator()?;
     let folder = context.scratch("campaign");
     fs::write(folder.join("loop.toml"), DESIGN)?;
     let asked = ["verify", "loop.toml", "--out", "one.parquet"];
     let one = text(Command::new(&command).args(asked).current_dir(&folder))?;
     let driven = |design: &str, out: &str| -> Result<(bool, String)> {
-        let script = context.workspace().join("examples/dask_campaign.py");
+        let script = workspace().join("examples/dask_campaign.py");
         let output = Command::new(&python)
             .arg(script)
             .args([design, "--shards", SHARDS, "--out", out, "--command"])

@@ -6,15 +6,15 @@ use std::process::Command;
 use anyhow::{Context as _, Result};
 use ptc_codegen::spec::Spec;
 
-use crate::context::Context;
+use crate::context::workspace;
 use crate::harness::command::{succeed, text};
 
 /// Builds the command and returns its path, which is beside this program's.
-pub(super) fn generator(context: &Context) -> Result<PathBuf> {
+pub(super) fn generator() -> Result<PathBuf> {
     let own = std::env::current_exe()?;
     let folder = own.parent().context("this program is in a folder")?;
     let mut cargo = Command::new("cargo");
-    cargo.args(["build", "--quiet", "--package", "ptc-codegen"]).current_dir(context.workspace());
+    cargo.args(["build", "--quiet", "--package", "ptc-codegen"]).current_dir(workspace());
     if folder.ends_with("release") {
         cargo.arg("--release");
     }

@@ -7,7 +7,7 @@ use ptc_codegen::emit::measured::{HEAD, Measured};
 use ptc_codegen::spec::Spec;
 
 use super::seeded::put_in;
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::cost::{measure, plugin};
 use crate::harness::machine::Machine;
 use crate::harness::selftest::sources;
@@ -55,7 +55,7 @@ pub fn table(costs: &[Measured]) -> String {
 
 fn run(context: &Context) -> Result<Finding> {
     let measured = costs(context, &context.families(context.order(3)))?;
-    let path = context.workspace().join("assurance/costs.tsv");
+    let path = workspace().join("assurance/costs.tsv");
     if std::env::var_os(UPDATE).is_some() {
         fs::create_dir_all(path.parent().context("a folder")?)?;
         fs::write(&path, table(&measured))?;

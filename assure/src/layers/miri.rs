@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result};
 use ptc_codegen::emit::Language;
 use ptc_codegen::spec::{After, Feedback, Spec};
 
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::program::{has_gains, real};
 use crate::harness::{empty, write};
 use crate::layer::{Finding, Layer};
@@ -62,7 +62,7 @@ const CALLS: usize = 12;
 
 /// Runs the controllers in `home` under Miri; what it tells, where it tells anything.
 fn interpret(context: &Context, home: &Path, specs: &[Spec]) -> Result<Option<String>> {
-    let facade = context.workspace().display();
+    let facade = workspace().display();
     // A name of its own, for programs of one name in one build folder take each other's place.
     let name = home.file_name().unwrap_or_default();
     let manifest = format!(

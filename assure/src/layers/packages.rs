@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::command::{succeed, text};
 use crate::harness::{empty, runtime};
 use crate::layer::{Finding, Layer, Table};
@@ -25,10 +25,10 @@ pub(super) const LAYER: Layer = Layer {
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("packages");
-    let target = folder.join("target");
+    let target = context.target();
     let mut finding = Finding::default();
     let python = runtime::python(&context.shared("maturin"), &[MATURIN])?;
-    let crates = package(context.workspace(), &target)?;
+    let crates = package(workspace(), target)?;
     let mut rows = Vec::new();
     for package in &crates {
         let files = text(Command::new("tar").arg("-tzf").arg(package))?.lines().count();
@@ -47,15 +47,14 @@ fn run(context: &Context) -> Result<Finding> {
     let source = unpack(generator, &folder)?;
     let installed = empty(&folder.join("installed"));
     succeed(
-        Command::new("cargo")
+        cargo(target)
             .args(["install", "--quiet", "--debug", "--path"])
             .arg(&source)
             .arg("--root")
-            .arg(&installed)
-            .env("CARGO_TARGET_DIR", &target),
+            .arg(&installed),
     )?;
     emits(&installed.join("bin/ptc-codegen"), &folder)?;
-    let (wheel, size, command) = wheel(&python, context.workspace(), &folder, &target)?;
+    let (wheel, size, command) = wheel(&python, workspace(), &folder, target)?;
     emits(&command, &folder)?;
     rows.push(vec![
         wheel,
@@ -74,12 +73,7 @@ fn run(context: &Context) -> Result<Finding> {
     });
     // What include_str! and the templates read is not there in such a package.
     fs::remove_dir_all(source.join("templates"))?;
-    let built = succeed(
-        Command::new("cargo")
-            .args(["check", "--quiet"])
-            .current_dir(&source)
-            .env("CARGO_TARGET_DIR", &target),
-    );
+    let built = succeed(cargo(target).args(["check", "--quiet"]).current_dir(&source));
     let told = |error: anyhow::Error| {
         let text = format!("{error:#}");
         text.lines().find(|line| line.starts_with("error")).map(str::to_owned)
@@ -88,19 +82,27 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
+/// Cargo on builds that hold no lines for a debugger, as those of the workspace's dependencies, so
+/// that these serve again.
+fn cargo(target: &Path) -> Command {
+    let mut cargo = Command::new("cargo");
+    cargo.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "false");
+    cargo
+}
+
 /// The crates that are published, packaged together, as they depend on one another; cargo builds
 /// each of them from its package.
 fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
     let excluded = ["--exclude", "ptc-bench", "--exclude", "ptc-assure"];
+    let packages = empty(&target.join("package"));
     succeed(
-        Command::new("cargo")
+        cargo(target)
             .args(["package", "--quiet", "--workspace", "--allow-dirty"])
             .args(excluded)
-            .current_dir(workspace)
-            .env("CARGO_TARGET_DIR", target),
+            .current_dir(workspace),
     )?;
     let mut crates = Vec::new();
-    for entry in fs::read_dir(target.join("package"))? {
+    for entry in fs::read_dir(packages)? {
         let path = entry?.path();
         crates.extend(path.extension().is_some_and(|e| e == "crate").then_some(path));
     }
@@ -134,7 +136,8 @@ fn wheel(
             .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
             .arg(&wheels)
             .current_dir(workspace)
-            .env("CARGO_TARGET_DIR", target),
+            .env("CARGO_TARGET_DIR", target)
+            .env("CARGO_PROFILE_DEV_DEBUG", "false"),
     )?;
     let wheel = fs::read_dir(&wheels)?.next().context("a wheel")??.path();
     let environment = empty(&folder.join("environment"));

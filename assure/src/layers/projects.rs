@@ -130,7 +130,7 @@ fn rows(printed: &str) -> Vec<Vec<f64>> {
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("projects");
-    let generator = generator(context)?;
+    let generator = generator()?;
     let mut finding = Finding::default();
     let designs = designs();
     let mut table = Vec::new();

@@ -9,7 +9,7 @@ use ptc_codegen::emit::Language;
 
 use super::comparison::{Side, compare, controllers};
 use super::seeded::with_defect;
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::program::driver;
 use crate::harness::runtime::{self, homes};
 use crate::harness::specs::spec;
@@ -61,7 +61,7 @@ fn example(context: &Context, python: &Path, finding: &mut Finding) -> Result<()
         ("name", "stage"),
     ];
     write(&folder, &spec(&keys), Language::Python);
-    let script = context.workspace().join("examples/python_control.py");
+    let script = workspace().join("examples/python_control.py");
     let mut command = Command::new(python);
     let output = command.args(["-W", "error::RuntimeWarning"]).arg(script).arg(&folder).output()?;
     let told = String::from_utf8_lossy(&output.stdout).trim().to_owned();

@@ -58,7 +58,7 @@ fn design(mapping: &str) -> String {
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("playwright"), &[PLAYWRIGHT])?;
-    let command = generator(context)?;
+    let command = generator()?;
     let folder = context.scratch("report");
     let mut pages = Vec::new();
     let wanted = if context.brief { 2 } else { MAPPINGS.len() };

@@ -8,7 +8,7 @@ use std::process::Command;
 use anyhow::{Context as _, Result, bail};
 
 use super::command::generator;
-use crate::context::Context;
+use crate::context::{Context, workspace};
 use crate::harness::command::text;
 use crate::harness::empty;
 use crate::layer::{Finding, Layer, Table};
@@ -38,7 +38,7 @@ pub(super) const LAYER: Layer = Layer {
 fn run(context: &Context) -> Result<Finding> {
     let mut finding = Finding::default();
     let mut rows = Vec::new();
-    let root = context.workspace();
+    let root = workspace();
     for check in ["licenses", "bans", "sources"] {
         let told = deny(root, &root.join("deny.toml"), check)?;
         rows.push(row(check, if told.is_none() { "passed" } else { "FAILED" }));
@@ -93,14 +93,14 @@ fn deny(root: &Path, config: &Path, check: &str) -> Result<Option<String>> {
 }
 
 fn seeded_licence(context: &Context, finding: &mut Finding) -> Result<()> {
-    let config = fs::read_to_string(context.workspace().join("deny.toml"))?;
+    let config = fs::read_to_string(workspace().join("deny.toml"))?;
     let stricter = config.replace("\"MIT\", ", "");
     if stricter == config {
         bail!("deny.toml does not allow MIT in a list");
     }
     let path = context.scratch("supply").join("deny.toml");
     fs::write(&path, stricter)?;
-    let told = deny(context.workspace(), &path, "licenses")?.unwrap_or_default();
+    let told = deny(workspace(), &path, "licenses")?.unwrap_or_default();
     let caught = told.contains("rejected").then(|| "cargo-deny: rejected".to_owned());
     finding.seed("a dependency whose licence is not allowed (MIT taken from the list)", caught);
     Ok(())
@@ -156,9 +156,9 @@ const ENVIRONMENTS: [&[(&str, &str)]; 2] = [
 
 /// Emits every golden from the command in each environment, and compares with generated/.
 fn reproduce(context: &Context, finding: &mut Finding) -> Result<usize> {
-    let root = context.workspace();
+    let root = workspace();
     let scratch = context.scratch("reproduce");
-    let binary = generator(context)?;
+    let binary = generator()?;
     let goldens = context.goldens();
     let processors = std::thread::available_parallelism()?.get();
     for (index, variables) in ENVIRONMENTS.iter().enumerate() {

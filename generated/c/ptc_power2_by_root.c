@@ -1,0 +1,187 @@
+/* Prescribed-time controller ptc_power2_by_root: see ptc_power2_by_root.h. DO NOT EDIT. */
+#include "ptc_power2_by_root.h"
+
+#include <math.h>
+#include <stddef.h>
+
+ptc_status ptc_power2_by_root_init(ptc_power2_by_root *self, const ptc_power2_by_root_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+
+        if (isfinite(tau)
+            && (tau > 0.0)
+            && isfinite(t0)
+            && (eps > 0.0)
+            && (u_max > 0.0)
+            && isfinite(a)
+            && (a > 0.0)
+            && isfinite(k1)
+            && isfinite(k2)
+            && (eps < tau)) {
+            struct ptc_power2_by_root built;
+
+            const double K1 = k1 / (a * a);
+            const double K2 = k2 / a;
+            const double c1_2 = -K1;
+            const double hold_from = -eps;
+            const double minus_tau = -tau;
+            const double c2_1 = -K2;
+            const double inv_tau = 1.0 / tau;
+            built.c1_2 = c1_2;
+            built.tau = tau;
+            built.eps = eps;
+            built.hold_from = hold_from;
+            built.minus_tau = minus_tau;
+            built.c2_1 = c2_1;
+            built.inv_tau = inv_tau;
+            built.u_max = u_max;
+            built.t0 = 0.0;
+            built.deadline = 0.0;
+            built.correction = 0.0;
+
+            if (isfinite(built.c1_2)
+                && isfinite(built.hold_from)
+                && isfinite(built.minus_tau)
+                && isfinite(built.c2_1)
+                && isfinite(built.inv_tau)) {
+                status = ptc_power2_by_root_arm(&built, t0);
+            }
+            if (status == PTC_OK) {
+                *self = built;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_by_root_arm(ptc_power2_by_root *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if ((self != NULL) && isfinite(t0)) {
+        const double deadline = t0 + self->tau;
+        const double v1 = deadline - t0;
+        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+
+        if (isfinite(deadline) != 0) {
+            self->t0 = t0;
+            self->deadline = deadline;
+            self->correction = correction;
+            status = PTC_OK;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_by_root_step(const ptc_power2_by_root *self, double t, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(t)
+            && (t >= self->t0)
+            && isfinite(x1)
+            && isfinite(x2)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_w = self->minus_tau / late;
+            const double v1 = sqrt(inv_w);
+            const double q = v1 * (v1 * v1);
+            const double row1 = self->c1_2 * q * q;
+            const double row2 = (self->c2_1 * q) + 2.5;
+            const double inv_T = inv_w * self->inv_tau;
+            double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+
+            if (v > self->u_max) {
+                v = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                v = -self->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            *u = v;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_power2_by_root_tick(const ptc_power2_by_root *self, double t, ptc_power2_by_root_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL)
+        && (gains != NULL)
+        && isfinite(t)
+        && (t >= self->t0)) {
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_w = self->minus_tau / late;
+        const double v1 = sqrt(inv_w);
+        const double q = v1 * (v1 * v1);
+        const double row1 = self->c1_2 * q * q;
+        const double row2 = (self->c2_1 * q) + 2.5;
+        const double inv_T = inv_w * self->inv_tau;
+        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
+        gains->gain[0] = row1 * inv_T * inv_T;
+        gains->gain[1] = row2 * inv_T;
+        gains->u_max = self->u_max;
+        gains->status = status;
+    }
+    return status;
+}
+
+ptc_status ptc_power2_by_root_axis(const ptc_power2_by_root_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+
+        if (isfinite(x1)
+            && isfinite(x2)) {
+            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+
+            status = gains->status;
+            if (v > gains->u_max) {
+                v = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                v = -gains->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) == 0) {
+                v = 0.0;
+                status = PTC_E_RANGE;
+            } else {
+                /* within the bound */
+            }
+            *u = v;
+        }
+    }
+    return status;
+}
