@@ -12,7 +12,7 @@ use ptc_codegen::spec::{Fixed, Parameter, Spec};
 use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.
-const MAPPINGS: [(&str, &str, &[usize]); 17] = [
+const MAPPINGS: [(&str, &str, &[usize]); 21] = [
     ("mu", "exp", &[1, 2, 3, 7]),
     ("mu", "exp(a=2)", &[4]),
     ("mu", "rational", &[1, 2, 3, 7]),
@@ -30,6 +30,10 @@ const MAPPINGS: [(&str, &str, &[usize]); 17] = [
     ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3", &[1, 3, 5]),
     ("kappa", "-ln(1 - dt/tau)/a + sqrt(1 + dt) - 1", &[2, 4]),
     ("kappa", "tan(pi*dt/(2*tau))/a", &[3]),
+    ("kappa", "dt/(tau - dt) + ln(1 + dt) + dt - sin(dt)/2 + cosh(dt/2) - cos(dt/2)", &[4]),
+    ("kappa", "sinh(dt)*(tau - dt)^(-2) + dt*2^dt", &[4]),
+    ("kappa", "tau*atanh(dt/tau)/a + tanh(dt) + atan(dt/(1 + dt)) + tan(dt/4) - 1/(2 + dt)", &[4]),
+    ("kappa", "(1 - dt/tau)^(-b) - 1 + dt*(1 + dt)^(1/3) + (dt + dt^2)^3", &[4]),
 ];
 
 /// The spec of keys and values as they are written on the command line.

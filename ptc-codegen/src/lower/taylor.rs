@@ -94,7 +94,6 @@ impl Builder<'_> {
                 let a = self.series(a, point);
                 self.raised(a, &Expression::Number(BigRational::new(1.into(), 2.into())))
             }
-            // Without the pole of the quotient, where the angle is a right one.
             Expression::Call(function, a) => match &**a {
                 // Without the pole of the quotient, where the angle is a right one.
                 Expression::Div(over, under)
