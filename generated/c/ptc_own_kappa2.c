@@ -112,7 +112,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             const double unit = (self->f22 * T) / v5;
             const double inv_r1 = 1.0 / (T * unit);
             const double v7 = (self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * x2);
-            double v = v7 * inv_r1;
+            double v = (past >= 0.0) ? 0.0 : (v7 * inv_r1);
 
             if (v > self->u_max) {
                 v = self->u_max;
@@ -126,69 +126,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             } else if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
-                status = PTC_HOLD;
-            }
-            *u = v;
-        }
-    }
-    return status;
-}
-
-ptc_status ptc_own_kappa2_tick(const ptc_own_kappa2 *self, double t, ptc_own_kappa2_gains *gains)
-{
-    ptc_status status = PTC_E_INPUT;
-
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double v1 = T * T;
-        const double v2 = self->f26 * v1;
-        const double v3 = v1 * v1 * self->f29;
-        const double v4 = T * v1 * self->f40;
-        const double v5 = self->f24 + v2 + v3 + (-v4);
-        const double v6 = (-(((v2 * (-2.0)) + (v3 * (-4.0)) + (v4 * 3.0)) * (1.0 / v5))) - 1.0;
-        const double unit = (self->f22 * T) / v5;
-        const double inv_r1 = 1.0 / (T * unit);
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = self->w1 * inv_r1 * inv_r1;
-        gains->gain[1] = (self->w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * inv_r1;
-        gains->u_max = self->u_max;
-        gains->status = status;
-    }
-    return status;
-}
-
-ptc_status ptc_own_kappa2_axis(const ptc_own_kappa2_gains *gains, const double x[2], double *u)
-{
-    ptc_status status = PTC_E_INPUT;
-
-    if (u != NULL) {
-        *u = 0.0;
-    }
-    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-
-        if (isfinite(x1)
-            && isfinite(x2)) {
-            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max) {
-                v = -gains->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else {
-                /* within the bound */
+                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
             }
             *u = v;
         }

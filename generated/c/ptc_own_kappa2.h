@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --kappa="dt/(a*(tau - dt)) + (dt/tau)^3" --name
- *       ptc_own_kappa2
+ *       ptc_own_kappa2 --after zero
  * Version 0.1.0.
  *
  * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
@@ -95,13 +95,6 @@ typedef struct ptc_own_kappa2 {
     double u_max; /* bound of |u| */
 } ptc_own_kappa2;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
-typedef struct ptc_own_kappa2_gains {
-    double gain[2];
-    double u_max; /* bound of |u| */
-    ptc_status status; /* PTC_OK or PTC_HOLD */
-} ptc_own_kappa2_gains;
-
 /* Takes the parameters and arms at params->t0 (or the fixed t0).
  * PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params *params);
@@ -111,13 +104,6 @@ ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0);
 
 /* u at time t [s] and state x = (x1, x1', ...). */
 ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const double x[2], double *u);
-
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
-ptc_status ptc_own_kappa2_tick(const ptc_own_kappa2 *self, double t, ptc_own_kappa2_gains *gains);
-
-/* u of one axis from the gains that tick left. */
-ptc_status ptc_own_kappa2_axis(const ptc_own_kappa2_gains *gains, const double x[2], double *u);
 
 #ifdef __cplusplus
 }

@@ -99,8 +99,8 @@ ptc_status ptc_rational2_input_gain_step(const ptc_rational2_input_gain *self, d
             const double row2 = (self->c2_1 * inv_T) + 2.0;
             const double v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
             const double input_gain = 2.0 + (x1 * x1);
-            const double v2 = ((input_gain < 0.0) || (input_gain > 0.0)) ? (v1 / input_gain) : (double)NAN;
-            double v = (past >= 0.0) ? 0.0 : (v2);
+            const double v2 = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
+            double v = v2;
 
             if (v > self->u_max) {
                 v = self->u_max;
@@ -114,7 +114,7 @@ ptc_status ptc_rational2_input_gain_step(const ptc_rational2_input_gain *self, d
             } else if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
-                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
+                status = PTC_HOLD;
             }
             *u = v;
         }

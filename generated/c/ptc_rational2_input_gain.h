@@ -3,7 +3,7 @@
  *
  * DO NOT EDIT. Made by:
  *   ptc-codegen emit --lang c --n 2 --mu rational --name ptc_rational2_input_gain --g="2 +
- *       x1*x1" --after zero
+ *       x1*x1"
  * Version 0.1.0.
  *
  * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).

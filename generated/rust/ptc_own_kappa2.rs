@@ -2,7 +2,7 @@
 //!
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --kappa="dt/(a*(tau - dt)) + (dt/tau)^3" --name
-//!       ptc_own_kappa2
+//!       ptc_own_kappa2 --after zero
 //! Version 0.1.0.
 //!
 //! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
@@ -161,17 +161,6 @@ pub struct PtcOwnKappa2 {
     u_max: f64,
 }
 
-/// Feedback gains of [`PtcOwnKappa2`] at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PtcOwnKappa2Gains {
-    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
-    pub gain: [f64; 2],
-    /// Bound of |u|.
-    pub u_max: f64,
-    /// `Ok` or `Hold`.
-    pub status: Status,
-}
-
 #[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
 impl PtcOwnKappa2 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
@@ -280,7 +269,7 @@ impl PtcOwnKappa2 {
         let unit = (self.f22 * T) / v5;
         let inv_r1 = 1.0 / (T * unit);
         let v7 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * x2);
-        let u = v7 * inv_r1;
+        let u = if past >= 0.0 { 0.0 } else { v7 * inv_r1 };
 if u > self.u_max {
             return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
@@ -294,69 +283,7 @@ if u > self.u_max {
         } else if margin.is_nan() {
             Err(Error::Range)
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
-    }
-
-    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
-    /// round otherwise than `step` does.
-    ///
-    /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
-    #[inline]
-    pub fn tick(&self, t: f64) -> Result<PtcOwnKappa2Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
-            return Err(Error::Input);
-        }
-        let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
-        let T = -late;
-        let v1 = T * T;
-        let v2 = self.f26 * v1;
-        let v3 = v1 * v1 * self.f29;
-        let v4 = T * v1 * self.f40;
-        let v5 = self.f24 + v2 + v3 + (-v4);
-        let v6 = (-(((v2 * (-2.0)) + (v3 * (-4.0)) + (v4 * 3.0)) * (1.0 / v5))) - 1.0;
-        let unit = (self.f22 * T) / v5;
-        let inv_r1 = 1.0 / (T * unit);
-        let held = late >= self.hold_from;
-        Ok(PtcOwnKappa2Gains {
-            gain: [
-                self.w1 * inv_r1 * inv_r1,
-                (self.w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * inv_r1,
-            ],
-            u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
-        })
-    }
-}
-
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
-impl PtcOwnKappa2Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
-    ///
-    /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
-    #[inline]
-    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        let [gain1, gain2] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite())
-        {
-            return Err(Error::Input);
-        }
-        let u = (gain1 * x1) + (gain2 * x2);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
-        } else {
-            Err(Error::Range)
+            Ok(Control { u, status: if past >= 0.0 { Status::After } else { Status::Hold } })
         }
     }
 }

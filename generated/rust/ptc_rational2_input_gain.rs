@@ -2,7 +2,7 @@
 //!
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --mu rational --name ptc_rational2_input_gain --g="2 +
-//!       x1*x1" --after zero
+//!       x1*x1"
 //! Version 0.1.0.
 //!
 //! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
@@ -256,7 +256,7 @@ impl PtcRational2InputGain {
         let v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
         let input_gain = 2.0 + (x1 * x1);
         let v2 = if input_gain < 0.0 || input_gain > 0.0 { v1 / input_gain } else { f64::NAN };
-        let u = if past >= 0.0 { 0.0 } else { v2 };
+        let u = v2;
 if u > self.u_max {
             return Ok(Control { u: self.u_max, status: Status::Saturated });
         }
@@ -270,7 +270,7 @@ if u > self.u_max {
         } else if margin.is_nan() {
             Err(Error::Range)
         } else {
-            Ok(Control { u, status: if past >= 0.0 { Status::After } else { Status::Hold } })
+            Ok(Control { u, status: Status::Hold })
         }
     }
 }

@@ -32,9 +32,17 @@ const MAPPINGS: [(&str, &str, &[usize]); 21] = [
     ("kappa", "tan(pi*dt/(2*tau))/a", &[3]),
     ("kappa", "dt/(tau - dt) + ln(1 + dt) + dt - sin(dt)/2 + cosh(dt/2) - cos(dt/2)", &[4]),
     ("kappa", "sinh(dt)*(tau - dt)^(-2) + dt*2^dt", &[4]),
-    ("kappa", "tau*atanh(dt/tau)/a + tanh(dt) + atan(dt/(1 + dt)) + tan(dt/4) - 1/(2 + dt)", &[4]),
+    (
+        "kappa",
+        "tau*atanh(dt/tau)/a + tanh(dt) + atan(dt/(1 + dt)) + tan(dt/4) - (2 + dt)^(-3)",
+        &[4],
+    ),
     ("kappa", "(1 - dt/tau)^(-b) - 1 + dt*(1 + dt)^(1/3) + (dt + dt^2)^3", &[4]),
 ];
+
+/// An input gain with every kind of power.
+const DIVISOR: &str =
+    "2 + x1^2 + (1 + x1^2)^(-2) + (2 + x1^2)^(3/2) + (3 + x1^2)^(1/2) + (4 + x1^2)^(-1/3)";
 
 /// The spec of keys and values as they are written on the command line.
 fn spec(keys: &[(&str, &str)]) -> Spec {
@@ -131,6 +139,6 @@ fn laws_of_every_kind_of_variable() {
     judge(&|n| {
         let law = format!("-xi1 - xi{n}*abs(xi1)/8 + min(xi{n}_0, x1_0)*dt/8 - t0*t_kappa/64");
         let text = |text: &str| text.to_owned();
-        vec![("pi0", law), ("g", text("2 + x1^2")), ("precision", text("f32"))]
+        vec![("pi0", law), ("g", text(DIVISOR)), ("precision", text("f32"))]
     });
 }

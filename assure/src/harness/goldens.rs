@@ -43,6 +43,7 @@ fn features() -> [Spec; 5] {
         spec(&[
             ("n", "2"),
             ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3"),
+            ("after", "zero"),
             ("name", "ptc_own_kappa2"),
         ]),
         spec(&[
@@ -60,7 +61,6 @@ fn features() -> [Spec; 5] {
             ("n", "2"),
             ("mu", "rational"),
             ("g", "2 + x1*x1"),
-            ("after", "zero"),
             ("name", "ptc_rational2_input_gain"),
         ]),
         spec(&[

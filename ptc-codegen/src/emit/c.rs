@@ -146,7 +146,7 @@ impl Syntax for C<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
-        format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : ({})NAN", self.real)
+        format!("{a} / ((({b} < {zero}) || ({b} > {zero})) ? {b} : ({})NAN)", self.real)
     }
 
     fn select(&self, condition: &str, yes: &str, no: &str) -> String {

@@ -127,3 +127,49 @@ impl Builder<'_> {
         sum
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mapping::Family;
+    use crate::program::Input;
+    use crate::spec::Spec;
+
+    /// What an operation of coefficients gives, by the operations that it took.
+    #[test]
+    fn neutral_elements_and_exact_numbers_take_no_operation() {
+        let spec = Spec::new(1, Family::Exp);
+        let mut b = Builder::new(&spec);
+        let x = b.push(Op::Input(Input::State(1)));
+        let [zero, one, two, minus_one] = [0, 1, 2, -1].map(Coefficient::integer);
+        let known = Coefficient::Value(x);
+        let minus_x = Coefficient::Value(b.push(Op::Neg(x)));
+
+        assert_eq!(b.plus(&one, &two), Coefficient::integer(3));
+        assert_eq!((b.plus(&known, &zero), b.plus(&zero, &known)), (known.clone(), known.clone()));
+        assert_eq!(b.minus(&one, &two), minus_one);
+        assert_eq!(
+            (b.minus(&known, &zero), b.minus(&zero, &known)),
+            (known.clone(), minus_x.clone())
+        );
+        assert_eq!(b.times(&two, &minus_one), Coefficient::integer(-2));
+        assert_eq!((b.times(&known, &zero), b.times(&zero, &known)), (zero.clone(), zero.clone()));
+        assert_eq!((b.times(&known, &one), b.times(&one, &known)), (known.clone(), known.clone()));
+        assert_eq!(b.times(&known, &minus_one), minus_x);
+        assert_eq!(b.times(&minus_one, &known), minus_x);
+        assert_eq!(b.over(&one, &two), Exact(BigRational::new(1.into(), 2.into())));
+        assert_eq!((b.over(&known, &one), b.over(&zero, &known)), (known.clone(), zero.clone()));
+
+        let half = b.number(BigRational::new(1.into(), 2.into()));
+        let [zero_value, one_value] = [0, 1].map(|value| b.integer(value));
+        for (found, op) in [
+            (b.over(&known, &two), Op::Mul(x, half)),
+            (b.over(&one, &known), Op::Div(one_value, x)),
+            (b.over(&known, &zero), Op::Div(x, zero_value)),
+            (b.over(&one, &zero), Op::Div(one_value, zero_value)),
+            (b.over(&zero, &zero), Op::Div(zero_value, zero_value)),
+        ] {
+            assert_eq!(found, Coefficient::Value(b.push(op.clone())), "{op:?}");
+        }
+    }
+}
