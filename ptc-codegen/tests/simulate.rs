@@ -136,27 +136,46 @@ fn both_sides_of_the_equivalence_agree() {
             "n = 3\nmu = \"{mu}\"\ng = \"2 + cos(x1)\"\npoles = [-7, -8, -9]\ntau = 2\nt0 = 0.3\neps = 1e-12\n\
              u_max = inf\n[plant]\nf = \"0.3*sin(5*t) - 0.1*x2*abs(x2) + 0.02*u\"\ng = \"1.9 + cos(x1)\"\n"
         );
-        let (spec, plant) = design(&text);
-        let shares = [1.0, 0.9, 0.5, 0.2, 0.1];
-        let x0 = [1.0, -0.4, 0.3];
-        let values = Values::of(&spec, &plant);
-        let mapped = continuous(&text, &[], &x0, &shares);
-        let mut direct = Vec::new();
-        let accuracy = Accuracy { relative: 1e-10, absolute: 1e-18, ..Accuracy::default() };
-        Direct::of(&spec, &plant)
-            .expect("a loop")
-            .run(&values, &x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u)))
-            .unwrap_or_else(|failure| panic!("{mu}: {failure}"));
-        for ((share, x, u), (own, own_u)) in mapped.iter().zip(&direct) {
-            for (a, b) in x.iter().zip(own).chain([(u, own_u)]) {
-                let scale = own.iter().fold(own_u.abs(), |s, x| s.max(x.abs()));
-                assert!(
-                    (a - b).abs() <= 1e-7 * scale,
-                    "{mu} at {share}: {x:?} {u}, {own:?} {own_u}"
-                );
-            }
+        agree(&text, &[1.0, -0.4, 0.3]);
+    }
+}
+
+/// A limit in force, with the controller's own gain, of an order that has every entry of BB_n; time in
+/// the law and in the plant.
+#[test]
+fn both_sides_agree_where_u_is_clipped_and_where_time_enters() {
+    let clipped = agree(
+        "n = 5\nmu = \"exp(a=1)\"\ng = 2\npoles = [-11, -12, -13, -14, -15]\ntau = 2\neps = 1e-12\n\
+         u_max = 30\n[plant]\nf = \"0.1*dt\"\n",
+        &[0.1, -0.2, 0.1, 0.3, -0.5],
+    );
+    assert_eq!(clipped[0].2.abs(), 30.0);
+    agree(
+        "n = 2\nmu = \"tanh(a=1)\"\npi0 = \"-20*xi1 - 9*xi2 + dt*xi1 + sin(t_kappa)*xi2\"\ntau = 2\nt0 = 0.3\n\
+         eps = 1e-12\nu_max = inf\n[plant]\nf = \"0.1*dt - 0.2*t*x2\"\n",
+        &[1.0, -0.4],
+    );
+}
+
+/// x and u by the associated system, which are returned, and by the emitted program in the loop.
+fn agree(text: &str, x0: &[f64]) -> Seen {
+    let (spec, plant) = design(text);
+    let shares = [1.0, 0.9, 0.5, 0.2, 0.1];
+    let values = Values::of(&spec, &plant);
+    let mapped = continuous(text, &[], x0, &shares);
+    let mut direct = Vec::new();
+    let accuracy = Accuracy { relative: 1e-10, absolute: 1e-18, ..Accuracy::default() };
+    Direct::of(&spec, &plant)
+        .expect("a loop")
+        .run(&values, x0, &shares, accuracy, &mut |s| direct.push((s.x.to_vec(), s.u)))
+        .unwrap_or_else(|failure| panic!("{text}: {failure}"));
+    for ((share, x, u), (own, own_u)) in mapped.iter().zip(&direct) {
+        for (a, b) in x.iter().zip(own).chain([(u, own_u)]) {
+            let scale = own.iter().fold(own_u.abs(), |s, x| s.max(x.abs()));
+            assert!((a - b).abs() <= 1e-7 * scale, "{text} at {share}: {x:?} {u}, {own:?} {own_u}");
         }
     }
+    mapped
 }
 
 /// Stretched time goes to 1e9 s here, where the loop has a time constant of 1 s: x follows
