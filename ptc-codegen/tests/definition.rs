@@ -12,7 +12,7 @@ use ptc_codegen::spec::{Fixed, Parameter, Spec};
 use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.
-const MAPPINGS: [(&str, &str, &[usize]); 23] = [
+const MAPPINGS: [(&str, &str, &[usize]); 24] = [
     ("mu", "exp", &[1, 2, 3, 7]),
     ("mu", "exp(a=2)", &[4]),
     ("mu", "rational", &[1, 2, 3, 7]),
@@ -29,6 +29,7 @@ const MAPPINGS: [(&str, &str, &[usize]); 23] = [
     ("mu", "2*tau*atan(a*t)/pi", &[3, 5]),
     ("mu", "tau*(1 - ((1 + a*t)^(-1) + (1 + t)^(-3))/2)", &[3, 5]),
     ("mu", "tau*(1 - exp(-a*t)/(1 + ln(1 + t)/8))", &[3, 5]),
+    ("mu", "tau*(1 - (exp(-a*t) + 1 - 2*atan(t)/pi)/2)", &[3, 5]),
     ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3", &[1, 3, 5]),
     ("kappa", "-ln(1 - dt/tau)/a + sqrt(1 + dt) - 1", &[2, 4]),
     ("kappa", "tan(pi*dt/(2*tau))/a", &[3]),

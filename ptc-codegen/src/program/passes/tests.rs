@@ -125,6 +125,46 @@ fn fold_computes_numbers_and_drops_neutral_operations() {
     assert_eq!(folded.get(x).op, Op::Input(Input::State(1)));
 }
 
+/// What a library computes differs from machine to machine, so it is left to the target.
+#[test]
+fn fold_computes_a_root_but_calls_no_library() {
+    let folded = after(
+        "fold",
+        program(|p| {
+            let four = append(p, Op::Number(integer(4)), None);
+            let [root, power, exp] = [
+                Op::Call(Function::Sqrt, four),
+                Op::Pow(four, four),
+                Op::Call(Function::Exp, four),
+            ]
+            .map(|op| append(p, op, None));
+            let sum = append(p, Op::Add(power, exp), None);
+            append(p, Op::Mul(root, sum), None)
+        }),
+    );
+    let Op::Mul(root, sum) = folded.get(folded.step).op else { panic!("a product is left") };
+    let Op::Add(power, exp) = folded.get(sum).op else { panic!("a sum is left") };
+    assert_eq!(folded.get(root).op, Op::Number(integer(2)));
+    assert!(matches!(folded.get(power).op, Op::Pow(..)));
+    assert!(matches!(folded.get(exp).op, Op::Call(Function::Exp, _)));
+}
+
+#[test]
+fn fold_writes_a_product_with_minus_one_as_a_negation() {
+    for swapped in [false, true] {
+        let folded = after(
+            "fold",
+            program(|p| {
+                let minus_one = append(p, Op::Number(integer(-1)), None);
+                let x = append(p, Op::Input(Input::State(1)), None);
+                let (a, b) = if swapped { (x, minus_one) } else { (minus_one, x) };
+                append(p, Op::Mul(a, b), None)
+            }),
+        );
+        assert!(matches!(folded.get(folded.step).op, Op::Neg(_)), "{swapped}");
+    }
+}
+
 #[test]
 fn fold_leaves_what_overflows_to_run_time() {
     let folded = after(
@@ -153,16 +193,18 @@ fn chains_write_powers_as_multiplications() {
 
 #[test]
 fn share_keeps_one_of_equal_values() {
-    let shared = after(
-        "share",
-        program(|p| {
-            let (x, t) = (Op::Input(Input::State(1)), Op::Input(Input::Time));
-            let (x, t) = (append(p, x, None), append(p, t, None));
-            let (first, second) = (append(p, Op::Mul(x, t), None), append(p, Op::Mul(t, x), None));
-            append(p, Op::Add(first, second), None)
-        }),
-    );
-    assert!(matches!(shared.get(shared.step).op, Op::Add(a, b) if a == b));
+    for op in [Op::Mul, Op::Add] {
+        let shared = after(
+            "share",
+            program(|p| {
+                let (x, t) = (Op::Input(Input::State(1)), Op::Input(Input::Time));
+                let (x, t) = (append(p, x, None), append(p, t, None));
+                let (first, second) = (append(p, op(x, t), None), append(p, op(t, x), None));
+                append(p, Op::Sub(first, second), None)
+            }),
+        );
+        assert!(matches!(shared.get(shared.step).op, Op::Sub(a, b) if a == b));
+    }
 }
 
 #[test]
