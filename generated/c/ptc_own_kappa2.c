@@ -15,7 +15,6 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
         const double u_max = params->u_max;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-        const double p_a = params->a;
 
         if (isfinite(tau)
             && (tau > 0.0)
@@ -24,23 +23,16 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             && (u_max > 0.0)
             && isfinite(k1)
             && isfinite(k2)
-            && isfinite(p_a)
-            && (p_a > 0.0)
             && (eps < tau)) {
             struct ptc_own_kappa2 built;
 
             const double hold_from = -eps;
-            const double v1 = tau * tau;
             const double w1 = -k1;
             const double w2 = -k2;
             built.tau = tau;
             built.eps = eps;
             built.hold_from = hold_from;
-            built.f22 = tau * v1 * p_a;
-            built.f24 = v1 * v1;
-            built.f26 = 3.0 * v1 * p_a;
-            built.f29 = 3.0 * p_a;
-            built.f40 = 6.0 * tau * p_a;
+            built.f15 = tau * tau;
             built.w1 = w1;
             built.w2 = w2;
             built.u_max = u_max;
@@ -49,11 +41,7 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             built.correction = 0.0;
 
             if (isfinite(built.hold_from)
-                && isfinite(built.f22)
-                && isfinite(built.f24)
-                && isfinite(built.f26)
-                && isfinite(built.f29)
-                && isfinite(built.f40)
+                && isfinite(built.f15)
                 && isfinite(built.w1)
                 && isfinite(built.w2)) {
                 status = ptc_own_kappa2_arm(&built, t0);
@@ -104,15 +92,11 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
             const double v1 = T * T;
-            const double v2 = self->f26 * v1;
-            const double v3 = v1 * v1 * self->f29;
-            const double v4 = T * v1 * self->f40;
-            const double v5 = self->f24 + v2 + v3 + (-v4);
-            const double v6 = (-(((v2 * (-2.0)) + (v3 * (-4.0)) + (v4 * 3.0)) * (1.0 / v5))) - 1.0;
-            const double unit = (self->f22 * T) / v5;
+            const double v2 = self->f15 + v1;
+            const double unit = T / v2;
             const double inv_r1 = 1.0 / (T * unit);
-            const double v7 = (self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * ((v6 - 1.0) * 0.5 * unit))) * x2);
-            double v = (past >= 0.0) ? 0.0 : (v7 * inv_r1);
+            const double v3 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
+            double v = (past >= 0.0) ? 0.0 : (((self->w1 * x1 * inv_r1) + ((self->w2 + v3) * x2)) * inv_r1);
 
             if (v > self->u_max) {
                 v = self->u_max;

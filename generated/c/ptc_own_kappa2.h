@@ -2,8 +2,8 @@
  * Prescribed-time controller ptc_own_kappa2: order n = 2, mapping custom.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --kappa="dt/(a*(tau - dt)) + (dt/tau)^3" --name
- *       ptc_own_kappa2 --after zero
+ *   ptc-codegen emit --lang c --n 2 --kappa="tau*dt/(tau - dt) + dt" --name ptc_own_kappa2
+ *       --after zero
  * Version 0.1.0.
  *
  * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
@@ -14,12 +14,11 @@
  *   eps: time-to-go at which the gains are held [s], > 0, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
  *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
- *   a: parameter of an expression of the design [as in its expression], finite, > 0
  *
  * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
- *   kappa(dt) = dt/(a*(tau - dt)) + (dt/tau)^3
- *   kappa = (3*tau*a*T^3 + tau^3*a*T + tau^4 - 3*tau^2*a*T^2 - tau^3*T - a*T^4)/(tau^3*a*T)
- *   r_1 = T*(tau^3*a*T/(3*tau^2*a*T^2 + tau^4 + 3*a*T^4 - 6*tau*a*T^3))
+ *   kappa(dt) = tau*dt/(tau - dt) + dt
+ *   kappa = (tau^2 - T^2)/T
+ *   r_1 = T*(T/(tau^2 + T^2))
  * r_k and BB_n come from its Taylor series at each tick.
  *
  * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
@@ -43,8 +42,8 @@
  *   deadline: not checked: `error` is not given.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step: 15 + - or comparison, 19 *, 3 /, 0 sqrt, 0 calls.
- * Latencies added up: x86-64 about 178 cycles, Cortex-M4F about 76 cycles.
+ * Operations of one step: 10 + - or comparison, 11 *, 3 /, 0 sqrt, 0 calls.
+ * Latencies added up: x86-64 about 126 cycles, Cortex-M4F about 63 cycles.
  */
 #ifndef PTC_OWN_KAPPA2_H
 #define PTC_OWN_KAPPA2_H
@@ -74,7 +73,6 @@ typedef struct ptc_own_kappa2_params {
     double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
     double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
     double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
-    double a; /* parameter of an expression of the design [as in its expression], finite, > 0 */
 } ptc_own_kappa2_params;
 
 /* Controller: set by init and arm, read by step and tick. */
@@ -85,11 +83,7 @@ typedef struct ptc_own_kappa2 {
     double correction; /* what the rounding of t0 + tau left out */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double f22; /* known when the parameters are */
-    double f24; /* known when the parameters are */
-    double f26; /* known when the parameters are */
-    double f29; /* known when the parameters are */
-    double f40; /* known when the parameters are */
+    double f15; /* known when the parameters are */
     double w1; /* weighted gain -0!*k1 */
     double w2; /* weighted gain -1!*k2 */
     double u_max; /* bound of |u| */

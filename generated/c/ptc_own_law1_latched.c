@@ -30,7 +30,7 @@ ptc_status ptc_own_law1_latched_init(ptc_own_law1_latched *self, const ptc_own_l
             built.t0 = 0.0;
             built.deadline = 0.0;
             built.correction = 0.0;
-            built.f23 = 0.0;
+            built.x1_0 = 0.0;
 
             if (isfinite(built.hold_from) != 0) {
                 status = ptc_own_law1_latched_arm(&built, t0, x0);
@@ -56,12 +56,11 @@ ptc_status ptc_own_law1_latched_arm(ptc_own_law1_latched *self, double t0, const
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
 
-        if (isfinite(deadline)
-            && isfinite(fabs(x1_0) / 4.0)) {
+        if (isfinite(deadline) != 0) {
             self->t0 = t0;
             self->deadline = deadline;
             self->correction = correction;
-            self->f23 = fabs(x1_0) / 4.0;
+            self->x1_0 = x1_0;
             status = PTC_OK;
         }
     }
@@ -85,7 +84,7 @@ ptc_status ptc_own_law1_latched_step(const ptc_own_law1_latched *self, double t,
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
             const double inv_r1 = 1.0 / T;
-            const double law = (-x1) / (fabs(x1) + self->f23);
+            const double law = ((-2.0) * x1) - (x1 * self->x1_0);
             double v = law * inv_r1;
 
             if (v > self->u_max) {

@@ -18,11 +18,8 @@ correction = (t0 - (deadline - v1)) + (self.tau - v1);
 if ~isfinite(deadline)
     error('ptc_own_law1_latched:param', 't0 + tau must be finite');
 end
-if ~isfinite(abs(x1_0) / 4.0)
-    error('ptc_own_law1_latched:param', 'what follows from x0 and t0 must be finite: abs(x1_0) / 4.0');
-end
 self.t0 = t0;
 self.deadline = deadline;
 self.correction = correction;
-self.f23 = abs(x1_0) / 4.0;
+self.x1_0 = x1_0;
 end

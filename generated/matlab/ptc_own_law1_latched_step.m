@@ -24,7 +24,7 @@ past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 T = -late;
 inv_r1 = 1.0 / T;
-law = (-x1) / (abs(x1) + self.f23);
+law = ((-2.0) * x1) - (x1 * self.x1_0);
 v = law * inv_r1;
 if v > self.u_max
     u = self.u_max;

@@ -42,7 +42,7 @@ fn features() -> [Spec; 5] {
     [
         spec(&[
             ("n", "2"),
-            ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3"),
+            ("kappa", "tau*dt/(tau - dt) + dt"),
             ("after", "zero"),
             ("name", "ptc_own_kappa2"),
         ]),
@@ -54,7 +54,7 @@ fn features() -> [Spec; 5] {
         spec(&[
             ("n", "1"),
             ("mu", "exp(a=1)"),
-            ("pi0", "-xi1/(abs(xi1) + abs(xi1_0)/4)"),
+            ("pi0", "-2*xi1 - xi1*xi1_0"),
             ("name", "ptc_own_law1_latched"),
         ]),
         spec(&[
