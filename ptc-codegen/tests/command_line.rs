@@ -496,6 +496,17 @@ fn what_has_no_self_test_is_told_before_anything_is_written() {
 }
 
 #[test]
+fn a_system_whose_mapping_has_no_mu_in_closed_form_is_told() {
+    let system = ["emit", "--lang=c", "--n=2", "--what=associated", "-o", "-"];
+    let told = stderr(&[&system[..], &["--kappa=tau*dt/(tau - dt) + ln(1 + dt)"]].concat(), 2);
+    assert!(
+        told.contains("no closed form of mu") && told.contains("give the mapping as mu"),
+        "{told}"
+    );
+    assert!(stdout(&[&system[..], &["--kappa=-ln(1 - dt/tau)"]].concat()).contains("mu'"));
+}
+
+#[test]
 fn the_engine_by_its_name_is_the_default() {
     let show = ["show", "law", "--n", "4", "--mu", "tan"];
     assert_eq!(stdout(&[&show[..], &["--engine", "ptc"]].concat()), stdout(&show));
