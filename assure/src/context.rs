@@ -13,7 +13,7 @@ use crate::harness::{empty, goldens};
 /// The folder of the work and the seed of what is random.
 #[derive(Clone, Debug)]
 pub struct Context {
-    root: PathBuf,
+    target: PathBuf,
     /// The seed of random specs and records.
     pub seed: u64,
     /// How long random controllers are drawn.
@@ -34,7 +34,7 @@ pub fn workspace() -> &'static Path {
 impl Context {
     /// The context that works in the folder `assure` of cargo's `target`.
     pub fn new(target: &Path, seed: u64) -> Self {
-        Self { root: target.join("assure"), seed, time: TIME, brief: false }
+        Self { target: target.to_owned(), seed, time: TIME, brief: false }
     }
 
     /// The greatest order of the families that a layer examines, `full` where the run is not brief.
@@ -44,17 +44,17 @@ impl Context {
 
     /// An empty folder of a layer's own.
     pub fn scratch(&self, name: &str) -> PathBuf {
-        empty(&self.root.join(name))
+        empty(&self.target.join("assure").join(name))
     }
 
     /// A folder whose contents one run leaves to the next, for builds.
     pub fn shared(&self, name: &str) -> PathBuf {
-        self.root.join("builds").join(name)
+        self.target.join("assure/builds").join(name)
     }
 
     /// Cargo's own folder, where what other builds compiled serves again.
     pub fn target(&self) -> &Path {
-        self.root.parent().unwrap_or(&self.root)
+        &self.target
     }
 
     /// The controllers of generated/.

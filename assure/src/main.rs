@@ -24,6 +24,9 @@ struct CommandLine {
     /// The layers to run; all without one
     #[arg(value_name = "LAYER")]
     layers: Vec<String>,
+    /// A layer to leave out; may be given again
+    #[arg(long, value_name = "LAYER", conflicts_with_all = ["layers", "design"])]
+    except: Vec<String>,
     /// Print the layers and what each shows
     #[arg(long)]
     list: bool,
@@ -68,7 +71,7 @@ fn execute(line: &CommandLine) -> Result<bool> {
         return Ok(true);
     }
     let wanted = if line.design.is_some() { vec!["cost".to_owned()] } else { line.layers.clone() };
-    let chosen = chosen(&wanted)?;
+    let chosen = chosen(&wanted, &line.except)?;
     if !line.no_install {
         let tools: Vec<_> = chosen.iter().flat_map(|layer| layer.tools).copied().collect();
         tool::install(&tools);
@@ -101,7 +104,8 @@ fn execute(line: &CommandLine) -> Result<bool> {
         }
         outcomes.push((layer, outcome));
     }
-    let whole = line.layers.is_empty().then(|| workspace().join("assurance/REPORT.md"));
+    let all = line.layers.is_empty() && line.except.is_empty();
+    let whole = all.then(|| workspace().join("assurance/REPORT.md"));
     if let Some(path) = line.report.clone().or(whole) {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         folder.map_or(Ok(()), fs::create_dir_all)?;
@@ -126,12 +130,15 @@ fn design(file: &Path) -> Result<Spec> {
     ptc_codegen::spec::read(&entries).map_err(|found| told(&found))
 }
 
-/// The layers that were asked for, in the order in which they run.
-fn chosen(names: &[String]) -> Result<Vec<&'static Layer>> {
+/// The layers that were asked for, all where none was, without those to leave out, in the order in
+/// which they run.
+fn chosen(names: &[String], except: &[String]) -> Result<Vec<&'static Layer>> {
     let legal: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
-    if let Some(unknown) = names.iter().find(|name| !legal.contains(&name.as_str())) {
+    let unknown = |name: &&String| !legal.contains(&name.as_str());
+    if let Some(unknown) = names.iter().chain(except).find(unknown) {
         bail!("there is no layer `{unknown}`; the layers are {}", legal.join(", "));
     }
-    let wanted = |layer: &&Layer| names.is_empty() || names.iter().any(|name| name == layer.name);
-    Ok(LAYERS.iter().filter(wanted).collect())
+    let is_in = |list: &[String], layer: &Layer| list.iter().any(|name| name == layer.name);
+    let wanted = |layer: &&Layer| names.is_empty() || is_in(names, layer);
+    Ok(LAYERS.iter().filter(wanted).filter(|layer| !is_in(except, layer)).collect())
 }

@@ -1,5 +1,6 @@
 //! What users install: the packaged crates, built as they are unpacked, and the wheel.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -82,12 +83,16 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// Cargo on builds that hold no lines for a debugger, as those of the workspace's dependencies, so
-/// that these serve again.
+/// A program that builds in `target` without lines for a debugger, as the workspace builds its
+/// dependencies, so that these serve again.
+fn building(program: &OsStr, target: &Path) -> Command {
+    let mut command = Command::new(program);
+    command.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "false");
+    command
+}
+
 fn cargo(target: &Path) -> Command {
-    let mut cargo = Command::new("cargo");
-    cargo.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "false");
-    cargo
+    building("cargo".as_ref(), target)
 }
 
 /// The crates that are published, packaged together, as they depend on one another; cargo builds
@@ -132,12 +137,10 @@ fn wheel(
 ) -> Result<(String, u64, PathBuf)> {
     let wheels = empty(&folder.join("wheels"));
     succeed(
-        Command::new(python)
+        building(python.as_ref(), target)
             .args(["-m", "maturin", "build", "--quiet", "--profile", "dev", "--out"])
             .arg(&wheels)
-            .current_dir(workspace)
-            .env("CARGO_TARGET_DIR", target)
-            .env("CARGO_PROFILE_DEV_DEBUG", "false"),
+            .current_dir(workspace),
     )?;
     let wheel = fs::read_dir(&wheels)?.next().context("a wheel")??.path();
     let environment = empty(&folder.join("environment"));
