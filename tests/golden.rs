@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::mapping::Family;
+use ptc_codegen::reference::Status;
 use ptc_codegen::spec::{After, Feedback, Parameter, Spec};
 use support::goldens::controllers;
 use support::program::{Record, has_gains, in_c, in_rust};
@@ -18,7 +19,8 @@ use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 
 /// The languages whose files are kept: those of every controller in C and Rust, and in the others
-/// those of an explicit family, an iterated one, one in single precision, and what is one's own.
+/// those of an explicit family, an iterated one, one in single precision, one that latches its state,
+/// and one that calls functions of the user's.
 const LANGUAGES: [Language; 6] = [
     Language::C,
     Language::Rust,
@@ -124,11 +126,12 @@ fn every_golden_in_rust_compiles_without_a_warning() {
 
 /// The statuses that a golden may give at a time, where tau is 2 s and eps 2^-7 s.
 fn possible(spec: &Spec, t: f64) -> [i32; 2] {
-    match spec.after {
-        After::Zero | After::Extern if t >= 2.0 => [3, 2],
-        _ if t < 1.99 => [0, 2],
-        _ => [1, 2],
-    }
+    let unclipped = match spec.after {
+        After::Zero | After::Extern if t >= 2.0 => Status::After,
+        _ if t < 1.99 => Status::Ok,
+        _ => Status::Hold,
+    };
+    [unclipped, Status::Saturated].map(Status::code)
 }
 
 /// Each runs, in C and in Rust, over its whole time to the deadline and past it: the statuses

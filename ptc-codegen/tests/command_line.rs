@@ -1,4 +1,4 @@
-//! The command line as a user meets it: exit codes, the two output streams, files.
+//! The command line as a user meets it: mistakes, help and the list of families.
 #![cfg(feature = "cli")]
 
 mod support;
@@ -7,28 +7,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Stdio;
 
-use serde_json::{Value, json};
+use support::words::{json, stderr, stdout};
 use support::{command, folder};
-
-fn stdout(arguments: &[&str]) -> String {
-    support::stdout(&mut command(arguments))
-}
-
-fn stderr(arguments: &[&str], code: i32) -> String {
-    support::stderr(&mut command(arguments), code)
-}
-
-fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&stdout(arguments)).expect("JSON")
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
-    let mut names: Vec<_> = entries.map(|entry| name(entry.expect("an entry"))).collect();
-    names.sort();
-    names
-}
 
 #[test]
 fn an_error_quotes_the_value_and_underlines_what_is_wrong() {
@@ -177,132 +157,6 @@ fn odd_input_is_refused_without_a_panic() {
 }
 
 #[test]
-fn the_json_of_r_has_its_documented_shape() {
-    let expected = json!({"r": [
-        {"k": 1, "terms": [{"coefficient": "1", "exponents": {"1": -1}}]},
-        {"k": 2, "terms": [{"coefficient": "-1", "exponents": {"1": -3, "2": 1}}]},
-        {"k": 3, "terms": [
-            {"coefficient": "3", "exponents": {"1": -5, "2": 2}},
-            {"coefficient": "-1", "exponents": {"1": -4, "3": 1}},
-        ]},
-    ]});
-    assert_eq!(json(&["show", "r", "--n", "3", "--format", "json"]), expected);
-    let eight = json(&["show", "r", "--n", "8", "--format", "json"]);
-    assert_eq!(eight["r"].as_array().map(Vec::len), Some(8));
-    // One term for each partition of 7.
-    assert_eq!(eight["r"][7]["terms"].as_array().map(Vec::len), Some(15));
-    let thirty = json(&["show", "r", "--n", "30", "--format", "json"]);
-    assert_eq!(thirty["r"][29]["terms"].as_array().map(Vec::len), Some(4565));
-}
-
-#[test]
-fn the_json_of_the_other_subjects_is_alike() {
-    let big = json(&["show", "R", "--n=3", "--format=json"]);
-    let square = json!({"k": 2, "m": 2, "terms": [{"coefficient": "3", "exponents": {"2": 2}}]});
-    assert_eq!(big["R"][5], square);
-    let tables = json(&["show", "tables", "--n=3", "--format=json"]);
-    assert_eq!((&tables["A1"][5], tables["A2"].as_array().map(Vec::len)), (&square, Some(3)));
-
-    let bell = json(&["show", "bell", "--n=3", "--format=json"]);
-    let entry =
-        json!({"i": 3, "j": 2, "terms": [{"coefficient": "3", "exponents": {"1": 1, "2": 1}}]});
-    assert_eq!(bell["B"][8], entry);
-
-    let matrix = json(&["show", "matrix", "--n=2", "--mu=exp", "--format=json"]);
-    let r1 = json!([{"coefficient": "1", "exponents": {"a": 1, "T": 1}}]);
-    assert_eq!(matrix["BB"][3], json!({"i": 2, "j": 2, "terms": r1}));
-    assert_eq!(matrix["b"][0], json!({"j": 1, "terms": []}));
-    assert_eq!(matrix["BB"].as_array().map(Vec::len), Some(4));
-
-    let law = json(&["show", "law", "--n=2", "--mu=exp", "--format=json"]);
-    assert_eq!(law["row"][0]["terms"], json!([{"coefficient": "-1", "exponents": {"K1": 1}}]));
-    assert_eq!(
-        law["K"][0]["terms"],
-        json!([{"coefficient": "1", "exponents": {"a": -2, "k1": 1}}])
-    );
-    let sum = json(&["show", "law", "--n=2", "--mu=exp_sum", "--format=json"]);
-    assert!(sum["law"].is_string() && sum["r"].is_array(), "{sum}");
-}
-
-#[test]
-fn text_is_readable_and_holds_the_corrected_entries() {
-    let r = stdout(&["show", "r", "--n", "3"]);
-    assert!(r.ends_with("r3 = 3*s'^-5*s''^2 - s'^-4*s^(3)\n"), "{r}");
-    assert!(stdout(&["show", "R", "--n", "3"]).contains("R_{2,2} = 3*s''^2\n"));
-    let tables = stdout(&["show", "tables", "--n", "5"]);
-    assert!(tables.contains("k = 2  0      s^(3)  3*s''^2\n"), "{tables}");
-    assert!(tables.contains("r3 = 3*s'^-5*s''^2 - s'^-4*s^(3)\n"), "{tables}");
-    let matrix = stdout(&["show", "matrix", "--n", "3", "--mu", "exp(a=1)"]);
-    assert!(matrix.contains("  [ 1  0   0   ]\n  [ 0  T   0   ]\n  [ 0  -T  T^2 ]\n"), "{matrix}");
-    assert!(matrix.contains("with a = 1"), "{matrix}");
-    assert!(stdout(&["show", "bell", "--n=3"]).contains("B_{3,2} = 3*r1*r2\n"));
-    let law = stdout(&["show", "law", "--n=2", "--mu=exp"]);
-    assert!(law.contains("gain_j = inv_T^(3-j) * row_j") && law.contains("row2 = 1 - K2"), "{law}");
-    // A fixed parameter is folded in, exactly.
-    let half = stdout(&["show", "law", "--n=2", "--mu=exp(a=0.5)"]);
-    assert!(half.contains("K1 = 4*k1\n"), "{half}");
-    let power = stdout(&["show", "r", "--n=2", "--mu=power(m=2)"]);
-    assert!(power.contains("r2 = -3*a^2*T*P^2\n"), "{power}");
-}
-
-#[test]
-fn latex_is_balanced() {
-    let families = ["exp", "rational", "power", "tan", "tanh", "algebraic", "exp_sum(3)"];
-    let flags = families.iter().map(|f| format!("--mu={f}")).collect::<Vec<_>>();
-    for n in ["--n=1", "--n=4", "--n=11"] {
-        for subject in ["r", "R", "bell", "matrix", "law", "tables"] {
-            balanced(&stdout(&["show", subject, n, "--format=latex"]));
-            for flag in flags.iter().filter(|_| !matches!(subject, "R" | "tables")) {
-                balanced(&stdout(&["show", subject, n, flag, "--format=latex"]));
-            }
-        }
-    }
-    let tables = stdout(&["show", "tables", "--n=4", "--format=latex"]);
-    assert!(tables.contains(r"3 \left(s''\right)^{2}"), "{tables}");
-}
-
-/// Braces, environments and `\left` match, and no superscript follows another.
-fn balanced(latex: &str) {
-    let count = |what: &str| latex.matches(what).count();
-    assert_eq!(count("{"), count("}"), "{latex}");
-    assert_eq!(count(r"\left"), count(r"\right"), "{latex}");
-    assert_eq!(count(r"\begin{"), count(r"\end{"), "{latex}");
-    assert_eq!(count("$") % 2, 0, "{latex}");
-    assert!(!latex.contains("'^"), "{latex}");
-    for (start, _) in latex.match_indices("^{") {
-        let mut depth = 0;
-        let closes = |c: char| {
-            depth += i32::from(c == '{') - i32::from(c == '}');
-            c == '}' && depth == 0
-        };
-        let end = start + latex[start..].find(closes).expect("braces match") + 1;
-        assert!(!latex[end..].starts_with(['^', '\'']), "{}", &latex[start..]);
-    }
-}
-
-#[test]
-fn show_says_where_it_stops() {
-    for (arguments, part) in [
-        (&["r", "--n=31"][..], "1..=30"),
-        (&["law", "--n=17"], "1..=16"),
-        (&["r", "--n=17", "--mu=exp"], "1..=16"),
-        (&["r", "--n=0"], "--n \"0\""),
-        (&["r"], "1..=30"),
-        (&["R", "--n=3", "--mu=exp"], "abstract"),
-        (&["tables", "--n=3", "--mu=exp"], "abstract"),
-        (&["r", "--n=3", "--mu=expp"], "did you mean `exp`"),
-        (&["q", "--n=3"], "tables"),
-        (&["r", "--n=3", "--format=xml"], "latex"),
-    ] {
-        let told = stderr(&[&["show"], arguments].concat(), 2);
-        assert!(told.contains(part), "{arguments:?}: {told}");
-    }
-    for subject in ["r", "R", "bell", "tables"] {
-        assert!(!stdout(&["show", subject, "--n=30"]).is_empty());
-    }
-}
-
-#[test]
 fn list_tells_every_family_with_its_parameters() {
     let text = stdout(&["list"]);
     let listed = json(&["list", "--format", "json"]);
@@ -316,7 +170,7 @@ fn list_tells_every_family_with_its_parameters() {
     }
     assert_eq!(
         families[2]["parameters"][1],
-        json!({
+        serde_json::json!({
             "key": "m",
             "unit": "1",
             "domain": "finite, > 0",
@@ -338,172 +192,6 @@ fn help_has_examples_and_the_legal_values() {
     assert!(stdout(&["show", "--help"]).contains("\"coefficient\""));
     assert!(stdout(&["--version"]).contains(env!("CARGO_PKG_VERSION")));
     stderr(&[], 2);
-}
-
-#[test]
-fn emit_writes_its_files_and_nothing_else() {
-    let folder = folder("emit_writes");
-    let deep = folder.join("made/when/missing");
-    let out = deep.to_str().expect("UTF-8");
-    let told = stdout(&["emit", "--lang", "c", "--n", "3", "--mu", "exp", "-o", out]);
-    assert_eq!(names(&deep), ["ptc_exp3.c", "ptc_exp3.h"]);
-    assert_eq!(told.matches("wrote ").count(), 2, "{told}");
-    let again = stdout(&["emit", "--lang", "c", "--n", "3", "--mu", "exp", "-o", out]);
-    assert_eq!(again.matches("unchanged ").count(), 2, "{again}");
-    stdout(&["emit", "--lang", "rust", "--n", "3", "--mu", "exp", "-o", out]);
-    assert_eq!(names(&deep), ["ptc_exp3.c", "ptc_exp3.h", "ptc_exp3.rs"]);
-
-    let current = command(&["emit", "--lang=rust", "--n=3", "--mu=exp", "--name=roll"])
-        .current_dir(&folder)
-        .output()
-        .expect("the binary runs");
-    assert!(current.status.success());
-    assert_eq!(names(&folder), ["made", "roll.rs"]);
-}
-
-#[test]
-fn standard_output_gets_the_bytes_of_the_files() {
-    let folder = folder("emit_prints");
-    let out = folder.to_str().expect("UTF-8");
-    for lang in ["c", "rust"] {
-        stdout(&["emit", "--lang", lang, "--n", "3", "--mu", "exp", "-o", out]);
-    }
-    let read = |name: &str| fs::read_to_string(folder.join(name)).expect("written");
-    let c = stdout(&["emit", "--lang", "c", "--n", "3", "--mu", "exp", "-o", "-"]);
-    let (header, source) = (read("ptc_exp3.h"), read("ptc_exp3.c"));
-    assert_eq!(
-        c,
-        format!("/* ---- ptc_exp3.h ---- */\n{header}/* ---- ptc_exp3.c ---- */\n{source}")
-    );
-    assert!(!header.is_empty() && !source.is_empty());
-    let rust = stdout(&["emit", "--lang", "rust", "--n", "3", "--mu", "exp", "-o", "-"]);
-    assert_eq!(rust, read("ptc_exp3.rs"));
-}
-
-#[test]
-fn check_tells_drift_and_writes_nothing() {
-    let folder = folder("emit_checks");
-    let out = folder.to_str().expect("UTF-8");
-    let emit = ["emit", "--lang", "c", "--n", "3", "--mu", "exp", "-o", out];
-    let check = [&emit[..], &["--check"]].concat();
-
-    let missing = stderr(&check, 1);
-    assert!(missing.contains("ptc_exp3.h is missing") && missing.contains("ptc_exp3.c is missing"));
-    assert_eq!(names(&folder), [""; 0]);
-
-    stdout(&emit);
-    assert_eq!(stdout(&check).matches("up to date").count(), 2);
-
-    let path = folder.join("ptc_exp3.c");
-    let good = fs::read_to_string(&path).expect("written");
-    let second = good.find('\n').expect("two lines") + 1;
-    let mut changed = good.clone().into_bytes();
-    changed[second] ^= 1;
-    for bytes in [changed, good.replace('\n', "\r\n").into_bytes(), good.trim_end().into()] {
-        fs::write(&path, &bytes).expect("writable");
-        let told = stderr(&check, 1);
-        assert!(told.contains("ptc_exp3.c differs from line "), "{told}");
-        assert!(!told.contains("ptc_exp3.h differs"), "{told}");
-        assert_eq!(fs::read(&path).expect("there"), bytes, "--check must not write");
-    }
-    fs::write(&path, [0xff, 0xfe, b'\n']).expect("writable");
-    assert!(stderr(&check, 1).contains("differs from line 1 on"));
-    stdout(&emit);
-    stdout(&check);
-}
-
-#[test]
-fn a_place_that_cannot_be_written_leaves_nothing_behind() {
-    let folder = folder("emit_fails");
-    let file = folder.join("file");
-    fs::write(&file, "").expect("writable");
-    let below = file.join("below");
-    for place in [&file, &below] {
-        let place = place.to_str().expect("UTF-8");
-        let told = stderr(&["emit", "--lang=c", "--n=3", "--mu=exp", "-o", place], 2);
-        assert!(told.contains(place) && told.contains("help"), "{told}");
-    }
-    // The second file cannot be written, so the first is not either.
-    let out = folder.join("out");
-    fs::create_dir_all(out.join("ptc_exp3.c")).expect("a folder in the way");
-    let place = out.to_str().expect("UTF-8");
-    let told = stderr(&["emit", "--lang=c", "--n=3", "--mu=exp", "-o", place], 2);
-    assert!(told.contains("ptc_exp3.c"), "{told}");
-    assert_eq!(names(&out), ["ptc_exp3.c"]);
-    let told = stderr(&["emit", "--lang=c", "--n=3", "--mu=exp", "--check", "-o", place], 2);
-    assert!(told.contains("cannot read"), "{told}");
-}
-
-#[test]
-fn a_reader_that_goes_away_is_no_error() {
-    for arguments in [&["show", "r", "--n=30"][..], &["list"], &["--help"]] {
-        let mut child = command(arguments)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the binary runs");
-        drop(child.stdout.take());
-        let output = child.wait_with_output().expect("it ends");
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success() && told.is_empty(), "{arguments:?}: {told}");
-    }
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_standard_output_is_told() {
-    let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
-    let output = command(&["list"]).stdout(full).output().expect("the binary runs");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write"));
-}
-
-#[test]
-fn dump_shows_the_program_after_a_pass() {
-    let args = |pass| ["emit", "--lang", "c", "--n", "2", "--mu", "power(m=3)", "--dump", pass];
-    let (lowered, chained) = (stdout(&args("lower")), stdout(&args("chains")));
-    assert!(lowered.contains(" power v") && !chained.contains(" power v"), "{lowered}{chained}");
-    assert!(stderr(&args("chain"), 2).contains("chains"), "a near miss is suggested");
-}
-
-#[test]
-fn a_self_test_stands_beside_its_controller() {
-    let folder = folder("selftest");
-    let out = folder.to_str().expect("UTF-8");
-    let emit = ["emit", "--lang=c", "--n=2", "--mu=exp", "--name=roll", "--selftest", "-o", out];
-    let told = stdout(&emit);
-    let files = ["roll.c", "roll.h", "roll_selftest.c", "roll_selftest.h"];
-    assert_eq!(names(&folder), files);
-    assert!(files.iter().all(|file| told.contains(file)), "{told}");
-    let again = [&emit[..], &["--check"]].concat();
-    assert_eq!(stdout(&again).matches("up to date").count(), 4);
-    // The controller is the same with and without.
-    let alone = stdout(&["emit", "--lang=c", "--n=2", "--mu=exp", "--name=roll", "-o", "-"]);
-    let source = fs::read_to_string(folder.join("roll.c")).expect("there");
-    assert!(alone.ends_with(&source));
-}
-
-#[test]
-fn what_has_no_self_test_is_told_before_anything_is_written() {
-    let folder = folder("no_selftest");
-    let out = folder.to_str().expect("UTF-8");
-    let design = ["--n=1", "--mu=exp", "--selftest", "-o", out];
-    let told = stderr(&[&["emit", "--lang=rust"][..], &design].concat(), 2);
-    assert!(told.contains("goes with C") && told.contains("--lang c"), "{told}");
-    let told = stderr(&[&["emit", "--lang=c", "--what=associated"][..], &design].concat(), 2);
-    assert!(told.contains("the associated system has no self-test"), "{told}");
-    assert!(names(&folder).is_empty());
-}
-
-#[test]
-fn a_system_whose_mapping_has_no_mu_in_closed_form_is_told() {
-    let system = ["emit", "--lang=c", "--n=2", "--what=associated", "-o", "-"];
-    let told = stderr(&[&system[..], &["--kappa=tau*dt/(tau - dt) + ln(1 + dt)"]].concat(), 2);
-    assert!(
-        told.contains("no closed form of mu") && told.contains("give the mapping as mu"),
-        "{told}"
-    );
-    assert!(stdout(&[&system[..], &["--kappa=-ln(1 - dt/tau)"]].concat()).contains("mu'"));
 }
 
 #[test]

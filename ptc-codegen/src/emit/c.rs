@@ -146,6 +146,7 @@ impl Syntax for C<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str, zero: &str) -> String {
+        // A quotient between ? and : is a breach of MISRA's rule 12.1 as cppcheck reads it.
         format!("{a} / ((({b} < {zero}) || ({b} > {zero})) ? {b} : ({})NAN)", self.real)
     }
 

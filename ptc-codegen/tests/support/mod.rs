@@ -2,6 +2,9 @@
 // Each test file uses its own part of this module.
 #![allow(dead_code)]
 
+#[cfg(feature = "cli")]
+pub(crate) mod words;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

@@ -1,0 +1,22 @@
+//! The command by its words, in no folder of its own.
+// Each test file uses its own part of this module.
+#![allow(dead_code)]
+
+use serde_json::Value;
+
+use super::command;
+
+/// What it prints where it succeeds.
+pub(crate) fn stdout(arguments: &[&str]) -> String {
+    super::stdout(&mut command(arguments))
+}
+
+/// What it tells where it fails with `code`.
+pub(crate) fn stderr(arguments: &[&str], code: i32) -> String {
+    super::stderr(&mut command(arguments), code)
+}
+
+/// The JSON that it prints.
+pub(crate) fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&stdout(arguments)).expect("JSON")
+}
