@@ -22,14 +22,14 @@ pub(super) struct Builder<'a> {
     at_start: bool,
     /// tau - mu(t), where time is the stretched one and the time-to-go follows from it.
     complement: Option<Expression>,
-    /// The plant, where time is time-to-go and the state that of the infinite-time system.
+    /// The plant, where time is time-to-go.
     pub(super) plant: Option<PlantPoint>,
 }
 
-/// Where the plant is while the infinite-time system is computed.
+/// Where the plant is.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PlantPoint {
-    /// States x_1..x_n.
+    /// States x_1..x_n; empty while they are computed from those of the infinite-time system.
     pub(super) states: Vec<Value>,
     /// Control u, once it is known.
     pub(super) control: Option<Value>,
@@ -112,6 +112,12 @@ impl<'a> Builder<'a> {
     /// Whether time is the time-to-go itself.
     pub(super) fn counts_down(&self) -> bool {
         self.plant.is_some() && !self.at_start
+    }
+
+    /// Whether the state is that of the infinite-time system.
+    pub(super) fn is_of_infinite_time(&self) -> bool {
+        let unknown = |plant: &PlantPoint| plant.states.is_empty();
+        self.counts_down() && self.plant.as_ref().is_some_and(unknown)
     }
 
     /// Whether values at the start are being computed.

@@ -1,9 +1,10 @@
-//! The closed loop for a simulation: the associated infinite-time system, [th:1-4], with the way back
-//! to the plant, [th:1-7]; and the plant by itself.
+//! The closed loop for a simulation: the plant with the law of Theorem 1 at a state x, beside the
+//! associated infinite-time system there, [th:1-4]; the way back from xi to x, [th:1-7]; and the
+//! plant by itself.
 //!
-//! Time of the closed loop is the time-to-go T, so that no digit is lost near the deadline, and its
-//! state is xi. Its derivatives are by sigma = -ln(T/tau), the stretched time of `exp` with a = 1,
-//! which takes every mapping to its deadline: dt_kappa/dsigma = T kappa'.
+//! Time of the closed loop is the time-to-go T, so that no digit is lost near the deadline. Its
+//! derivatives are by sigma = -ln(T/tau), the stretched time of `exp` with a = 1, which takes every
+//! mapping to its deadline: dt/dsigma = T and dt_kappa/dsigma = T kappa'.
 
 use super::builder::{Builder, PlantPoint};
 use super::{series, state};
@@ -11,12 +12,11 @@ use crate::expression::Expression;
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{Fixed, Parameter, Spec};
 
-/// The closed loop as a program: inputs are T as the time, xi as the state, x(t0), t0 and parameters.
+/// The closed loop as a program: inputs are T as the time, x as the state, x(t0), t0 and parameters.
 #[derive(Clone, Debug)]
 pub struct ClosedLoop {
-    /// The program; its step is dxi_n/dsigma.
+    /// The program; its step is dx_n/dsigma.
     pub program: Program,
-    n: usize,
 }
 
 impl ClosedLoop {
@@ -25,8 +25,8 @@ impl ClosedLoop {
         self.program.watched[0]
     }
 
-    /// u, clipped to u_max.
-    pub fn control(&self) -> Value {
+    /// dxi_n/dsigma.
+    pub fn associated(&self) -> Value {
         self.program.watched[1]
     }
 
@@ -35,14 +35,24 @@ impl ClosedLoop {
         self.program.watched[2]
     }
 
-    /// x_1..x_n.
-    pub fn states(&self) -> &[Value] {
-        &self.program.watched[3..3 + self.n]
+    /// u, clipped to u_max.
+    pub fn control(&self) -> Value {
+        self.program.watched[3]
     }
 
-    /// xi_1..xi_n at the start.
-    pub fn xi_at_start(&self) -> &[Value] {
-        &self.program.watched[3 + self.n..]
+    /// u before it is clipped from below, and before it is clipped at all.
+    pub fn wanted(&self) -> [Value; 2] {
+        [self.program.watched[4], self.program.watched[5]]
+    }
+
+    /// g u of the law, before it is clipped.
+    pub fn free(&self) -> Value {
+        self.program.watched[6]
+    }
+
+    /// xi_1..xi_n.
+    pub fn xi(&self) -> &[Value] {
+        &self.program.watched[7..]
     }
 }
 
@@ -50,40 +60,64 @@ impl ClosedLoop {
 /// controller's own.
 pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> ClosedLoop {
     let mut b = Builder::new(spec);
-    b.plant = Some(PlantPoint::default());
-    let taylor = b.taylor();
-    let scaled = series::scaled_states(&mut b, &taylor);
-    let states = states(&mut b, &scaled, taylor.base_inverse);
+    let states: Vec<_> = (1..=spec.n).map(|j| b.push(Op::Input(Input::State(j)))).collect();
     b.plant = Some(PlantPoint { states: states.clone(), control: None });
+    let taylor = b.taylor();
+    let xi: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
     let law = state::law(&mut b);
-    let sum = series::drift_rows(&mut b, &taylor).into_iter().zip(&scaled).fold(
-        law,
-        |sum, (row, scaled)| match row {
-            Some(row) => {
-                let term = b.mul(row, *scaled);
-                b.add(sum, term)
-            }
-            None => sum,
-        },
-    );
+    let rows = series::drift_rows(&mut b, &taylor);
+    let sum = (0..).zip(rows.iter().zip(&states)).fold(law, |sum, (j, (row, x))| match row {
+        Some(row) => {
+            let scaled = (0..j).fold(*x, |x, _| b.mul(x, taylor.r1));
+            let term = b.mul(*row, scaled);
+            b.add(sum, term)
+        }
+        None => sum,
+    });
     let free = (0..spec.n).fold(sum, |u, _| b.mul(u, taylor.base_inverse));
     let wanted = super::over_input_gain(&mut b, free);
-    let control = clipped(&mut b, wanted);
-    b.plant = Some(PlantPoint { states: states.clone(), control: Some(control) });
-    let drift = drift(&mut b, f, g, (free, wanted, control));
+    let (below, control) = clipped(&mut b, wanted);
+    b.plant = Some(PlantPoint { states, control: Some(control) });
+    let f = b.scalar(f);
+    let acceleration = gained(&mut b, g.or(spec.input_gain.as_ref()), control);
+    let motion = b.add(f, acceleration);
+    let added = match g.is_none() || g == spec.input_gain.as_ref() {
+        true if control == wanted => f,
+        true => {
+            let missing = b.sub(control, wanted);
+            let missing = gained(&mut b, spec.input_gain.as_ref(), missing);
+            b.add(f, missing)
+        }
+        false => {
+            let other = b.sub(acceleration, free);
+            b.add(f, other)
+        }
+    };
     let order = u32::try_from(spec.n).unwrap_or(u32::MAX);
     let slope = b.power(taylor.r1, order);
-    let drift = b.mul(slope, drift);
+    let drift = b.mul(slope, added);
     let last = b.add(drift, law);
     let time_to_go = b.time_to_go();
     let pace = b.mul(time_to_go, taylor.base_inverse);
-    let rate = b.mul(pace, last);
-    let mut watched = vec![pace, control, taylor.stretched];
-    watched.extend(states);
-    watched.extend((1..=spec.n).map(|j| b.xi_at_start(j)));
+    let associated = b.mul(pace, last);
+    let rate = b.mul(time_to_go, motion);
+    let mut watched = vec![pace, associated, taylor.stretched, control, below, wanted, free];
+    watched.extend(xi);
     let limits = no_limits(&mut b);
     let program = Program { watched, ..b.finish(rate, Vec::new(), None, limits) };
-    ClosedLoop { program, n: spec.n }
+    ClosedLoop { program }
+}
+
+/// x_1..x_n, all watched, of T as the time and xi as the state.
+pub fn mapped_back(spec: &Spec) -> Program {
+    let mut b = Builder::new(spec);
+    b.plant = Some(PlantPoint::default());
+    let taylor = b.taylor();
+    let scaled = series::scaled_states(&mut b, &taylor);
+    let watched = states(&mut b, &scaled, taylor.base_inverse);
+    let limits = no_limits(&mut b);
+    let step = limits.late;
+    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
 }
 
 /// The plant by itself: its step is f + g u, of the states, the time and the control.
@@ -117,39 +151,15 @@ fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value) -> Vec<Val
     scaled.iter().enumerate().map(|one| power(b, one)).collect()
 }
 
-/// u within u_max, where that is no infinity.
-fn clipped(b: &mut Builder<'_>, wanted: Value) -> Value {
+/// u within u_max, where that is no infinity: clipped from above, and from both sides.
+fn clipped(b: &mut Builder<'_>, wanted: Value) -> (Value, Value) {
     if matches!(b.spec.fixed.get(&Parameter::UMax), Some(Fixed::Infinite)) {
-        return wanted;
+        return (wanted, wanted);
     }
     let most = b.parameter(Parameter::UMax);
     let least = b.push(Op::Neg(most));
     let below = b.push(Op::Min(wanted, most));
-    b.push(Op::Max(below, least))
-}
-
-/// What moves the plant beside the u of the law: f, and what the actuator and a gain that differs
-/// from the controller's add to it.
-fn drift(
-    b: &mut Builder<'_>,
-    f: &Expression,
-    g: Option<&Expression>,
-    (free, wanted, control): (Value, Value, Value),
-) -> Value {
-    let spec = b.spec;
-    let own = spec.input_gain.as_ref();
-    let drift = b.scalar(f);
-    let same = g.is_none() || g == own;
-    let added = if same && control == wanted {
-        return drift;
-    } else if same {
-        let missing = b.sub(control, wanted);
-        gained(b, own, missing)
-    } else {
-        let true_u = gained(b, g, control);
-        b.sub(true_u, free)
-    };
-    b.add(drift, added)
+    (below, b.push(Op::Max(below, least)))
 }
 
 /// gain * value, where none is 1.

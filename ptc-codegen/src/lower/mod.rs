@@ -30,7 +30,7 @@ use crate::law::{Form, Law};
 use crate::program::{Input, Limits, Op, Program, Value};
 use crate::spec::{After, Fixed, Guard, Parameter, Spec, What};
 
-pub use closed_loop::{ClosedLoop, closed_loop, observed, plant};
+pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {

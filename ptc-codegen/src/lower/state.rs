@@ -54,7 +54,7 @@ impl Builder<'_> {
 
     /// State xi_j of the infinite-time system.
     pub(super) fn xi(&mut self, j: usize) -> Value {
-        if self.counts_down() {
+        if self.is_of_infinite_time() {
             return self.push(Op::Input(Input::State(j)));
         }
         let index = usize::from(self.is_at_start());

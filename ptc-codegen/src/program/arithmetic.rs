@@ -19,6 +19,8 @@ pub(super) enum Arithmetic {
     Min(usize, usize),
     Call(Function, usize),
     Pow(usize, usize),
+    /// The number at a place, where a branch of another operation is held.
+    Copy(usize),
 }
 
 impl Arithmetic {
@@ -71,6 +73,7 @@ impl Arithmetic {
                 if a < b { a } else { b }
             }
             Self::Call(function, a) => call(function, at(a), precision),
+            Self::Copy(a) => at(a),
             #[allow(clippy::cast_possible_truncation)]
             Self::Pow(a, b) => match precision {
                 Precision::F64 => at(a).powf(at(b)),

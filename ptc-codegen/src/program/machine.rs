@@ -115,6 +115,24 @@ impl Machine {
         self.slots.numbers[value.0]
     }
 
+    /// The values that become known in a stage.
+    pub(super) fn due(&self, stage: Stage) -> &[usize] {
+        &self.due[stage as usize]
+    }
+
+    /// How a value comes about, where numbers alone decide it.
+    pub(super) fn arithmetic(&self, index: usize) -> Option<Arithmetic> {
+        match &self.steps[index] {
+            Step::Arithmetic(arithmetic) => Some(*arithmetic),
+            _ => None,
+        }
+    }
+
+    /// Computes a value otherwise from here on.
+    pub(super) fn replace(&mut self, index: usize, arithmetic: Arithmetic) {
+        self.steps[index] = Step::Arithmetic(arithmetic);
+    }
+
     /// Computes one value from its operands.
     pub(super) fn compute(&mut self, index: usize, law: Option<UserLaw<'_>>, watch: Watch<'_>) {
         self.slots.compute(&self.steps, index, self.precision, law, watch);

@@ -14,6 +14,7 @@ mod arithmetic;
 pub mod cost;
 pub mod dump;
 pub mod interpret;
+pub mod kink;
 pub mod machine;
 pub mod number;
 pub mod passes;

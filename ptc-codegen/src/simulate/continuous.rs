@@ -1,38 +1,56 @@
-//! The associated infinite-time system, mapped back to the plant.
+//! The law of Theorem 1 with its plant: the associated infinite-time system where the law holds,
+//! mapped back, and the plant itself where u is clipped.
 
 use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Failure, Sample, Values, controller};
-use crate::lower::{ClosedLoop, closed_loop};
+use crate::lower::{ClosedLoop, closed_loop, mapped_back};
 use crate::plant::Plant;
+use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value, passes};
 use crate::reference::Status;
 use crate::spec::{Fixed, Parameter, Precision, Spec};
 
-/// The law of Theorem 1 with its plant, in infinite time: no eps, no sample period; u is clipped to
-/// u_max where the design fixes one.
+/// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to u_max where the
+/// design fixes one.
 ///
-/// What a u that is clipped, and a plant whose g is another than the controller's, add to the
-/// associated system is g_plant u - g u_law beside f.
+/// What a plant whose g is another than the controller's adds to the associated system is
+/// g_plant u - g u_law beside f. Where u is clipped, Theorem 1 says nothing: xi is there what BB_n
+/// makes of the plant's x, as every error of xi would grow like kappa'^n.
 #[derive(Clone, Debug)]
 pub struct Continuous {
     n: usize,
     closed: ClosedLoop,
-    /// What an integration asks for, many times for each instant that is looked at.
+    kinks: Vec<Kink>,
+    /// Sides on which the kinks are held.
+    above: Vec<bool>,
+    /// What an integration computes, many times for each instant that is looked at.
     rates: Point,
+    distances: Point,
     outputs: Point,
-    /// The plant's state, when it is told.
+    /// From xi to x.
+    back: Point,
+    states: Vec<Value>,
+    /// Whether xi is integrated, not x.
+    infinite: bool,
+    u_max: f64,
     x: Vec<f64>,
 }
 
-/// Values of the closed loop at one point of it.
+/// Values of a program at one point.
 #[derive(Clone, Debug)]
 struct Point {
     machine: Machine,
     time_to_go: Option<Slot>,
     state: Vec<Option<Slot>>,
 }
+
+/// Where u is far below what its terms cancel to, x is the better conditioned form.
+const CANCELLED: f64 = 1e4;
+
+/// After this long in sigma the form of a state is chosen anew.
+const AGAIN: f64 = 0.5;
 
 impl Continuous {
     /// The loop of a controller and a plant, to be run with many values.
@@ -45,31 +63,84 @@ impl Continuous {
         spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
         let mut closed = closed_loop(&spec, &plant.f, plant.g.as_ref());
         closed.program = passes::optimise(closed.program, &mut |_, _| {});
-        let rates = Point::new(&spec, &closed.program, &[closed.pace(), closed.program.step]);
-        let outputs = Point::new(&spec, &closed.program, &closed.program.outputs());
-        let x = vec![0.0; spec.n];
-        Ok(Run::of(Self { n: spec.n, closed, rates, outputs, x }))
+        let program = &closed.program;
+        let outputs = Point::new(&spec, program, &program.outputs());
+        let kinks = outputs.machine.kinks();
+        let operands: Vec<_> = kinks.iter().flat_map(Kink::operands).collect();
+        let rates = [closed.pace(), closed.associated(), program.step];
+        let back = passes::optimise(mapped_back(&spec), &mut |_, _| {});
+        Ok(Run::of(Self {
+            n: spec.n,
+            rates: Point::new(&spec, program, &rates),
+            distances: Point::new(&spec, program, &operands),
+            outputs,
+            back: Point::new(&spec, &back, &back.watched),
+            states: back.watched.clone(),
+            above: vec![true; kinks.len()],
+            kinks,
+            infinite: false,
+            u_max: f64::INFINITY,
+            x: vec![0.0; spec.n],
+            closed,
+        }))
+    }
+
+    fn points(&mut self) -> [&mut Point; 4] {
+        [&mut self.rates, &mut self.distances, &mut self.outputs, &mut self.back]
+    }
+
+    /// The plant's x of a state.
+    fn plant(&mut self, time_to_go: f64, state: &State) {
+        if !self.infinite {
+            self.x.copy_from_slice(&state.as_slice()[..self.n]);
+            return;
+        }
+        self.back.at(time_to_go, state.as_slice());
+        for (x, value) in self.x.iter_mut().zip(&self.states) {
+            *x = self.back.machine.get(*value);
+        }
+    }
+
+    /// Whether u is clipped, on the sides that are held.
+    fn clipped(&self) -> bool {
+        let [below, wanted] = self.closed.wanted();
+        let control = self.closed.control();
+        let held = |value, above| {
+            let mut kinks = self.kinks.iter().zip(&self.above);
+            kinks.any(|(kink, side)| kink.value == value && *side == above)
+        };
+        (control != below && held(control, false)) || (below != wanted && held(below, true))
+    }
+
+    /// xi of the plant's x.
+    fn stretched_state(&mut self, time_to_go: f64) -> State {
+        self.outputs.at(time_to_go, &self.x);
+        let mut state = State::zeros();
+        for (xi, value) in state.iter_mut().zip(self.closed.xi()) {
+            *xi = self.outputs.machine.get(*value);
+        }
+        state
     }
 }
 
 impl Side for Continuous {
     fn start(&mut self, values: &Values, x0: &[f64]) -> Result<State, Failure> {
-        for Point { machine, .. } in [&mut self.rates, &mut self.outputs] {
+        for point in self.points() {
             for (j, x) in (1..).zip(x0) {
-                let slot = machine.slot(Input::StateAtStart(j));
-                machine.set(slot, *x);
+                let slot = point.machine.slot(Input::StateAtStart(j));
+                point.machine.set(slot, *x);
             }
         }
         self.give(values)?;
-        let mut xi = State::zeros();
-        for (xi, value) in xi.iter_mut().zip(self.closed.xi_at_start()) {
-            *xi = self.outputs.machine.get(*value);
-        }
-        Ok(xi)
+        self.infinite = false;
+        let mut state = State::zeros();
+        state.as_mut_slice()[..self.n].copy_from_slice(x0);
+        Ok(state)
     }
 
     fn give(&mut self, values: &Values) -> Result<(), Failure> {
-        for Point { machine, .. } in [&mut self.rates, &mut self.outputs] {
+        self.u_max = values.get(Parameter::UMax);
+        for Point { machine, .. } in self.points() {
             values.give(machine)?;
             machine.run(Stage::Init, None);
             machine.run(Stage::Arm, None);
@@ -77,38 +148,89 @@ impl Side for Continuous {
         Ok(())
     }
 
-    fn rates(&mut self, At { time_to_go, .. }: At, xi: &State, rates: &mut State) {
-        self.rates.at(time_to_go, xi);
-        let pace = self.rates.machine.get(self.closed.pace());
+    fn rates(&mut self, At { time_to_go, .. }: At, state: &State, rates: &mut State) {
+        self.plant(time_to_go, state);
+        self.rates.at(time_to_go, &self.x);
+        let get = |value| self.rates.machine.get(value);
+        let (pace, last) = match self.infinite {
+            true => (get(self.closed.pace()), get(self.closed.associated())),
+            false => (time_to_go, get(self.closed.program.step)),
+        };
         for i in 0..self.n - 1 {
-            rates[i] = pace * xi[i + 1];
+            rates[i] = pace * state[i + 1];
         }
-        rates[self.n - 1] = self.rates.machine.get(self.closed.program.step);
+        rates[self.n - 1] = last;
     }
 
     fn order(&self) -> usize {
         self.n
     }
 
-    fn tell(&mut self, At { t, time_to_go }: At, xi: &State, visit: &mut dyn FnMut(Sample<'_>)) {
-        self.outputs.at(time_to_go, xi);
-        let get = |value| self.outputs.machine.get(value);
-        for (x, value) in self.x.iter_mut().zip(self.closed.states()) {
-            *x = get(*value);
+    fn kinks(&self) -> usize {
+        self.kinks.len()
+    }
+
+    fn distances(&mut self, At { time_to_go, .. }: At, state: &State, into: &mut Vec<f64>) {
+        self.plant(time_to_go, state);
+        self.distances.at(time_to_go, &self.x);
+        into.extend(self.kinks.iter().map(|kink| self.distances.machine.distance(kink)));
+    }
+
+    fn choose(&mut self, above: &[bool]) {
+        for (kink, (held, above)) in self.kinks.iter().zip(self.above.iter_mut().zip(above)) {
+            *held = *above;
+            for point in [&mut self.rates, &mut self.distances, &mut self.outputs] {
+                point.machine.hold(kink, *above);
+            }
         }
+    }
+
+    fn form(&mut self, At { time_to_go, .. }: At, state: &State) -> (State, f64) {
+        self.plant(time_to_go, state);
+        let xi = self.stretched_state(time_to_go);
+        let get = |value| self.outputs.machine.get(value);
+        let slope = time_to_go / get(self.closed.pace());
+        let wanted = get(self.closed.wanted()[1]);
+        let gain = if wanted == 0.0 { 1.0 } else { get(self.closed.free()) / wanted };
+        let order = i32::try_from(self.n).unwrap_or(i32::MAX);
+        let terms = xi.amax() / (slope.powi(order) * gain.abs());
+        let clipped = self.clipped();
+        let infinite = !clipped && !(self.u_max.is_finite() && terms > CANCELLED * self.u_max);
+        let again = if clipped || infinite { f64::INFINITY } else { AGAIN };
+        if infinite == self.infinite {
+            return (*state, again);
+        }
+        self.infinite = infinite;
+        let mut x = State::zeros();
+        x.as_mut_slice()[..self.n].copy_from_slice(&self.x);
+        (if infinite { xi } else { x }, again)
+    }
+
+    fn tell(&mut self, At { t, time_to_go }: At, state: &State, visit: &mut dyn FnMut(Sample<'_>)) {
+        self.plant(time_to_go, state);
+        self.outputs.at(time_to_go, &self.x);
+        let get = |value| self.outputs.machine.get(value);
         visit(Sample {
             t,
             time_to_go,
             stretched: get(self.closed.stretched()),
             x: &self.x,
             u: get(self.closed.control()),
-            status: Status::Ok,
+            status: if self.clipped() { Status::Saturated } else { Status::Ok },
         });
+    }
+
+    /// The relative accuracy of x is that of xi only where xi decays.
+    fn floors(&self) -> bool {
+        self.infinite
     }
 
     /// u is kappa'^n times xi, so that this is 1e-18 of what it began with.
     fn nothing(&mut self, At { time_to_go, .. }: At, most: f64) -> f64 {
-        self.rates.at(time_to_go, &State::zeros());
+        if !self.infinite {
+            return 0.0;
+        }
+        self.rates.at(time_to_go, &vec![0.0; self.n]);
         let slope = time_to_go / self.rates.machine.get(self.closed.pace());
         1e-18 * most * slope.min(1.0).powi(i32::try_from(self.n).unwrap_or(i32::MAX))
     }
@@ -124,11 +246,11 @@ impl Point {
         }
     }
 
-    fn at(&mut self, time_to_go: f64, xi: &State) {
+    fn at(&mut self, time_to_go: f64, state: &[f64]) {
         self.machine.set(self.time_to_go, time_to_go);
         self.machine.run(Stage::Tick, None);
-        for (slot, xi) in self.state.iter().zip(xi) {
-            self.machine.set(*slot, *xi);
+        for (slot, x) in self.state.iter().zip(state) {
+            self.machine.set(*slot, *x);
         }
         self.machine.run(Stage::Step, None);
     }

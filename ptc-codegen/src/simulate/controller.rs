@@ -3,6 +3,7 @@
 use super::{Failure, Values};
 use crate::law::Law;
 use crate::lower::lower;
+use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Limits, Stage, Value, passes};
 use crate::reference::Status;
@@ -12,6 +13,11 @@ use crate::spec::{After, Domain, Feedback, Guard, Parameter, Spec, What};
 #[derive(Clone, Debug)]
 pub struct Controller {
     machine: Machine,
+    /// The same with its kinks held, and these.
+    smooth: Machine,
+    kinks: Vec<Kink>,
+    /// Whether u is held above and below its limits -u_max and u_max.
+    within: [bool; 2],
     limits: Limits,
     step: Value,
     guard: Guard,
@@ -38,6 +44,9 @@ impl Controller {
         Ok(Self {
             time: machine.slot(Input::Time),
             state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
+            smooth: machine.clone(),
+            kinks: machine.kinks(),
+            within: [true, false],
             machine,
             limits: program.limits,
             step: program.step,
@@ -54,6 +63,7 @@ impl Controller {
     /// A parameter without a value, or outside its domain.
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.machine)?;
+        values.give(&mut self.smooth)?;
         for (parameter, domain) in &self.parameters {
             let value = values.get(*parameter);
             let legal = match domain {
@@ -70,14 +80,56 @@ impl Controller {
                 ));
             }
         }
-        self.machine.run(Stage::Init, None);
-        for (j, x) in (1..).zip(x0) {
-            let slot = self.machine.slot(Input::StateAtStart(j));
-            self.machine.set(slot, *x);
+        for machine in [&mut self.machine, &mut self.smooth] {
+            machine.run(Stage::Init, None);
+            for (j, x) in (1..).zip(x0) {
+                let slot = machine.slot(Input::StateAtStart(j));
+                machine.set(slot, *x);
+            }
+            machine.run(Stage::Arm, None);
         }
         self.start = values.get(Parameter::StartTime);
-        self.machine.run(Stage::Arm, None);
         Ok(())
+    }
+
+    /// u of `step` before the deadline, with the kinks held as chosen.
+    pub(super) fn held(&mut self, t: f64, x: &[f64]) -> f64 {
+        self.smooth.set(self.time, t);
+        self.smooth.run(Stage::Tick, None);
+        for (slot, x) in self.state.iter().zip(x) {
+            self.smooth.set(*slot, *x);
+        }
+        self.smooth.run(Stage::Step, None);
+        let limit = self.limits.u_max.map_or(f64::INFINITY, |limit| self.smooth.get(limit));
+        match self.within {
+            [true, true] => limit,
+            [false, false] => -limit,
+            _ => self.smooth.get(self.step),
+        }
+    }
+
+    /// Number of its kinks: those of its program, and two where u is clipped.
+    pub(super) fn kinks(&self) -> usize {
+        self.kinks.len() + if self.limits.u_max.is_some() { 2 } else { 0 }
+    }
+
+    /// The distances from them where u was last held.
+    pub(super) fn distances(&self, into: &mut Vec<f64>) {
+        into.extend(self.kinks.iter().map(|kink| self.smooth.distance(kink)));
+        if let Some(limit) = self.limits.u_max {
+            let (u, limit) = (self.smooth.get(self.step), self.smooth.get(limit));
+            into.extend([u + limit, u - limit]);
+        }
+    }
+
+    /// Holds every kink above or below 0.
+    pub(super) fn choose(&mut self, above: &[bool]) {
+        for (kink, above) in self.kinks.iter().zip(above) {
+            self.smooth.hold(kink, *above);
+        }
+        if let [.., below, over] = above[self.kinks.len()..] {
+            self.within = [below, over];
+        }
     }
 
     /// `step`: u and its status; u is 0 where the status is negative.

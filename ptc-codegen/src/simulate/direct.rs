@@ -44,7 +44,7 @@ impl Side for Direct {
 
     fn rates(&mut self, At { t, time_to_go }: At, x: &State, rates: &mut State) {
         let x = &x.as_slice()[..self.n];
-        let (u, _) = self.controller.step(t, x);
+        let u = self.controller.held(t, x);
         for i in 0..self.n - 1 {
             rates[i] = time_to_go * x[i + 1];
         }
@@ -57,8 +57,31 @@ impl Side for Direct {
 
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
         let x = &x.as_slice()[..self.n];
-        let (u, status) = self.controller.step(t, x);
+        let (_, status) = self.controller.step(t, x);
+        let u = self.controller.held(t, x);
         visit(Sample { t, time_to_go, stretched: f64::NAN, x, u, status });
+    }
+
+    fn kinks(&self) -> usize {
+        self.controller.kinks() + self.motion.kinks()
+    }
+
+    fn distances(&mut self, At { t, .. }: At, x: &State, into: &mut Vec<f64>) {
+        let x = &x.as_slice()[..self.n];
+        let u = self.controller.held(t, x);
+        self.controller.distances(into);
+        self.motion.last(t, x, u);
+        self.motion.distances(into);
+    }
+
+    fn choose(&mut self, above: &[bool]) {
+        let (of_controller, of_motion) = above.split_at(self.controller.kinks());
+        self.controller.choose(of_controller);
+        self.motion.choose(of_motion);
+    }
+
+    fn floors(&self) -> bool {
+        true
     }
 
     fn nothing(&mut self, _: At, most: f64) -> f64 {

@@ -11,12 +11,16 @@
 
 mod continuous;
 mod controller;
+mod crossing;
 mod direct;
 mod failure;
+mod pass;
 mod plant;
 mod sampled;
 mod side;
 mod solver;
+mod surface;
+mod switching;
 mod values;
 
 pub use continuous::Continuous;

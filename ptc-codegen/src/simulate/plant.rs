@@ -3,6 +3,7 @@
 use super::{Failure, Values};
 use crate::lower;
 use crate::plant::Plant;
+use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
 use crate::spec::{Precision, Spec};
@@ -11,6 +12,7 @@ use crate::spec::{Precision, Spec};
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     machine: Machine,
+    kinks: Vec<Kink>,
     last: Value,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
@@ -28,6 +30,7 @@ impl Motion {
             state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
             control: machine.slot(Input::Control),
             last: program.step,
+            kinks: machine.kinks(),
             machine,
         }
     }
@@ -46,6 +49,23 @@ impl Motion {
         self.machine.run(Stage::Init, None);
         self.machine.run(Stage::Arm, None);
         Ok(())
+    }
+
+    /// Number of its kinks.
+    pub(super) fn kinks(&self) -> usize {
+        self.kinks.len()
+    }
+
+    /// The distances from its kinks, where it was last computed.
+    pub(super) fn distances(&self, into: &mut Vec<f64>) {
+        into.extend(self.kinks.iter().map(|kink| self.machine.distance(kink)));
+    }
+
+    /// Holds every kink above or below 0.
+    pub(super) fn choose(&mut self, above: &[bool]) {
+        for (kink, above) in self.kinks.iter().zip(above) {
+            self.machine.hold(kink, *above);
+        }
     }
 
     /// xn' at time `t`.

@@ -1,12 +1,11 @@
 //! The loop as it will run: the emitted controller at each sample, u held in between.
 
-use std::cell::RefCell;
-
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use super::plant::Motion;
-use super::solver::{Rates, State, across};
+use super::solver::{First, State};
+use super::switching::{Mode, Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::plant::Plant;
 use crate::spec::{Parameter, Spec};
@@ -77,6 +76,7 @@ impl Sampled {
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
         let end = around.end * tau;
+        let mut walk = Walk::default();
         for index in 0_u32.. {
             let since = f64::from(index) * around.period;
             let last = since >= end * (1.0 - 1e-12);
@@ -95,24 +95,76 @@ impl Sampled {
                 break;
             }
             let until = (f64::from(index + 1) * around.period).min(end);
-            let next = self.between(x, u, (t, t0 + until));
+            let next = self.between(&mut walk, x, u, (t, t0 + until));
             x = next.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
         }
         Ok(())
     }
 
     /// The state at the end of a time in which u is constant.
-    fn between(&mut self, x: State, u: f64, (from, to): (f64, f64)) -> Result<State, Failure> {
-        let n = self.n;
-        let motion = RefCell::new(&mut self.motion);
-        let rates = |s: f64, x: &State, rates: &mut State| {
-            for i in 0..n - 1 {
-                rates[i] = (to - from) * x[i + 1];
-            }
-            let t = from + (to - from) * s;
-            rates[n - 1] = (to - from) * motion.borrow_mut().last(t, &x.as_slice()[..n], u);
-        };
-        across(&Rates { order: n, rates }, x, BETWEEN)
+    fn between(
+        &mut self,
+        walk: &mut Walk,
+        x: State,
+        u: f64,
+        (from, to): (f64, f64),
+    ) -> Result<State, Failure> {
+        let mut between =
+            Between { n: self.n, motion: &mut self.motion, u, from, length: to - from };
+        let mut end = x;
+        let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
+        let done = walk.on(&mut between, x, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
+        done.map_err(|(_, failure)| failure)?;
+        Ok(end)
+    }
+}
+
+/// The plant between two samples, over the part of the time between them.
+struct Between<'a> {
+    n: usize,
+    motion: &'a mut Motion,
+    u: f64,
+    from: f64,
+    length: f64,
+}
+
+impl Between<'_> {
+    fn last(&mut self, s: f64, x: &State) -> f64 {
+        self.motion.last(self.from + self.length * s, &x.as_slice()[..self.n], self.u)
+    }
+}
+
+impl Piecewise for Between<'_> {
+    fn order(&self) -> usize {
+        self.n
+    }
+
+    fn rates(&mut self, s: f64, x: &State, rates: &mut State) {
+        for i in 0..self.n - 1 {
+            rates[i] = self.length * x[i + 1];
+        }
+        rates[self.n - 1] = self.length * self.last(s, x);
+    }
+
+    fn kinks(&self) -> usize {
+        self.motion.kinks()
+    }
+
+    fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {
+        self.last(s, x);
+        self.motion.distances(into);
+    }
+
+    fn choose(&mut self, above: &[bool]) {
+        self.motion.choose(above);
+    }
+
+    fn floors(&self) -> bool {
+        false
+    }
+
+    fn nothing(&mut self, _: f64) -> f64 {
+        BETWEEN.absolute
     }
 }
 

@@ -1,12 +1,11 @@
 //! What both sides of Theorem 1 share: a run in sigma = -ln(T/tau) that stops where it is looked at.
 
-use std::cell::RefCell;
-
-use super::solver::{Rates, State, integrate};
+use super::solver::{First, State};
+use super::switching::{Mode, Piecewise, Walk};
 use super::{Accuracy, Failure, Sample, Values};
 use crate::spec::Parameter;
 
-/// One side of Theorem 1: what is integrated, and what is told of it.
+/// One side of Theorem 1: what is integrated, and what is reported of it.
 pub trait Side {
     /// The state in which it stands at t0, of a plant in `x0`.
     ///
@@ -20,14 +19,32 @@ pub trait Side {
     /// A parameter without a value.
     fn give(&mut self, values: &Values) -> Result<(), Failure>;
 
-    /// What is integrated: `order` components, by sigma.
+    /// What is integrated: `order` components, by sigma, with the kinks held as chosen.
     fn rates(&mut self, at: At, state: &State, rates: &mut State);
 
     /// Number of components.
     fn order(&self) -> usize;
 
+    /// Number of kinks of the plant and the law.
+    fn kinks(&self) -> usize;
+
+    /// The distances from the kinks.
+    fn distances(&mut self, at: At, state: &State, into: &mut Vec<f64>);
+
+    /// Holds every kink above or below 0.
+    fn choose(&mut self, above: &[bool]);
+
+    /// The form in which a state is integrated from here on, and for how long in sigma at most.
+    fn form(&mut self, at: At, state: &State) -> (State, f64) {
+        let _ = at;
+        (*state, f64::INFINITY)
+    }
+
     /// Hands over the plant and its control.
     fn tell(&mut self, at: At, state: &State, visit: &mut dyn FnMut(Sample<'_>));
+
+    /// Whether an error below the relative accuracy of the states before it counts as nothing.
+    fn floors(&self) -> bool;
 
     /// An error that counts as nothing where the loop is stiff, of a run that began with `most`.
     fn nothing(&mut self, at: At, most: f64) -> f64;
@@ -48,11 +65,12 @@ pub struct Run<S> {
     side: S,
     sigma: f64,
     state: State,
+    walk: Walk,
 }
 
 impl<S: Side> Run<S> {
     pub(super) fn of(side: S) -> Self {
-        Self { side, sigma: 0.0, state: State::zeros() }
+        Self { side, sigma: 0.0, state: State::zeros(), walk: Walk::default() }
     }
 
     /// Runs from `x0` at t0 and hands over the state at each time-to-go `shares` tau, which descend
@@ -79,6 +97,7 @@ impl<S: Side> Run<S> {
     pub fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         self.state = self.side.start(values, x0)?;
         self.sigma = 0.0;
+        self.walk = Walk::default();
         Ok(())
     }
 
@@ -96,30 +115,99 @@ impl<S: Side> Run<S> {
     ) -> Result<(), Failure> {
         self.side.give(values)?;
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
-        let at = |share: f64| At { t: t0 + (tau - tau * share), time_to_go: tau * share };
+        let at = move |share: f64| At { t: t0 + (tau - tau * share), time_to_go: tau * share };
         let (start, most) = (self.state, self.state.amax());
-        // A run begins where it stands, whether or not it is asked for.
+        // A run begins where it stands, whether or not that is looked at.
         let mut points = vec![self.sigma];
         points.extend(shares.iter().map(|share| -share.ln()));
-        let order = self.side.order();
-        let here = RefCell::new(self);
-        let rates = |sigma: f64, state: &State, rates: &mut State| {
-            here.borrow_mut().side.rates(at((-sigma).exp()), state, rates);
-        };
-        let nothing = |sigma: f64| here.borrow_mut().side.nothing(at((-sigma).exp()), most);
-        let mut seen = |index: usize, sigma, state: &State| {
-            let mut here = here.borrow_mut();
-            (here.sigma, here.state) = (sigma, *state);
+        let Self { side, sigma, state, walk } = self;
+        let mut system = OnSigma { side, tau, t0, most };
+        let mut seen = |system: &mut OnSigma<'_, S>,
+                        index: usize,
+                        at_sigma: f64,
+                        found: &State,
+                        slide: Option<(&Mode, f64)>| {
+            (*sigma, *state) = (at_sigma, *found);
             if let Some(share) = index.checked_sub(1).and_then(|index| shares.get(index)) {
-                here.side.tell(at(*share), state, visit);
+                system.tell(at(*share), found, slide, visit);
             }
         };
-        let system = Rates { order, rates };
-        let end = integrate(&system, start, &points, accuracy, &nothing, &mut seen);
+        let how = (First::Eighth, accuracy);
+        let end = walk.on(&mut system, start, &points, how, &mut seen);
         end.map_err(|(sigma, failure)| {
             let share = (-sigma).exp();
             let t = t0 + tau * (1.0 - share);
             failure.at(t, format_args!("t = {t} s, T/tau = {share:.2e}"))
         })
+    }
+}
+
+/// A side over sigma.
+struct OnSigma<'a, S> {
+    side: &'a mut S,
+    tau: f64,
+    t0: f64,
+    most: f64,
+}
+
+impl<S: Side> OnSigma<'_, S> {
+    fn at(&self, sigma: f64) -> At {
+        let share = (-sigma).exp();
+        At { t: self.t0 + (self.tau - self.tau * share), time_to_go: self.tau * share }
+    }
+
+    /// Hands over a point; along a jump u is what keeps the state there.
+    fn tell(
+        &mut self,
+        at: At,
+        state: &State,
+        slide: Option<(&Mode, f64)>,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) {
+        let beyond = slide.and_then(|(mode, part)| {
+            self.side.choose(&mode.slide.as_ref()?.beyond);
+            let mut u = f64::NAN;
+            self.side.tell(at, state, &mut |sample| u = sample.u);
+            self.side.choose(&mode.above);
+            Some((u, part))
+        });
+        self.side.tell(at, state, &mut |sample| {
+            let u = beyond.map_or(sample.u, |(u, part)| sample.u + part * (u - sample.u));
+            visit(Sample { u, ..sample });
+        });
+    }
+}
+
+impl<S: Side> Piecewise for OnSigma<'_, S> {
+    fn order(&self) -> usize {
+        self.side.order()
+    }
+
+    fn rates(&mut self, sigma: f64, state: &State, rates: &mut State) {
+        self.side.rates(self.at(sigma), state, rates);
+    }
+
+    fn kinks(&self) -> usize {
+        self.side.kinks()
+    }
+
+    fn distances(&mut self, sigma: f64, state: &State, into: &mut Vec<f64>) {
+        self.side.distances(self.at(sigma), state, into);
+    }
+
+    fn choose(&mut self, above: &[bool]) {
+        self.side.choose(above);
+    }
+
+    fn form(&mut self, sigma: f64, state: &State) -> (State, f64) {
+        self.side.form(self.at(sigma), state)
+    }
+
+    fn floors(&self) -> bool {
+        self.side.floors()
+    }
+
+    fn nothing(&mut self, sigma: f64) -> f64 {
+        self.side.nothing(self.at(sigma), self.most)
     }
 }

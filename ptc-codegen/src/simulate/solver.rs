@@ -1,5 +1,5 @@
-//! Adaptive integration with a stop at given points: Dormand and Prince's method of order 8, and
-//! Radau IIA of order 5 from where the loop is stiff.
+//! Adaptive integration of a smooth system with a stop at given points and at events: Dormand and
+//! Prince's methods of order 8 and 5, and Radau IIA of order 5 where the loop is stiff.
 //!
 //! Where mu' decays like a power, stretched time reaches 1e9 s and more while time-to-go falls to
 //! 1e-9 tau; there an explicit method would take a step for every time constant of the loop.
@@ -10,6 +10,7 @@ use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use nalgebra::SVector;
 
+use super::pass::{Change, End, Method, Monitor, Pass, Reached, Visit, of};
 use super::{Accuracy, Failure};
 use crate::spec::MAX_ORDER;
 
@@ -19,6 +20,12 @@ pub(super) type State = SVector<f64, MAX_ORDER>;
 /// Steps of the explicit method at a relative accuracy of 1e-12, after which a loop counts as stiff:
 /// a run that is not takes a few hundred for each time constant of ten.
 const EXPLICIT: f64 = 3000.0;
+
+/// Longest step of the implicit method, in sigma: time-to-go falls by a factor of e.
+const LONGEST: f64 = 1.0;
+
+/// Relative accuracy that is not loosened further.
+const LOOSEST: f64 = 1e-7;
 
 /// A right-hand side of `order` equations.
 pub(super) struct Rates<F: Fn(f64, &State, &mut State)> {
@@ -52,164 +59,252 @@ impl<F: Fn(f64, &State, &mut State)> ODE<f64, State> for Rates<F> {
     }
 }
 
-/// Integrates from `start` at `points[0]` and calls `visit` at each of the ascending `points`. Where
-/// the loop is stiff, an error below `nothing` of the point counts as nothing, as else a state that
-/// decays would be followed for hundreds of time constants.
+/// The method that is tried first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum First {
+    /// For long runs at high accuracy.
+    Eighth,
+    /// For a short way that a single step often covers.
+    Fifth,
+}
+
+/// How a smooth piece of a run is integrated.
+pub(super) struct Piece<'a> {
+    pub(super) first: First,
+    pub(super) accuracy: Accuracy,
+    /// Whether an error below the relative accuracy of the states before it counts as nothing.
+    pub(super) floors: bool,
+    /// Where the loop is stiff, an error below this counts as nothing, as else a state that decays
+    /// would be followed for hundreds of time constants.
+    pub(super) nothing: &'a dyn Fn(f64) -> f64,
+    pub(super) monitor: Option<Monitor<'a>>,
+}
+
+/// Where a piece begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Begin {
+    pub(super) at: f64,
+    pub(super) state: State,
+    /// First step.
+    pub(super) step: f64,
+    /// Whether it was stiff before.
+    pub(super) stiff: bool,
+}
+
+/// Integrates until the last point, the end of the piece or an event.
 ///
 /// # Errors
 /// The step became too small, the state no number, or the steps too many; with the point reached.
 pub(super) fn integrate<F: Fn(f64, &State, &mut State)>(
     system: &Rates<F>,
-    start: State,
-    points: &[f64],
-    accuracy: Accuracy,
-    nothing: &dyn Fn(f64) -> f64,
-    visit: &mut dyn FnMut(usize, f64, &State),
-) -> Result<(), (f64, Failure)> {
-    let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok(()) };
-    visit(0, *first, &start);
-    let wanted = Wanted::new(system.order, accuracy);
-    let mut explicit = ExplicitRungeKutta::dop853()
-        .rtol(wanted.relative)
-        .atol(wanted.floors(&start).to_vec())
-        .h0(FIRST)
-        .max_steps(usize::MAX);
-    let begun = explicit.init(system, *first, last.max(first + 1.0), &start);
-    begun.map_err(|error| (*first, failure(&error)))?;
-    // As many as the order of the method takes for the accuracy.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let most = (EXPLICIT * (1e-12 / accuracy.relative).powf(0.125)) as usize;
-    let mut pass = Pass { points, next: 1, left: most.min(accuracy.steps) };
-    let set_step = of(&explicit, |method, h| {
-        method.set_h(h);
-        Ok(())
-    });
-    let weigh = of(&explicit, |method, _| {
-        for (i, floor) in wanted.floors(method.y()).into_iter().enumerate() {
-            method.atol[i] = floor;
+    mut begin: Begin,
+    piece: &Piece<'_>,
+    pass: &mut Pass<'_>,
+    visit: Visit<'_>,
+) -> Result<(Reached, bool), (f64, Failure)> {
+    let mut last = None;
+    // Each goes on where the other does not.
+    for _ in 0..2 {
+        if !begin.stiff {
+            match explicit(system, begin, piece, pass, last.is_none(), visit) {
+                Ok(reached) => return Ok((reached, false)),
+                Err((reached, wrong)) => {
+                    if !finite(&reached.state) {
+                        return Err((reached.at, Failure::range()));
+                    }
+                    begin = Begin {
+                        at: reached.at,
+                        state: reached.state,
+                        step: reached.step,
+                        stiff: true,
+                    };
+                    last = wrong.or(last);
+                }
+            }
+            if pass.left == 0 {
+                break;
+            }
         }
-        Ok(())
-    });
-    match pass.run(&mut explicit, system, (&set_step, &weigh), visit) {
-        Ok(()) => Ok(()),
-        Err((at, Some(failure))) if !finite(explicit.y()) => Err((at, failure)),
-        Err(_) => {
-            pass.left = accuracy.steps.saturating_sub(most);
-            let begun = (explicit.t(), *explicit.y(), explicit.h());
-            stiff(system, begun, pass, (accuracy, nothing), visit)
+        match implicit(system, begin, piece, pass, visit) {
+            Ok(reached) => return Ok((reached, true)),
+            Err((reached, wrong)) => {
+                if !finite(&reached.state) {
+                    return Err((reached.at, Failure::range()));
+                }
+                begin = Begin { at: reached.at, state: reached.state, step: FIRST, stiff: false };
+                last = wrong.or(last);
+            }
+        }
+        if pass.left == 0 {
+            break;
         }
     }
+    Err((begin.at, undecided(system, begin, pass, last, piece.accuracy)))
 }
 
-/// The rest of a run by the implicit method.
-fn stiff<F: Fn(f64, &State, &mut State)>(
+/// Why it does not go on.
+fn undecided<F: Fn(f64, &State, &mut State)>(
     system: &Rates<F>,
-    (mut at, mut state, mut h): (f64, State, f64),
-    mut pass: Pass<'_>,
-    (accuracy, nothing): (Accuracy, &dyn Fn(f64) -> f64),
-    visit: &mut dyn FnMut(usize, f64, &State),
-) -> Result<(), (f64, Failure)> {
-    let mut wanted = Wanted::new(system.order, accuracy);
+    begin: Begin,
+    pass: &Pass<'_>,
+    last: Option<Failure>,
+    accuracy: Accuracy,
+) -> Failure {
+    let mut rates = State::zeros();
+    (system.rates)(begin.at, &begin.state, &mut rates);
+    if !finite(&rates) {
+        return Failure::unfinished(
+            "f, g or the law has no finite value",
+            "see what they are at this instant, for example a square root or a logarithm of a negative number",
+        );
+    }
+    if pass.left == 0 || last.is_none() {
+        return Failure::unfinished(
+            format!("the integration takes more than {} steps", accuracy.steps),
+            "see that f, g and the law are smooth where the state goes",
+        );
+    }
+    last.unwrap_or_else(Failure::range)
+}
+
+/// By the explicit method; without a failure where only its steps are used up.
+fn explicit<F: Fn(f64, &State, &mut State)>(
+    system: &Rates<F>,
+    begin: Begin,
+    piece: &Piece<'_>,
+    pass: &mut Pass<'_>,
+    limited: bool,
+    visit: Visit<'_>,
+) -> Result<Reached, (Reached, Option<Failure>)> {
+    let wanted = Wanted::new(system.order, piece);
+    // As many as the order of the method takes for the accuracy.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let most = (EXPLICIT * (1e-12 / piece.accuracy.relative).powf(0.125)) as usize;
+    let most = if limited { most.min(pass.left) } else { pass.left };
+    let rest = pass.left - most;
+    pass.left = most;
+    let atol = wanted.floors(&begin.state).to_vec();
+    let end = match piece.first {
+        First::Eighth => {
+            let method = ExplicitRungeKutta::dop853().rtol(wanted.relative).atol(atol);
+            let mut method = method.h0(begin.step).max_steps(usize::MAX);
+            let weigh = of(&method, |method, _| {
+                for (i, floor) in wanted.floors(method.y()).into_iter().enumerate() {
+                    method.atol[i] = floor;
+                }
+                Ok(())
+            });
+            explicit_pass(system, begin, &mut method, &weigh, (pass, piece), visit)
+        }
+        First::Fifth => {
+            let method = ExplicitRungeKutta::dopri5().rtol(wanted.relative).atol(atol);
+            let mut method = method.h0(begin.step).max_steps(usize::MAX);
+            let weigh = of(&method, |_, _| Ok(()));
+            explicit_pass(system, begin, &mut method, &weigh, (pass, piece), visit)
+        }
+    };
+    pass.left += rest;
+    end
+}
+
+fn explicit_pass<M: Method, F: Fn(f64, &State, &mut State)>(
+    system: &Rates<F>,
+    begin: Begin,
+    method: &mut M,
+    weigh: &dyn Fn(&mut M, f64) -> Result<(), Failure>,
+    (pass, piece): (&mut Pass<'_>, &Piece<'_>),
+    visit: Visit<'_>,
+) -> Result<Reached, (Reached, Option<Failure>)> {
+    let restart = of_restart(method, |method, at, state: &State, step| {
+        // The end only bounds the first step.
+        method.init(system, at, at + 1e9, state).map_err(|error| failure(&error))?;
+        method.set_h(step);
+        Ok(())
+    });
+    let set_step = of(method, |method, step| {
+        method.set_h(step);
+        Ok(())
+    });
+    let change = Change { set_step: &set_step, restart: &restart, weigh };
+    pass.begin(method, begin.at, &begin.state, begin.step, &change)?;
+    pass.run(method, system, &change, piece.monitor, visit)
+}
+
+/// By the implicit method.
+fn implicit<F: Fn(f64, &State, &mut State)>(
+    system: &Rates<F>,
+    begin: Begin,
+    piece: &Piece<'_>,
+    pass: &mut Pass<'_>,
+    visit: Visit<'_>,
+) -> Result<Reached, (Reached, Option<Failure>)> {
+    let mut wanted = Wanted::new(system.order, piece);
+    let Begin { mut at, mut state, mut step, .. } = begin;
     loop {
-        let begin = |at, state: &State, h| {
+        let new = |at, state: &State, step| {
             // It scales a tolerance once for each component, one that they share several times.
             let mut method = ImplicitRungeKutta::radau5()
                 .rtol(vec![wanted.relative; MAX_ORDER])
-                .atol(wanted.or(nothing(at)).floors(state).to_vec())
-                .h0(h)
+                .atol(wanted.or((piece.nothing)(at)).floors(state).to_vec())
+                .h0(step)
                 .h_max(LONGEST)
                 .max_steps(usize::MAX);
-            let begun = method.init(system, at, at + 2.0 * h, state);
+            let begun = method.init(system, at, at + 2.0 * step, state);
             begun.map(|_| method).map_err(|error| failure(&error))
         };
-        let mut method = begin(at, &state, h).map_err(|failure| (at, failure))?;
+        let here = Reached { at, state, step, end: End::Done };
+        let mut method = new(at, &state, step).map_err(|failure| (here, Some(failure)))?;
         // It keeps matrices of its step, so another step begins anew.
-        let set_step = of(&method, |method, h| {
-            *method = begin(method.t(), &method.y().clone(), h)?;
+        let restart = of_restart(&method, |method, at, state: &State, step| {
+            *method = new(at, state, step)?;
+            Ok(())
+        });
+        let set_step = of(&method, |method, step| {
+            *method = new(method.t(), &method.y().clone(), step)?;
             Ok(())
         });
         let weigh = of(&method, |method, at| {
-            let floors = wanted.or(nothing(at)).floors(method.y());
+            let floors = wanted.or((piece.nothing)(at)).floors(method.y());
             for (i, floor) in floors.into_iter().enumerate() {
                 method.atol[i] = floor * method.rtol[i] / wanted.relative;
             }
             Ok(())
         });
-        match pass.run(&mut method, system, (&set_step, &weigh), visit) {
-            Ok(()) => return Ok(()),
+        let change = Change { set_step: &set_step, restart: &restart, weigh: &weigh };
+        match pass.run(&mut method, system, &change, piece.monitor, visit) {
+            Ok(reached) => return Ok(reached),
             // What the rounding of the rates does not bear is asked for less strictly.
-            Err((_, Some(_))) if finite(method.y()) && wanted.relative < LOOSEST => {
+            Err((reached, Some(_))) if finite(&reached.state) && wanted.relative < LOOSEST => {
                 wanted.relative *= 100.0;
-                (at, state, h) = (method.t(), *method.y(), FIRST);
+                (at, state, step) = (reached.at, reached.state, FIRST);
             }
-            Err((at, wrong)) => {
-                let many = format!("the integration takes more than {} steps", accuracy.steps);
-                let help = "see that f, g and the law are smooth where the state goes";
-                return Err((at, wrong.unwrap_or_else(|| Failure::unfinished(many, help))));
-            }
+            Err(wrong) => return Err(wrong),
         }
     }
 }
 
-/// Integrates over 0..1 from `start`, where a single step often does.
-///
-/// # Errors
-/// As [`integrate`].
-pub(super) fn across<F: Fn(f64, &State, &mut State)>(
-    system: &Rates<F>,
-    start: State,
-    accuracy: Accuracy,
-) -> Result<State, Failure> {
-    let wanted = Wanted::new(system.order, accuracy);
-    let mut method = ExplicitRungeKutta::dopri5()
-        .rtol(wanted.relative)
-        .atol(accuracy.absolute)
-        .h0(1.0)
-        .max_steps(usize::MAX);
-    method.init(system, 0.0, 1.0, &start).map_err(|error| failure(&error))?;
-    let mut pass = Pass { points: &[0.0, 1.0], next: 1, left: accuracy.steps };
-    let set_step = of(&method, |method, h| {
-        method.set_h(h);
-        Ok(())
-    });
-    let weigh = of(&method, |_, _| Ok(()));
-    let end = pass.run(&mut method, system, (&set_step, &weigh), &mut |_, _, _| {});
-    let stiff = || {
-        Failure::unfinished(
-            "the plant moves too fast for its sample period",
-            "give a shorter sample period",
-        )
-    };
-    end.map_err(|(_, wrong)| wrong.unwrap_or_else(stiff))?;
-    Ok(*method.y())
-}
-
 /// First step, in sigma.
-const FIRST: f64 = 1e-3;
-
-/// Longest step of the implicit method, in sigma: time-to-go falls by a factor of e.
-const LONGEST: f64 = 1.0;
-
-/// Relative accuracy that is not loosened further.
-const LOOSEST: f64 = 1e-7;
+pub(super) const FIRST: f64 = 1e-3;
 
 /// What is accurate enough for the methods.
 struct Wanted {
     relative: f64,
     absolute: f64,
+    floors: bool,
 }
 
 impl Wanted {
-    fn new(order: usize, accuracy: Accuracy) -> Self {
+    fn new(order: usize, piece: &Piece<'_>) -> Self {
         // Their error is a mean over all components, most of which may be unused.
         #[allow(clippy::cast_precision_loss)]
         let used = (order as f64 / MAX_ORDER as f64).sqrt();
-        Self { relative: accuracy.relative * used, absolute: accuracy.absolute }
+        let Accuracy { relative, absolute, .. } = piece.accuracy;
+        Self { relative: relative * used, absolute, floors: piece.floors }
     }
 
     /// The same with a larger error that counts as nothing.
     fn or(&self, nothing: f64) -> Self {
-        Self { relative: self.relative, absolute: self.absolute.max(nothing) }
+        Self { absolute: self.absolute.max(nothing), ..*self }
     }
 
     /// Errors below which a component counts as accurate. Where the loop is slow against its time
@@ -218,76 +313,27 @@ impl Wanted {
         let mut most = 0.0_f64;
         std::array::from_fn(|i| {
             let floor = self.relative * most + self.absolute;
-            most = most.max(state[i].abs());
+            if self.floors {
+                most = most.max(state[i].abs());
+            }
             floor
         })
     }
 }
 
-fn finite(state: &State) -> bool {
+pub(super) fn finite(state: &State) -> bool {
     state.iter().all(|x| x.is_finite())
 }
 
-/// A closure on methods of the type of `_method`, which has no name.
-fn of<M, F: Fn(&mut M, f64) -> Result<(), Failure>>(_method: &M, closure: F) -> F {
+/// A closure that begins a method of the type of `_method` anew.
+fn of_restart<M, F>(_method: &M, closure: F) -> F
+where
+    F: Fn(&mut M, f64, &State, f64) -> Result<(), Failure>,
+{
     closure
 }
 
-/// What changes a method: gives it another step, and tells it what is accurate enough.
-type Change<'a, M> = &'a dyn Fn(&mut M, f64) -> Result<(), Failure>;
-
-/// What is left of a run.
-struct Pass<'a> {
-    points: &'a [f64],
-    next: usize,
-    left: usize,
-}
-
-impl Pass<'_> {
-    /// Steps on until the last point; no failure where only the steps are used up.
-    fn run<M, F>(
-        &mut self,
-        method: &mut M,
-        system: &Rates<F>,
-        (set_step, weigh): (Change<'_, M>, Change<'_, M>),
-        visit: &mut dyn FnMut(usize, f64, &State),
-    ) -> Result<(), (f64, Option<Failure>)>
-    where
-        M: OrdinaryNumericalMethod<f64, State>,
-        F: Fn(f64, &State, &mut State),
-    {
-        while let Some(point) = self.points.get(self.next) {
-            let (at, wanted) = (method.t(), method.h());
-            // What is left is a rounding of the steps that lead here.
-            if point - at <= 1e-13 * point.abs().max(1.0) {
-                visit(self.next, *point, method.y());
-                self.next += 1;
-                continue;
-            }
-            if self.left == 0 {
-                return Err((at, None));
-            }
-            self.left -= 1;
-            let cut = at + wanted > *point;
-            let failed = |failure| (at, Some(failure));
-            if cut {
-                set_step(method, point - at).map_err(failed)?;
-            }
-            weigh(method, at).map_err(failed)?;
-            method.step(system).map_err(|error| (at, Some(failure(&error))))?;
-            let longer = method.h().max(wanted);
-            if cut && method.t() > at && longer > method.h() {
-                set_step(method, longer).map_err(failed)?;
-            }
-            if !finite(method.y()) {
-                return Err((at, Some(Failure::range())));
-            }
-        }
-        Ok(())
-    }
-}
-
-fn failure(error: &Error<f64, State>) -> Failure {
+pub(super) fn failure(error: &Error<f64, State>) -> Failure {
     let help = "the state, f, g or the law may leave the range of numbers there, or jump; see what they are at this instant";
     match error {
         Error::StepSize { .. } => {

@@ -1,0 +1,71 @@
+//! Whether functions that are positive at the begin of a step become negative in it.
+
+/// Points of a step at which its functions are known, evenly from its begin to its end.
+pub(super) const NODES: usize = 7;
+
+/// What is seen of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Step {
+    /// Every function stays positive.
+    Clear,
+    /// A function may become negative between the nodes.
+    Coarse,
+    /// A function has no value.
+    NoNumber,
+    /// One is the first to become negative, between two nodes as parts of the step.
+    Event { which: usize, low: f64, high: f64 },
+}
+
+/// Looks at the values of all functions at each node.
+pub(super) fn look(table: &[Vec<f64>]) -> Step {
+    let count = table.first().map_or(0, Vec::len);
+    let mut first: Option<(usize, usize)> = None;
+    for which in 0..count {
+        let values: [f64; NODES] = std::array::from_fn(|node| table[node][which]);
+        if values.iter().any(|value| value.is_nan()) {
+            return Step::NoNumber;
+        }
+        // What is not positive at the begin is a rounding of the event that led there.
+        let negative = (1..NODES).find(|node| values[*node] < 0.0);
+        let before = negative.unwrap_or(NODES);
+        if first.is_some_and(|(node, _)| node <= before) && negative.is_some() {
+            continue;
+        }
+        if values.iter().all(|value| value.is_finite()) && coarse(&values, before) {
+            return Step::Coarse;
+        }
+        if let Some(node) = negative {
+            first = Some((node, which));
+        }
+    }
+    match first {
+        None => Step::Clear,
+        Some((node, which)) => {
+            #[allow(clippy::cast_precision_loss)]
+            let share = |node: usize| node as f64 / (NODES - 1) as f64;
+            Step::Event { which, low: share(node - 1), high: share(node) }
+        }
+    }
+}
+
+/// Whether the cubic through every other node misses the nodes between by so much that the sign
+/// before node `before` is not certain.
+fn coarse(values: &[f64; NODES], before: usize) -> bool {
+    let [a, b, c, d] = [values[0], values[2], values[4], values[6]];
+    let between = [
+        (5.0 * a + 15.0 * b - 5.0 * c + d) / 16.0,
+        (-a + 9.0 * b + 9.0 * c - d) / 16.0,
+        (a - 5.0 * b + 15.0 * c + 5.0 * d) / 16.0,
+    ];
+    let off = between.iter().zip([1, 3, 5]).map(|(value, node)| (value - values[node]).abs());
+    let off = off.fold(0.0, f64::max);
+    let size = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    if off <= 1e-9 * size {
+        return false;
+    }
+    if before < NODES {
+        return off > 0.05 * size;
+    }
+    let least = values[1..].iter().copied().fold(f64::INFINITY, f64::min);
+    least <= 2.0 * off
+}

@@ -1,0 +1,298 @@
+//! Steps of a method up to points and events.
+
+use differential_equations::interpolate::Interpolation;
+use differential_equations::ode::OrdinaryNumericalMethod;
+
+use super::Failure;
+use super::crossing::{NODES, Step, look};
+use super::solver::{Rates, State, failure, finite};
+
+/// A method with dense output.
+pub(super) trait Method:
+    OrdinaryNumericalMethod<f64, State> + Interpolation<f64, State>
+{
+}
+
+impl<M: OrdinaryNumericalMethod<f64, State> + Interpolation<f64, State>> Method for M {}
+
+/// Functions of point and state that are positive until an event.
+pub(super) type Monitor<'a> = &'a dyn Fn(f64, &State, &mut Vec<f64>);
+
+/// What sees the state at each point.
+pub(super) type Visit<'a> = &'a mut dyn FnMut(usize, f64, &State);
+
+/// What changes a method: gives it another step, begins it anew, and says what is accurate enough.
+pub(super) struct Change<'a, M> {
+    pub(super) set_step: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
+    pub(super) restart: &'a dyn Fn(&mut M, f64, &State, f64) -> Result<(), Failure>,
+    pub(super) weigh: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
+}
+
+/// A closure on methods of the type of `_method`, which has no name.
+pub(super) fn of<M, F: Fn(&mut M, f64) -> Result<(), Failure>>(_method: &M, closure: F) -> F {
+    closure
+}
+
+/// Where a piece of a run ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reached {
+    pub(super) at: f64,
+    pub(super) state: State,
+    /// The step that the method would go on with.
+    pub(super) step: f64,
+    pub(super) end: End,
+}
+
+/// Why a piece ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// The last point is reached.
+    Done,
+    /// The piece is long enough.
+    Limit,
+    /// A function of the monitor is 0.
+    Event(usize),
+}
+
+/// What is left of a run.
+pub(super) struct Pass<'a> {
+    pub(super) points: &'a [f64],
+    pub(super) next: usize,
+    /// Steps.
+    pub(super) left: usize,
+    /// End of the piece.
+    pub(super) until: f64,
+    /// Longest step over which the functions of the monitor are resolved.
+    pub(super) longest: f64,
+}
+
+type Stopped = (Reached, Option<Failure>);
+
+impl Pass<'_> {
+    /// Begins a method.
+    pub(super) fn begin<M: Method>(
+        &self,
+        method: &mut M,
+        at: f64,
+        state: &State,
+        step: f64,
+        change: &Change<'_, M>,
+    ) -> Result<(), Stopped> {
+        let here = Reached { at, state: *state, step, end: End::Done };
+        (change.restart)(method, at, state, step).map_err(|failure| (here, Some(failure)))
+    }
+
+    /// Steps on; no failure where only the steps are used up.
+    pub(super) fn run<M: Method, F: Fn(f64, &State, &mut State)>(
+        &mut self,
+        method: &mut M,
+        system: &Rates<F>,
+        change: &Change<'_, M>,
+        monitor: Option<Monitor<'_>>,
+        visit: Visit<'_>,
+    ) -> Result<Reached, Stopped> {
+        loop {
+            let (at, state, wanted) = (method.t(), *method.y(), method.h());
+            let here = |end| Reached { at, state, step: wanted, end };
+            let Some(point) = self.points.get(self.next).copied() else {
+                return Ok(here(End::Done));
+            };
+            // What is left is a rounding of the steps that lead here.
+            if point - at <= 1e-13 * point.abs().max(1.0) {
+                visit(self.next, point, &state);
+                self.next += 1;
+                continue;
+            }
+            if self.until - at <= 1e-13 * at.abs().max(1.0) {
+                return Ok(here(End::Limit));
+            }
+            if self.left == 0 {
+                return Err((here(End::Done), None));
+            }
+            self.left -= 1;
+            let wrong = |failure| (here(End::Done), Some(failure));
+            let goal = point.min(self.until);
+            let mut step = wanted.min(self.longest);
+            let cut = at + step > goal;
+            if cut {
+                step = goal - at;
+            }
+            if step < wanted {
+                (change.set_step)(method, step).map_err(wrong)?;
+            }
+            (change.weigh)(method, at).map_err(wrong)?;
+            method.step(system).map_err(|error| wrong(failure(&error)))?;
+            let proposed = method.h();
+            if method.t() <= at {
+                continue;
+            }
+            if !finite(method.y()) {
+                return Err((here(End::Done), Some(Failure::range())));
+            }
+            if let Some(monitor) = monitor
+                && let Some(event) = self.watch(method, system, change, monitor, (at, state))?
+            {
+                let step = proposed.max(step);
+                let (at, state) = (method.t(), *method.y());
+                return Ok(Reached { at, state, step, end: End::Event(event) });
+            }
+            if step < wanted && method.t() > at && wanted > method.h() {
+                (change.set_step)(method, wanted).map_err(wrong)?;
+            }
+        }
+    }
+
+    /// Looks at a step for the first event, and goes back where one is, or may be overlooked.
+    fn watch<M: Method, F: Fn(f64, &State, &mut State)>(
+        &mut self,
+        method: &mut M,
+        system: &Rates<F>,
+        change: &Change<'_, M>,
+        monitor: Monitor<'_>,
+        (at, state): (f64, State),
+    ) -> Result<Option<usize>, Stopped> {
+        let here = Reached { at, state, step: method.h(), end: End::Done };
+        let wrong = |failure| (here, Some(failure));
+        let to = method.t();
+        let length = to - at;
+        let mut values = Vec::new();
+        let mut table: Vec<Vec<f64>> = Vec::with_capacity(NODES);
+        for node in 0..NODES {
+            #[allow(clippy::cast_precision_loss)]
+            let share = node as f64 / (NODES - 1) as f64;
+            let value = |method: &mut M, s: f64| method.interpolate(s.min(to));
+            values.clear();
+            match node {
+                0 => monitor(at, &state, &mut values),
+                _ if node + 1 == NODES => monitor(to, method.y(), &mut values),
+                _ => {
+                    let s = at + share * length;
+                    let y = value(method, s).map_err(|error| wrong(failure(&error)))?;
+                    monitor(s, &y, &mut values);
+                }
+            }
+            table.push(values.clone());
+        }
+        match look(&table) {
+            Step::Clear => {
+                self.longest *= 1.5;
+                Ok(None)
+            }
+            Step::NoNumber => Err(wrong(Failure::unfinished(
+                "f, g or the law has no value",
+                "see what they are at this instant, for example a square root of a negative number",
+            ))),
+            Step::Coarse if length > 1e-11 * at.abs().max(1.0) => {
+                self.longest = 0.5 * length;
+                (change.restart)(method, at, &state, self.longest).map_err(wrong)?;
+                Ok(None)
+            }
+            Step::Coarse => Ok(None),
+            Step::Event { which, low, .. } if low == 0.0 && table[0][which] <= 0.0 => {
+                (change.restart)(method, at, &state, length).map_err(wrong)?;
+                Ok(Some(which))
+            }
+            Step::Event { which, low, high } => {
+                let mut at_root = |share: f64| {
+                    let s = at + share * length;
+                    let y = method.interpolate(s.min(to)).unwrap_or(state);
+                    values.clear();
+                    monitor(s, &y, &mut values);
+                    values[which]
+                };
+                let share = root((low, table_at(&table, which, low)), high, &mut at_root);
+                let slope = (table_at(&table, which, high) - table_at(&table, which, low))
+                    / ((high - low) * length);
+                let mut goal = at + share * length;
+                // By steps of the method itself: its dense output is less exact.
+                for _ in 0..3 {
+                    if goal - at <= 1e-14 * at.abs().max(1.0) {
+                        (change.restart)(method, at, &state, length).map_err(wrong)?;
+                        return Ok(Some(which));
+                    }
+                    self.land(method, system, change, (at, state), goal)?;
+                    values.clear();
+                    monitor(method.t(), method.y(), &mut values);
+                    let off = -values[which] / slope;
+                    if !off.is_finite() || off.abs() <= 4e-16 * goal.abs().max(1.0) {
+                        break;
+                    }
+                    let better = (goal + off).clamp(at, to);
+                    if (better - goal).abs() > 1e-3 * length {
+                        break;
+                    }
+                    goal = better;
+                }
+                Ok(Some(which))
+            }
+        }
+    }
+
+    /// Steps from a state to a point close by.
+    fn land<M: Method, F: Fn(f64, &State, &mut State)>(
+        &mut self,
+        method: &mut M,
+        system: &Rates<F>,
+        change: &Change<'_, M>,
+        (at, state): (f64, State),
+        goal: f64,
+    ) -> Result<(), Stopped> {
+        let here = Reached { at, state, step: goal - at, end: End::Done };
+        let wrong = |failure| (here, Some(failure));
+        (change.restart)(method, at, &state, goal - at).map_err(wrong)?;
+        loop {
+            let left = goal - method.t();
+            if left <= 1e-15 * goal.abs().max(1.0) {
+                return Ok(());
+            }
+            if self.left == 0 {
+                return Err((here, None));
+            }
+            self.left -= 1;
+            if method.h() > left {
+                (change.set_step)(method, left).map_err(wrong)?;
+            }
+            method.step(system).map_err(|error| wrong(failure(&error)))?;
+        }
+    }
+}
+
+fn table_at(table: &[Vec<f64>], which: usize, share: f64) -> f64 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
+    let node = (share * (NODES - 1) as f64).round() as usize;
+    table[node][which]
+}
+
+/// The root of a function that is positive, or 0, at `low` and negative at `high`: by Illinois'
+/// rule, and by halves where it is slow.
+fn root((mut low, mut above): (f64, f64), mut high: f64, at: &mut dyn FnMut(f64) -> f64) -> f64 {
+    let mut below = at(high);
+    let mut side = 0;
+    for round in 0..100 {
+        let width = high - low;
+        if width <= 1e-15 {
+            break;
+        }
+        let chord = low + width * above / (above - below);
+        let inside = chord > low && chord < high;
+        let middle = if inside && round % 4 != 3 { chord } else { 0.5 * (low + high) };
+        let value = at(middle);
+        if value == 0.0 {
+            return middle;
+        }
+        if value > 0.0 {
+            (low, above) = (middle, value);
+            if side == 1 {
+                below *= 0.5;
+            }
+            side = 1;
+        } else {
+            (high, below) = (middle, value);
+            if side == -1 {
+                above *= 0.5;
+            }
+            side = -1;
+        }
+    }
+    0.5 * (low + high)
+}
