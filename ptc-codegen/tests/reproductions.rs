@@ -126,6 +126,21 @@ fn example_4_of_the_letter() {
     }
 }
 
+/// |x| <= phi |x(0)| is a theorem, for initial states of both signs.
+#[cfg(feature = "campaign")]
+#[test]
+fn example_4_of_the_letter_with_boxes() {
+    let text = fs::read_to_string(home().join("example4_boxes.toml")).expect("a design");
+    let negative = text
+        .replace("[0.5, 2]", "[-2, -0.5]")
+        .replace("scenarios = 40", "scenarios = 3\nsearch = 0");
+    for (name, text) in [("positive", &text), ("negative", &negative)] {
+        let folder = support::folder_with(&format!("example4_{name}"), "boxes.toml", text);
+        let told = support::stdout(support::command(&["verify", "boxes.toml"]).current_dir(folder));
+        assert!(told.contains("every objective holds"), "{told}");
+    }
+}
+
 #[test]
 fn the_figures_are_those_that_are_drawn() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("reproductions");

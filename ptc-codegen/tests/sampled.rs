@@ -193,3 +193,42 @@ fn noise_is_what_its_seed_makes_it() {
 
 /// u(0) under the noise of seed 7.
 const FIRST: f64 = -1.2017054025949903;
+
+/// Between samples a mass with dry friction decelerates evenly, stops, and sticks or turns.
+#[test]
+fn dry_friction_sticks_between_samples() {
+    let (friction, push) = (0.8, 0.1);
+    let text = STAGE.replace("f = 0", &format!("f = \"{push} - {friction}*sign(x2)\""));
+    let seen = run(&text, &[0.004, 0.03], &Loop { period: 0.01, ..Loop::default() });
+    let mut at_rest = 0;
+    for pair in seen.windows(2) {
+        let ((t, x, u, _), (later, next, ..)) = (&pair[0], &pair[1]);
+        let mut wanted = [x[0], x[1]];
+        let mut left = later - t;
+        let mut go = |wanted: &mut [f64; 2], a: f64, h: f64| {
+            wanted[0] += h * (wanted[1] + h * a / 2.0);
+            wanted[1] += h * a;
+            left -= h;
+            left
+        };
+        if x[1] != 0.0 {
+            let a = u + push - friction * x[1].signum();
+            let stop = -x[1] / a;
+            let h = if stop > 0.0 { stop.min(later - t) } else { later - t };
+            go(&mut wanted, a, h);
+            if h == stop {
+                wanted[1] = 0.0;
+            }
+        }
+        let rest = go(&mut wanted, 0.0, 0.0);
+        let force = u + push;
+        if wanted[1] == 0.0 && force.abs() > friction {
+            go(&mut wanted, force - friction * force.signum(), rest);
+        }
+        at_rest += usize::from(wanted[1] == 0.0);
+        for (found, wanted) in next.iter().zip(wanted) {
+            assert!((found - wanted).abs() <= 1e-11, "{t}: {found} {wanted}");
+        }
+    }
+    assert!((5..95).contains(&at_rest), "it sticks and slips: {at_rest} of 100 samples");
+}

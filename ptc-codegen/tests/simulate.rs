@@ -3,7 +3,7 @@
 
 mod support;
 
-use ptc_codegen::simulate::{Accuracy, Continuous, Direct, Values};
+use ptc_codegen::simulate::{Accuracy, Cause, Continuous, Direct, Values};
 use ptc_codegen::spec::Parameter;
 use support::design;
 
@@ -210,4 +210,158 @@ fn a_disturbance_of_a_higher_order_does_not_stop_the_integration() {
     assert!((u + f / 0.9).abs() < 1e-6, "{u}");
     let balance = r1.powi(3) * (f / 0.9) / 120.0;
     assert!((x[0] / balance - 1.0).abs() < 1e-4, "{} {balance}", x[0]);
+}
+
+/// Clipped from t0 to the deadline, u is -u_max and x a polynomial in t, whatever the mapping.
+#[test]
+fn u_clipped_up_to_the_deadline_moves_the_plant_exactly() {
+    let mappings = [
+        "exp(a=1)",
+        "rational(a=1)",
+        "power(a=1,m=2)",
+        "tan(a=1)",
+        "tanh(a=1)",
+        "algebraic(a=1)",
+        "exp_sum(rates=[0.8,1.6])",
+    ];
+    for mu in mappings {
+        for n in 1..=6_u32 {
+            let poles: Vec<_> = (1..=n).map(|i| format!("-{}", 2 * n + i)).collect();
+            let text = format!(
+                "n = {n}\nmu = \"{mu}\"\npoles = [{}]\ntau = 2\nu_max = 0.5\n[plant]\nf = 0\n",
+                poles.join(", ")
+            );
+            let mut x0 = vec![0.0; n as usize];
+            x0[0] = 100.0;
+            for (share, x, u) in continuous(&text, &[], &x0, &shares_to_the_end()) {
+                assert_eq!(u, -0.5, "{text}");
+                let t = 2.0 - 2.0 * share;
+                for (i, (found, start)) in (1..=n).zip(x.iter().zip(&x0)) {
+                    let power = n - i + 1;
+                    let factorial: u32 = (1..=power).product();
+                    let moved = 0.5 * t.powi(i32::try_from(power).expect("small"));
+                    let wanted = start - moved / f64::from(factorial);
+                    let off = (found - wanted).abs();
+                    assert!(
+                        off <= 1e-9 * wanted.abs(),
+                        "{text}T/tau = {share:e}: x{i} = {found}, {wanted}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// u = -3 x/T is clipped until T = 1/4: before that x falls evenly, afterwards like T^3.
+#[test]
+fn the_end_of_clipping_is_located() {
+    let text = "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\ntau = 1\nu_max = 1.2\n[plant]\nf = 0\n";
+    for (share, x, u) in continuous(text, &[], &[1.0], &shares_to_the_end()) {
+        let (wanted, wanted_u) = match share > 0.25 {
+            true => (1.0 - 1.2 * (1.0 - share), -1.2),
+            false => (0.1 * (4.0 * share).powi(3), -19.2 * share * share),
+        };
+        assert!((x[0] / wanted - 1.0).abs() <= 1e-10, "{share:e}: {} {wanted}", x[0]);
+        assert!((u / wanted_u - 1.0).abs() <= 1e-10, "{share:e}: {u} {wanted_u}");
+    }
+}
+
+/// x' = u - sign(x)/2 + t from 0 with u = -3 x/T: it sticks until t = 1/2, and is then T (T - 1/2)^2.
+#[test]
+fn dry_friction_sticks_and_lets_go() {
+    let text = "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\ntau = 1\nu_max = U\n\
+                [plant]\nf = \"-0.5*sign(x1) + t\"\n";
+    for u_max in ["inf", "7"] {
+        let text = text.replace('U', u_max);
+        for (share, x, _) in continuous(&text, &[], &[0.0], &shares_to_the_end()) {
+            let wanted = if share > 0.5 { 0.0 } else { share * (share - 0.5).powi(2) };
+            assert!((x[0] - wanted).abs() <= 1e-11 * wanted, "{share:e}: {} {wanted}", x[0]);
+        }
+    }
+    // From 0.2 with -sign(x)/2 + 0.1: 0.4 T^3 - 0.2 T, until T^2 = 1/2; then it sticks for good.
+    let text =
+        "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\ntau = 1\n[plant]\nf = \"0.1 - 0.5*x1/abs(x1)\"\n";
+    let signed = text.replace("x1/abs(x1)", "sign(x1)");
+    for (share, x, u) in continuous(&signed, &[], &[0.2], &shares_to_the_end()) {
+        let moves = share * share > 0.5;
+        let wanted = if moves { 0.4 * share.powi(3) - 0.2 * share } else { 0.0 };
+        assert!((x[0] - wanted).abs() <= 1e-13, "{share:e}: {} {wanted}", x[0]);
+        assert!(moves || u.abs() <= 1e-12, "{share:e}: {u}");
+    }
+}
+
+/// Stick and slip, a dead zone, an end stop and a square wave, with u clipped and not.
+#[test]
+fn both_sides_agree_where_f_has_kinks_and_jumps() {
+    for (f, x0) in [
+        ("-0.2*x2 - 0.5*sign(x2) + 0.1", [0.1, 0.0]),
+        ("-0.9*x2/sqrt(x2^2 + 0.01) - 0.4*x2*abs(x2)", [0.3, -0.4]),
+        ("0.3*sign(sin(9*t)) - 0.8*sign(2*x2)", [-0.2, 0.0]),
+        ("-3*max(abs(x1) - 0.05, 0)*sign(x1) - 0.1*sign(x2 - 0.2)", [0.2, 0.3]),
+    ] {
+        for u_max in ["inf", "1.5"] {
+            agree(
+                &format!(
+                    "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\ntau = 1\neps = 1e-12\nu_max = {u_max}\n\
+                     [plant]\nf = \"{f}\"\n"
+                ),
+                &x0,
+            );
+        }
+    }
+}
+
+/// Fewest steps that a run takes.
+fn steps(text: &str, x0: &[f64]) -> usize {
+    let (spec, plant) = design(text);
+    let values = Values::of(&spec, &plant);
+    let mut run = Continuous::of(&spec, &plant).expect("a loop");
+    let mut done = |steps| {
+        let accuracy = Accuracy { steps, ..Accuracy::default() };
+        run.run(&values, x0, &[1e-6], accuracy, &mut |_| {}).is_ok()
+    };
+    let (mut few, mut many) = (0, 1 << 20);
+    assert!(done(many), "{text}");
+    while many - few > 1 {
+        let middle = few.midpoint(many);
+        if done(middle) { many = middle } else { few = middle }
+    }
+    many
+}
+
+#[test]
+fn a_run_that_sticks_takes_few_more_steps_than_a_smooth_one() {
+    let text = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\ntau = 1\nu_max = 2\n[plant]\n";
+    let smooth = steps(&format!("{text}f = \"-0.2*x2 + 0.1\"\n"), &[0.1, 0.0]);
+    for friction in ["0.5", "1", "3"] {
+        let sticks = format!("{text}f = \"-0.2*x2 - {friction}*sign(x2) + 0.6*sin(20*t)\"\n");
+        let sticks = steps(&sticks, &[0.1, 0.0]);
+        assert!(sticks <= 10 * smooth, "{sticks} steps, {smooth} where it is smooth");
+    }
+}
+
+#[test]
+fn what_is_not_followed_is_undecided() {
+    for (f, part) in [
+        ("-5*sign(x1) - sign(x2)", "switches without end"),
+        ("ln(x1 + 0.05)", "has no finite value"),
+        ("sign(x2)", "two motions begin"),
+    ] {
+        let text = format!(
+            "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\ntau = 1\nu_max = 0.5\n[plant]\nf = \"{f}\"\n"
+        );
+        let (spec, plant) = design(&text);
+        let values = Values::of(&spec, &plant);
+        let end = Continuous::of(&spec, &plant).expect("a loop").run(
+            &values,
+            &[0.0, 0.0],
+            &[1e-6],
+            Accuracy::default(),
+            &mut |_| {},
+        );
+        let failure = end.expect_err(&text);
+        assert_eq!(failure.cause, Cause::Unfinished, "{text}: {failure}");
+        assert!(failure.at.is_some_and(|t| (0.0..1.0).contains(&t)), "{text}: {failure:?}");
+        assert!(failure.message.contains(part), "{text}: {failure}");
+    }
 }

@@ -121,7 +121,6 @@ fn the_sampled_loop_reports_its_samples() {
 #[test]
 fn bad_input_gets_one_clear_message_and_no_file() {
     let folder = folder("wrong");
-    fs::write(folder.join("bare.toml"), STAGE.replace("[plant]\nf = 0\n", "")).expect("writable");
     fs::write(folder.join("free.toml"), "n = 2\nmu = \"exp\"\nplant.f = \"w*u\"\n")
         .expect("writable");
     fs::write(folder.join("typo.toml"), STAGE.replace("f = 0", "f = \"x3\"\nq = 1"))
@@ -131,7 +130,6 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1"], &["1 of the 2 states", "| --x0 \"1\"", "^ not legal"]),
         (&["stage.toml", "--x0=1,b"], &["`b`, which is no number", "| --x0 \"1,b\""]),
         (&["stage.toml", "--x0=1,nan"], &["`nan`, which is no number"]),
-        (&["bare.toml", "--x0=1,0"], &["no plant to simulate", "write `[plant]`", "--plant f=0"]),
         (
             &["free.toml", "--x0=1,0"],
             &[
@@ -185,7 +183,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             assert!(told.contains(part), "{arguments:?}: no {part:?} in\n{told}");
         }
         assert!(!told.contains("panicked") && !told.contains('\u{1b}'), "{told}");
-        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 4, "{arguments:?}");
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 3, "{arguments:?}");
     }
 }
 
@@ -202,4 +200,32 @@ fn a_run_that_cannot_be_finished_is_undecided() {
         assert!(told.contains(part), "no {part:?} in\n{told}");
     }
     assert!(!folder.join("run.csv").exists());
+}
+
+#[test]
+fn without_a_plant_it_is_the_chain_of_integrators() {
+    let folder = folder("bare");
+    fs::write(folder.join("bare.toml"), STAGE.replace("[plant]\nf = 0\n", "")).expect("writable");
+    let asked = ["--x0=1,0", "--tau=1,2", "--at=0.5,0.9"];
+    let (code, out, told) = run(&folder, &[&["bare.toml"], &asked[..]].concat());
+    assert_eq!(code, Some(0), "{told}");
+    assert_eq!(
+        told,
+        "note: the design has no [plant]: the plant is the chain of integrators, f = 0\n"
+    );
+    assert_eq!(out, stdout(&folder, &[&["stage.toml"], &asked[..]].concat()));
+}
+
+/// A law without gains, for which eps does not follow from the sample period that is given.
+#[test]
+fn a_missing_eps_is_not_blamed_on_the_sample_period() {
+    let folder = folder("eps");
+    let flags = ["stage.toml", "--x0=1,0", "--pi0=-6*xi1 - 5*xi2*abs(xi2)", "--sample-time=0.01"];
+    fs::write(folder.join("stage.toml"), STAGE.replace("gains = [6, 5]\n", "")).expect("writable");
+    let (code, _, told) = run(&folder, &flags);
+    assert_eq!(code, Some(2), "{told}");
+    assert!(
+        told.contains("eps has no value") && told.contains("help: give --eps VALUE\n"),
+        "{told}"
+    );
 }

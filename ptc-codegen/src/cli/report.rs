@@ -78,6 +78,12 @@ pub(crate) struct Quote {
     pub(crate) label: &'static str,
 }
 
+/// Prints a line that nothing has to be done about.
+pub(crate) fn note(text: &str) {
+    // Where the standard error is closed there is nobody left to tell.
+    let _ = writeln!(std::io::stderr(), "note: {text}");
+}
+
 /// Prints the notices.
 pub(crate) fn print(notices: &[Notice]) {
     let mut stderr = std::io::stderr().lock();

@@ -97,6 +97,18 @@ impl Figure {
         Ok(bytes)
     }
 
+    /// What it shows, in words.
+    pub fn caption(&self) -> String {
+        let panels = Panel::all(self);
+        let stretched = match panels.contains(&Panel::Stretched) {
+            true => ", and the first state in stretched time",
+            false => "",
+        };
+        let bounded = self.u_max.is_some() || !self.x_max.is_empty();
+        let bounds = if bounded { ", dashed ones in red bounds" } else { "" };
+        format!("States and control over time in s{stretched}. Thin lines are deadlines{bounds}.")
+    }
+
     fn size(&self) -> (u32, u32) {
         let rows = u32::try_from(Panel::all(self).len().div_ceil(2)).unwrap_or(1);
         (2 * PANEL.0, HEAD + rows * PANEL.1)
@@ -190,6 +202,24 @@ mod tests {
         assert!(svg.matches("stroke=\"#A02030\"").count() > 100);
         let colours = svg.matches("stroke=\"#1B5FA8\"").count();
         assert!(colours >= 1 + 4 + 3, "legend, lines and deadlines: {colours}");
+    }
+
+    #[test]
+    fn the_caption_names_the_panels_that_are_drawn() {
+        let all = figure();
+        assert_eq!(
+            all.caption(),
+            "States and control over time in s, and the first state in stretched time. \
+             Thin lines are deadlines, dashed ones in red bounds."
+        );
+        let held = Figure {
+            traces: all.traces[1..].to_vec(),
+            u_max: None,
+            x_max: Vec::new(),
+            ..Figure::default()
+        };
+        assert!(!held.svg().expect("a drawing").contains("stretched"));
+        assert_eq!(held.caption(), "States and control over time in s. Thin lines are deadlines.");
     }
 
     #[test]

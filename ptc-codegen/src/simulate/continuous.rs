@@ -185,7 +185,7 @@ impl Side for Continuous {
         }
     }
 
-    fn form(&mut self, At { time_to_go, .. }: At, state: &State) -> (State, f64) {
+    fn form(&mut self, At { time_to_go, .. }: At, state: &State, slides: bool) -> (State, f64) {
         self.plant(time_to_go, state);
         let xi = self.stretched_state(time_to_go);
         let get = |value| self.outputs.machine.get(value);
@@ -194,7 +194,8 @@ impl Side for Continuous {
         let gain = if wanted == 0.0 { 1.0 } else { get(self.closed.free()) / wanted };
         let order = i32::try_from(self.n).unwrap_or(i32::MAX);
         let terms = xi.amax() / (slope.powi(order) * gain.abs());
-        let clipped = self.clipped();
+        // A state at rest is one of x.
+        let clipped = self.clipped() || slides;
         let infinite = !clipped && !(self.u_max.is_finite() && terms > CANCELLED * self.u_max);
         let again = if clipped || infinite { f64::INFINITY } else { AGAIN };
         if infinite == self.infinite {

@@ -6,6 +6,7 @@ use differential_equations::ode::OrdinaryNumericalMethod;
 use super::Failure;
 use super::crossing::{NODES, Step, look};
 use super::solver::{Rates, State, failure, finite};
+use super::switching::no_value;
 
 /// A method with dense output.
 pub(super) trait Method:
@@ -178,10 +179,7 @@ impl Pass<'_> {
                 self.longest *= 1.5;
                 Ok(None)
             }
-            Step::NoNumber => Err(wrong(Failure::unfinished(
-                "f, g or the law has no value",
-                "see what they are at this instant, for example a square root of a negative number",
-            ))),
+            Step::NoNumber => Err(wrong(no_value())),
             Step::Coarse if length > 1e-11 * at.abs().max(1.0) => {
                 self.longest = 0.5 * length;
                 (change.restart)(method, at, &state, self.longest).map_err(wrong)?;

@@ -34,9 +34,10 @@ pub trait Side {
     /// Holds every kink above or below 0.
     fn choose(&mut self, above: &[bool]);
 
-    /// The form in which a state is integrated from here on, and for how long in sigma at most.
-    fn form(&mut self, at: At, state: &State) -> (State, f64) {
-        let _ = at;
+    /// The form in which a state is integrated from here on, where it may slide along a jump, and for
+    /// how long in sigma at most.
+    fn form(&mut self, at: At, state: &State, slides: bool) -> (State, f64) {
+        let _ = (at, slides);
         (*state, f64::INFINITY)
     }
 
@@ -199,8 +200,8 @@ impl<S: Side> Piecewise for OnSigma<'_, S> {
         self.side.choose(above);
     }
 
-    fn form(&mut self, sigma: f64, state: &State) -> (State, f64) {
-        self.side.form(self.at(sigma), state)
+    fn form(&mut self, sigma: f64, state: &State, slides: bool) -> (State, f64) {
+        self.side.form(self.at(sigma), state, slides)
     }
 
     fn floors(&self) -> bool {

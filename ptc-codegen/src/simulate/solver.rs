@@ -11,6 +11,7 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use nalgebra::SVector;
 
 use super::pass::{Change, End, Method, Monitor, Pass, Reached, Visit, of};
+use super::switching::no_value;
 use super::{Accuracy, Failure};
 use crate::spec::MAX_ORDER;
 
@@ -153,10 +154,7 @@ fn undecided<F: Fn(f64, &State, &mut State)>(
     let mut rates = State::zeros();
     (system.rates)(begin.at, &begin.state, &mut rates);
     if !finite(&rates) {
-        return Failure::unfinished(
-            "f, g or the law has no finite value",
-            "see what they are at this instant, for example a square root or a logarithm of a negative number",
-        );
+        return no_value();
     }
     if pass.left == 0 || last.is_none() {
         return Failure::unfinished(

@@ -31,8 +31,8 @@ pub(super) trait Piecewise {
     fn choose(&mut self, above: &[bool]);
 
     /// The form in which the state is integrated from here on, and how far at most.
-    fn form(&mut self, s: f64, state: &State) -> (State, f64) {
-        let _ = s;
+    fn form(&mut self, s: f64, state: &State, slides: bool) -> (State, f64) {
+        let _ = (s, slides);
         (*state, f64::INFINITY)
     }
 
@@ -92,7 +92,7 @@ impl Walk {
     ) -> Result<(), (f64, Failure)> {
         let Some(mut at) = points.first().copied() else { return Ok(()) };
         let mut state = start;
-        let mut mode = self.resume(system, at, &mut state).map_err(|failure| (at, failure))?;
+        let mut mode = self.resume(system, at, &state).map_err(|failure| (at, failure))?;
         let mut pass = Pass {
             points,
             next: 0,
@@ -108,7 +108,11 @@ impl Walk {
         let (mut events, mut here) = (0, 0);
         loop {
             system.choose(&mode.above);
-            let (formed, length) = system.form(at, &state);
+            let (mut formed, length) = system.form(at, &state, mode.slide.is_some());
+            if let Some(slide) = &mode.slide {
+                let last = system.order() - 1;
+                Surface::of(system, slide.kink, at, &formed).project(&mut formed, last);
+            }
             let (floors, kinks, order) = (system.floors(), system.kinks(), system.order());
             pass.until = at + length;
             let cell = RefCell::new((&mut *system, &mut *see));
@@ -150,7 +154,7 @@ impl Walk {
                     if events > EVENTS || here > AT_ONCE * (kinks + 1) {
                         return Err((at, endless()));
                     }
-                    let next = next(system, &mode, which, at, &mut state);
+                    let next = next(system, &mode, which, at, &state);
                     mode = next.map_err(|failure| (at, failure))?;
                 }
             }
@@ -165,7 +169,7 @@ impl Walk {
         &mut self,
         system: &mut S,
         at: f64,
-        state: &mut State,
+        state: &State,
     ) -> Result<Mode, Failure> {
         let before = self.mode.take();
         if system.kinks() == 0 {
@@ -190,6 +194,14 @@ fn endless() -> Failure {
     Failure::unfinished(
         "f, g or the law switches without end",
         "a motion along more than one jump at once, or one that a jump does not push to directly, is not followed; smooth the jump, for example tanh(x2/v) for sign(x2)",
+    )
+}
+
+/// A function that is not defined where the state is.
+pub(super) fn no_value() -> Failure {
+    Failure::unfinished(
+        "f, g or the law has no finite value",
+        "see what they are at this instant, for example a quotient with 0 below, or the square root of a negative number",
     )
 }
 
@@ -271,7 +283,7 @@ fn next<S: Piecewise>(
     mode: &Mode,
     which: usize,
     s: f64,
-    state: &mut State,
+    state: &State,
 ) -> Result<Mode, Failure> {
     let kinks = mode.above.len();
     if let (Some(slide), true) = (&mode.slide, which >= kinks) {
@@ -311,7 +323,7 @@ fn meet<S: Piecewise>(
     to: Vec<bool>,
     (which, surface): (usize, &Surface),
     s: f64,
-    state: &mut State,
+    state: &State,
 ) -> Result<Mode, Failure> {
     let last = system.order() - 1;
     let (mut here, mut there) = (State::zeros(), State::zeros());
@@ -329,12 +341,11 @@ fn meet<S: Piecewise>(
     if before >= 0.0 {
         return Ok(Mode { above: from.to_vec(), slide: None });
     }
-    surface.project(state, last);
     Ok(Mode { above: from.to_vec(), slide: Some(Slide { beyond: to, kink: which }) })
 }
 
 /// The mode in which a state begins.
-fn begin<S: Piecewise>(system: &mut S, s: f64, state: &mut State) -> Result<Mode, Failure> {
+fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Result<Mode, Failure> {
     let kinks = system.kinks();
     let mut above = vec![true; kinks];
     let mut distances = Vec::new();
@@ -368,7 +379,6 @@ fn begin<S: Piecewise>(system: &mut S, s: f64, state: &mut State) -> Result<Mode
         let (up, down) = (sides(true), sides(false));
         if let Some(slide) = &mode.slide {
             let mut rates = State::zeros();
-            let _ = slide;
             field(system, &mode, s, state, &mut rates);
             let speed = surface.speed(&rates);
             if speed != 0.0 {
@@ -391,6 +401,9 @@ fn begin<S: Piecewise>(system: &mut S, s: f64, state: &mut State) -> Result<Mode
             surface.speed(&rates)
         };
         let (rising, falling) = (speed(system, &up), speed(system, &down));
+        if rising.is_nan() || falling.is_nan() {
+            return Err(no_value());
+        }
         mode = match () {
             () if rising >= 0.0 && falling >= 0.0 => Mode { above: up, slide: None },
             () if rising <= 0.0 && falling <= 0.0 => Mode { above: down, slide: None },

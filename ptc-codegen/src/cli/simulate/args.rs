@@ -9,6 +9,7 @@ use crate::cli::args::{Design, SpecFlags};
 pub(crate) const EXAMPLES: &str = "\
 The plant xn' = f + g*u stands in the design, under [plant]: f and g are expressions in x1..xn, t
 and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
+Without [plant], f is 0.
 
 What the design leaves to run time needs a value here: --tau, --eps, --t0 (0 unless it is given),
 --u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
@@ -45,7 +46,8 @@ pub(crate) struct Simulate {
     /// File for the CSV, its folder made if it is missing; `-` is the standard output
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub(crate) out: PathBuf,
-    /// Picture of the runs, states, u and bounds over time and x1 in stretched time; .svg or .png
+    /// Picture of the runs: states, u and bounds over time and, of a continuous run, x1 in stretched
+    /// time; .svg or .png
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// Report of design, formulas, checks, runs and code, as one page of HTML that needs nothing else

@@ -15,7 +15,7 @@ use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::page as html;
-use super::report::{Failure, Notice};
+use super::report::{Failure, Notice, note};
 use super::write;
 
 /// Runs `simulate`.
@@ -29,7 +29,10 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let plant = plant.ok_or_else(no_plant)?;
+        if plant.is_none() && runs.is_empty() {
+            note("the design has no [plant]: the plant is the chain of integrators, f = 0");
+        }
+        let plant = plant.unwrap_or_default();
         let asked = input::read(request, &spec)?;
         let run = match &asked.around {
             None => continuous(&spec, &plant, &asked)?,
@@ -68,7 +71,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
 /// A design without `[plant]`.
 pub(crate) fn no_plant() -> Failure {
     Failure::because(
-        "the design has no plant to simulate".to_owned(),
+        "the design has no plant to verify".to_owned(),
         "write `[plant]` into the design file, and under it `f = \"...\"`, or `f = 0` for a chain of \
          integrators; or give --plant f=0",
     )
@@ -89,7 +92,8 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
             Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
                 format!("--{name} VALUE").replace('_', "-")
             }
-            Parameter::Eps => "--eps VALUE or --sample-time VALUE".to_owned(),
+            // A sample period is given, and eps does not follow from it.
+            Parameter::Eps => "--eps VALUE".to_owned(),
             Parameter::Gain(_) => "--gains or --poles".to_owned(),
             _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
             _ => format!("--param {name}=VALUE"),

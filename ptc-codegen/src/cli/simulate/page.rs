@@ -62,15 +62,13 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
     if request.at.is_none() {
         told.push(format!("The table has {SHOWN} instants of a run at most; `-o` writes all."));
     }
+    let drawn = figure(spec, runs);
     Ok(Section {
         title: "Simulation",
         told,
         verdicts: Vec::new(),
-        caption:
-            "States and control over time in s, and the first state in stretched time. Thin lines \
-                  are deadlines, dashed ones in red bounds."
-                .to_owned(),
-        figure: Svg::of(&figure(spec, runs))?,
+        caption: drawn.caption(),
+        figure: Svg::of(&drawn)?,
         table: table(request.at.is_some(), runs),
     })
 }

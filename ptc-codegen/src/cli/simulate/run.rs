@@ -2,6 +2,7 @@
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::plant::Plant;
+use ptc_codegen::reference::Status;
 use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
 use ptc_codegen::spec::{Parameter, Spec};
 
@@ -77,6 +78,15 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
         })
     });
     end.map_err(|failure| ended(failure, tau))?;
+    if let Some(row) = rows.iter().find(|row| !row.x.iter().chain([&row.u]).all(|v| v.is_finite()))
+    {
+        let title = format!("tau = {tau}: x or u leaves the range of numbers, at t = {} s", row.t);
+        let help = "the loop is unstable with these values, or the gains of the law overflow so close to the deadline";
+        return Err(Failure::refused(vec![Notice {
+            help: Some(help.to_owned()),
+            ..Notice::of(title)
+        }]));
+    }
     Ok(Run::new(spec, &values, false, rows))
 }
 
@@ -105,9 +115,22 @@ pub(super) fn sampled(
     let values = complete(spec, plant, true)?;
     let tau = values.get(Parameter::Tau);
     let mut rows = Vec::new();
+    let mut refused: Option<(f64, Status)> = None;
     let end = Sampled::new(spec, plant).and_then(|mut run| {
-        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
+        run.run(&values, &asked.x0, around, &mut |sample| {
+            if matches!(sample.status, Status::Range | Status::Input) && refused.is_none() {
+                refused = Some((sample.t, sample.status));
+            }
+            rows.push(Row::of(sample, true));
+        })
     });
     end.map_err(|failure| ended(failure, tau))?;
+    if let Some((t, status)) = refused {
+        let name = if status == Status::Range { "PTC_E_RANGE" } else { "PTC_E_INPUT" };
+        let title = format!("tau = {tau}: step returns {name} and u = 0, first at t = {t} s");
+        let help =
+            "an actuator would see 0 there: see the checks of `check`, and the range of the states";
+        report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
+    }
     Ok(Run::new(spec, &values, true, rows))
 }
