@@ -61,15 +61,16 @@ impl Loop {
         Some(self)
     }
 
-    /// What is known over a cell; none where nothing is, or no more cells may be looked at.
-    pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Rc<Cell>> {
+    /// What is known over a cell, if anything; none where no more cells may be looked at.
+    #[allow(clippy::option_option)]
+    pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Option<Rc<Cell>>> {
         if let Some(known) = self.cells.get(share) {
-            return known.clone();
+            return Some(known.clone());
         }
         self.left = self.left.checked_sub(1)?;
         let cell = self.enclosed(share).map(Rc::new);
         self.cells.insert(share.clone(), cell.clone());
-        cell
+        Some(cell)
     }
 
     fn enclosed(&mut self, share: &[BigRational; 2]) -> Option<Cell> {
