@@ -493,3 +493,41 @@ fn what_is_not_proved_says_why() {
         assert!(why.contains(expected), "{to}: {why}");
     }
 }
+
+#[test]
+fn a_proof_is_about_the_emitted_program() {
+    let of = |precision: &str, upsilon: &str| {
+        let text = of_two(&format!("[[objective]]\nbound = \"input\"\nupsilon = {upsilon}\n"));
+        format!("precision = \"{precision}\"\n{text}")
+    };
+    // |u| is 20 at t0, which f32 rounds by some 1e-6.
+    assert_eq!(proved(&of("f64", "20.000002")), [true]);
+    assert_eq!(proved(&of("f32", "20.000002")), [false]);
+    assert_eq!(proved(&of("f32", "20.1")), [true]);
+    for (precision, least, most) in [("f32", 1e-7, 1e-3), ("f64", 1e-16, 1e-12)] {
+        let found = &verify::bound::proved(&campaign(&of(precision, "21")))[0];
+        let Proof::Proved { scope } = found else { panic!("{found:?}") };
+        let words: Vec<_> = scope.split(' ').collect();
+        let number = words.iter().position(|word| *word == "within").expect("a bound") + 1;
+        let error: f64 = words[number].parse().expect("a number");
+        assert!(
+            scope
+                .contains(&format!("the emitted {precision} program stays in range there, within"))
+        );
+        assert!((least..most).contains(&error), "{scope}");
+    }
+    // K/T^4 is beyond f32 throughout.
+    let fast = |precision: &str| {
+        format!(
+            "n = 4\nprecision = \"{precision}\"\nmu = \"exp(a=1)\"\npoles = [-5, -6, -7, -8]\n[params]\n\
+             tau = 1e-9\n[plant]\nf = 0\n[verify]\nx1 = [-1, 1]\nx2 = 0\nx3 = 0\nx4 = 0\n\
+             [[objective]]\nbound = \"within\"\nh = \"x1\"\nhigh = 2\n"
+        )
+    };
+    assert_eq!(proved(&fast("f64")), [true]);
+    assert!(why(&fast("f32")).contains("may leave the range of f32"), "{}", why(&fast("f32")));
+    let iterated = of("f64", "1e3").replace("exp(a=1)", "exp_sum(rates=[1, 2])");
+    let found = &verify::bound::proved(&campaign(&iterated))[0];
+    let Proof::Proved { scope } = found else { panic!("{found:?}") };
+    assert!(scope.contains("the rounding of its iteration is not included"), "{scope}");
+}

@@ -32,7 +32,7 @@ pub(super) struct Verdict {
 /// An objective, judged.
 pub(super) struct Judged {
     pub(super) holds: bool,
-    pub(super) verdict: &'static str,
+    pub(super) verdict: String,
     /// What it was judged by.
     pub(super) details: Vec<String>,
 }
@@ -73,10 +73,12 @@ pub(super) fn verdict(
         let failed = tally.failed[index];
         let fails = worst.found.excess > 0.0;
         holds &= !fails;
-        let verdict = match (fails, proofs[index].is_proved()) {
-            (true, _) => "fails",
-            (false, true) => "holds, proved by intervals for every x0, tau and T",
-            (false, false) => "holds, by sampling",
+        let verdict = match (fails, &proofs[index]) {
+            (true, _) => "fails".to_owned(),
+            (false, Proof::Proved { scope }) => {
+                format!("holds, proved by intervals for every x0, tau and T, {scope}")
+            }
+            (false, Proof::NotProved { .. }) => "holds, by sampling".to_owned(),
         };
         let mut details = Vec::new();
         if let (false, Proof::NotProved { why }) = (fails, &proofs[index]) {

@@ -72,10 +72,14 @@ fn sum(terms: impl Iterator<Item = Range>) -> Range {
     terms.fold(Range::from(0.0), Range::add)
 }
 
-/// x and u over a cell, in the units of the plant.
+/// x and u over a cell of T/tau and one of tau, in the units of the plant.
+///
+/// To first order in T/tau and tau x and u move between those of the corners of both cells, of which
+/// each holds the rest of second order. What is convex in them, as a norm or a sum is, is greatest at
+/// one of the corners.
 struct Point {
     /// x_1..x_n and u, each by its slope along x_1..x_n at t0, and what f adds.
-    rows: Rows,
+    corners: Vec<Rows>,
     names: Names,
 }
 
@@ -104,25 +108,27 @@ impl Bounds {
         Self { n: campaign.spec.n, gain, start, corners, names, evaluator: Evaluator::new() }
     }
 
-    /// What stands in the way of an objective over a cell and `tau`; it holds on all of both where
-    /// nothing does.
+    /// What stands in the way of an objective over a cell and `tau`, with a u that is off by at most
+    /// `rounding`; it holds on all of both where nothing does.
     pub(super) fn holds(
         &mut self,
         aim: &Aim,
         cell: &Cell,
         tau: &[BigRational; 2],
+        rounding: f64,
     ) -> Result<(), Why> {
         let point = self.point(cell, tau);
         match aim {
             Aim::State { sigma, zeta } => self.state(&point, *sigma, zeta),
             Aim::Input { upsilon } => {
                 let most = self.value(upsilon, &point)?;
-                below("|u|", self.along(&point.rows[self.n]).both_signs(), most)
+                let u = self.of_row(&point, self.n).both_signs() + Range::from(rounding);
+                below("|u|", u, most)
             }
-            Aim::Attractive { error } => {
-                let size = self.greatest(&point.rows[..self.n]);
+            Aim::Attractive { error } => point.corners.iter().try_for_each(|rows| {
+                let size = self.greatest(&rows[..self.n]);
                 squares("|x|", size, Range::from(*error).square())
-            }
+            }),
             Aim::Within { h, low, high } => {
                 let h = self.value(h, &point)?;
                 if let Some(low) = low {
@@ -143,26 +149,75 @@ impl Bounds {
         let mut names = self.names.clone();
         names.insert(Variable::TimeToGo.into(), within(low, high));
         names.insert(Variable::Elapsed.into(), within(&(&one - high), &(&one - low)));
-        let tau = within(&tau[0], &tau[1]);
-        let scale = Range::from(&tau);
-        names.insert(Parameter::Tau.into(), tau);
-        // With tau = 1 x_j stands for tau^(j-1) x_j, and g u for tau^n g u.
-        let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
-        let mut rows = cell.rows.clone();
-        for (i, row) in rows.iter_mut().enumerate() {
-            for (c, entry) in row.iter_mut().enumerate() {
-                *entry = *entry * scale.power(power(c) - power(i));
-            }
-        }
-        rows[self.n].iter_mut().for_each(|entry| *entry = *entry / self.gain);
-        for (j, row) in (1..).zip(&rows) {
+        let scale = within(&tau[0], &tau[1]);
+        names.insert(Parameter::Tau.into(), scale.clone());
+        let corners = self.moved(cell, tau, Range::from(&scale));
+        let mut point = Point { corners, names };
+        for j in 1..=self.n + 1 {
             let name = if j > self.n { Variable::Control } else { Variable::State(j) };
-            names.insert(name.into(), self.along(row).into());
+            let values = self.of_row(&point, j - 1);
+            point.names.insert(name.into(), values.into());
         }
         for (j, start) in (1..).zip(&self.start[..self.n]) {
-            names.insert(Variable::StateAtStart(j).into(), (*start).into());
+            point.names.insert(Variable::StateAtStart(j).into(), (*start).into());
         }
-        Point { rows, names }
+        point
+    }
+
+    /// What x_1..x_n are within over a cell of T/tau and one of tau; none where they are not bounded.
+    pub(super) fn states(&self, cell: &Cell, tau: &[BigRational; 2]) -> Option<Vec<[f64; 2]>> {
+        let point = self.point(cell, tau);
+        let of_row = |i: usize| self.of_row(&point, i);
+        let one = |x: Range| x.is_bounded().then(|| [x.low(), x.high()]);
+        (0..self.n).map(of_row).map(one).collect()
+    }
+
+    /// The corners of a [`Point`]. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u
+    /// for tau^n g u. The rest is half the second derivative by both times both widths.
+    fn moved(&self, cell: &Cell, tau: &[BigRational; 2], scale: Range) -> Vec<Rows> {
+        let number = |value: &BigRational| Range::from(&Interval::exact(value));
+        let here = number(&((&tau[0] + &tau[1]) / integer(2)));
+        let wide = match tau[0] == tau[1] {
+            true => Range::from(0.0),
+            false => number(&((&tau[1] - &tau[0]) / integer(2))),
+        };
+        let half = cell.half;
+        let both = |width: Range| match width == Range::from(0.0) {
+            true => vec![width],
+            false => vec![width, -width],
+        };
+        let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
+        let entry = |(i, c): (usize, usize), (first, second): (Range, Range)| {
+            let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
+            let [over, slopes, bend] = [0, 1, 2].map(|k| cell.over[k][i][c].size());
+            if over == Range::from(0.0) {
+                // Nothing is what no f adds.
+                return over;
+            }
+            let q = power(c) - power(i);
+            let [one, two] = [f64::from(q), f64::from(q) * f64::from(q - 1)].map(Range::from);
+            let linear = (middle + first * slope) * here.power(q)
+                + second * one * middle * here.power(q - 1);
+            let rest = half * half * bend * scale.power(q)
+                + Range::from(2.0) * half * wide * slopes * one.size() * scale.power(q - 1)
+                + wide * wide * over * two.size() * scale.power(q - 2);
+            let whole = linear + (Range::from(0.5) * rest).both_signs();
+            if i == self.n { whole / self.gain } else { whole }
+        };
+        let row = |i: usize, moved: (Range, Range)| {
+            (0..=self.n).map(|c| entry((i, c), moved)).collect::<Vec<_>>()
+        };
+        let rows = |moved| (0..=self.n).map(|i| row(i, moved)).collect();
+        let moves = both(half)
+            .into_iter()
+            .flat_map(|first| both(wide).into_iter().map(move |second| (first, second)));
+        moves.map(rows).collect()
+    }
+
+    /// What row i of a point is over the box of initial states.
+    fn of_row(&self, point: &Point, i: usize) -> Range {
+        let values = point.corners.iter().map(|rows| self.along(&rows[i]));
+        values.reduce(Range::hull).unwrap_or(Range::WHOLE)
     }
 
     /// What a row is over the box of initial states.
@@ -207,47 +262,56 @@ impl Bounds {
     fn linear(&mut self, linear: &Linear, point: &Point) -> Option<Range> {
         let mut number =
             |e| Some(Range::from(&self.evaluator.again().value(e, &point.names)?.interval));
-        let mut row = vec![Range::from(0.0); self.n + 1];
-        for (variable, slope) in &linear.slopes {
-            let slope = number(slope)?;
-            let own = match variable {
-                Variable::State(j) => &point.rows[j - 1],
-                Variable::Control => &point.rows[self.n],
-                Variable::StateAtStart(j) => {
-                    row[j - 1] = row[j - 1] + slope;
-                    continue;
-                }
-                _ => return None,
-            };
-            row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + slope * *x);
-        }
-        Some(number(&linear.rest)? + dot(&row, &self.start))
+        let slopes =
+            linear.slopes.iter().map(|(variable, slope)| Some((*variable, number(slope)?)));
+        let slopes = slopes.collect::<Option<Vec<_>>>()?;
+        let rest = number(&linear.rest)?;
+        let of_corner = |rows: &Rows| {
+            let mut row = vec![Range::from(0.0); self.n + 1];
+            for (variable, slope) in &slopes {
+                let own = match variable {
+                    Variable::State(j) => &rows[j - 1],
+                    Variable::Control => &rows[self.n],
+                    Variable::StateAtStart(j) => {
+                        row[j - 1] = row[j - 1] + *slope;
+                        continue;
+                    }
+                    _ => return None,
+                };
+                row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + *slope * *x);
+            }
+            Some(self.along(&row))
+        };
+        let values = point.corners.iter().map(of_corner).collect::<Option<Vec<_>>>()?;
+        Some(rest + values.into_iter().reduce(Range::hull)?)
     }
 
     /// |x| < sigma |x0| zeta: for the x0 of the box, or for all.
     fn state(&mut self, point: &Point, sigma: f64, zeta: &Form) -> Result<(), Why> {
         let zeta = self.value(zeta, point)?;
         let bound = Range::from(sigma) * zeta;
-        let rows = &point.rows[..self.n];
-        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
         if !zeta.is_positive() {
             return Err(Why::Exceeded("|x|/|x0|", 0.0, bound.low()));
         }
+        point.corners.iter().try_for_each(|rows| self.state_at(&rows[..self.n], bound))
+    }
+
+    fn state_at(&self, rows: &[Vec<Range>], bound: Range) -> Result<(), Why> {
         // What is 0 at t0 is no direction of the box.
-        let moves: Vec<_> =
-            (0..self.n).filter(|c| self.start[*c] != Range::from(0.0)).chain([self.n]).collect();
-        let along = |row: &Vec<Range>| moves.iter().map(|c| row[*c]).collect();
+        let directions = (0..self.n).filter(|c| self.start[*c] != Range::from(0.0));
+        let directions: Vec<_> = directions.chain([self.n]).collect();
+        let along = |row: &Vec<Range>| directions.iter().map(|c| row[*c]).collect();
         let of_box: Rows = rows.iter().map(along).collect();
         if is_contraction(&of_box, bound.square()) {
             return Ok(());
         }
-        let known = squares("|x|", self.greatest(rows), bound.square() * least);
+        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
         let driven = rows.iter().any(|row| row[self.n] != Range::from(0.0));
-        known.map_err(|why| match driven {
-            _ if least.is_positive() => why,
-            true => Why::AtRest,
-            false => Why::Exceeded("|x|/|x0|", norm_about(&of_box), bound.low()),
-        })
+        match driven {
+            _ if least.is_positive() => squares("|x|", self.greatest(rows), bound.square() * least),
+            true => Err(Why::AtRest),
+            false => Err(Why::Exceeded("|x|/|x0|", norm_about(&of_box), bound.low())),
+        }
     }
 }
 

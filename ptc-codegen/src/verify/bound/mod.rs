@@ -9,24 +9,27 @@
 mod ball;
 mod cell;
 mod clock;
+mod emitted;
 mod flow;
 mod forced;
 mod form;
 mod margin;
 mod range;
+mod rounding;
 mod series;
 
 use num_traits::{Signed, ToPrimitive};
 
-use cell::Loop;
+use cell::{BEYOND, Loop};
 use clock::Clock;
+use emitted::Emitted;
 use flow::Flow;
 use form::Values;
 use margin::{Aim, Bounds, Why};
 use range::Range;
 
 use super::{Campaign, Kind, Objective, existence};
-use crate::algebra::{BigRational, integer};
+use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::digits;
 use crate::expression::Expression;
 use crate::expression::interval::Interval;
@@ -46,8 +49,11 @@ const MOST: usize = 20_000;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Proof {
     /// It holds, for the law in exact arithmetic and every state of the box, every tau, and T/tau
-    /// from 1 to the end of a run.
-    Proved,
+    /// from 1 to the end of a run. A bound of u holds for that of the emitted program.
+    Proved {
+        /// What is included of the emitted program, in one line.
+        scope: String,
+    },
     /// Nothing is known.
     NotProved {
         /// What stood in the way, in one line.
@@ -58,9 +64,12 @@ pub enum Proof {
 impl Proof {
     /// Whether the objective holds.
     pub fn is_proved(&self) -> bool {
-        *self == Self::Proved
+        matches!(self, Self::Proved { .. })
     }
 }
+
+/// Cells that are this many powers of 2 narrower than they are far from 0 are not halved.
+const NARROW: u32 = 40;
 
 /// For each objective whether it is proved, or why not.
 pub fn proved(campaign: &Campaign) -> Vec<Proof> {
@@ -77,8 +86,16 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
             return all(format!("u may be clipped by u_max: {why}"));
         }
     }
+    let scope = match Emitted::of(campaign, &mut prover) {
+        Ok(emitted) => {
+            let scope = emitted.scope();
+            prover.emitted = Some(emitted);
+            scope
+        }
+        Err(why) => return all(why),
+    };
     let one = |objective: &Objective| match prover.of_kind(&objective.kind, &values) {
-        Ok(()) => Proof::Proved,
+        Ok(()) => Proof::Proved { scope: scope.clone() },
         Err(why) => Proof::NotProved { why },
     };
     campaign.objectives.iter().map(one).collect()
@@ -90,6 +107,8 @@ struct Prover {
     bounds: Bounds,
     until: BigRational,
     tau: [BigRational; 2],
+    /// The emitted program, once it is known to stay in range.
+    emitted: Option<Emitted>,
 }
 
 /// A cell of T/tau and one of tau.
@@ -119,7 +138,7 @@ impl Prover {
         let gains = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i))?.number().cloned());
         let gains = gains.collect::<Option<Vec<_>>>().ok_or("gains are left to run time")?;
         let flow = Flow::new(&gains).ok_or("the gains are beyond the range of doubles")?;
-        let clock = Clock::new(campaign, (spec.n + 1).max(3), &flow.rate);
+        let clock = Clock::new(campaign, spec.n + BEYOND, &flow.rate);
         let clock = clock.ok_or("the mapping does not scale with tau, which is an interval")?;
         let exact = |value: f64| BigRational::from_float(value).ok_or("a bound is no number");
         let until = exact(campaign.until)?;
@@ -140,6 +159,7 @@ impl Prover {
             bounds: Bounds::new(campaign, values, &gain),
             until,
             tau: [exact(campaign.tau.0)?, exact(campaign.tau.1)?],
+            emitted: None,
         })
     }
 
@@ -152,10 +172,13 @@ impl Prover {
             }
             _ => self.run(),
         };
+        // Where an expression has its pole at an end of a cell its middle has a value for ever.
+        let least = BigRational::new(1.into(), BigInt::from(1) << NARROW);
         for _ in 0..MOST {
             let Some((share, tau)) = left.pop() else { return Ok(()) };
-            if self.holds(&aim, &share, &tau)?.is_ok() {
-                continue;
+            let Err(why) = self.holds(&aim, &share, &tau)? else { continue };
+            if [&share, &tau].iter().all(|[low, high]| high - low <= low * &least) {
+                return Err(why.at(&share, &tau));
             }
             // What does not hold in the middle is not proved by smaller cells.
             let ([first, _], [second, _]) = (halved(&share), halved(&tau));
@@ -180,14 +203,28 @@ impl Prover {
         tau: &[BigRational; 2],
     ) -> Result<Result<(), Why>, String> {
         let cell = self.closed.cell(share).ok_or_else(|| spent(share, tau))?;
-        Ok(cell.ok_or(Why::NotEnclosed).and_then(|cell| self.bounds.holds(aim, &cell, tau)))
+        // Where the rounding is not bounded the scope of a proof says so.
+        let rounding = self.emitted.as_ref().and_then(|emitted| emitted.error(share));
+        let rounding = rounding.unwrap_or(0.0);
+        let cell = cell.ok_or(Why::NotEnclosed);
+        Ok(cell.and_then(|cell| self.bounds.holds(aim, &cell, tau, rounding)))
     }
 
-    /// Cells of all of a run, in each of which T at most doubles; the first is the last of these.
+    /// What x_1..x_n are within over a cell; none where they are not bounded.
+    fn states(
+        &mut self,
+        share: &[BigRational; 2],
+        tau: &[BigRational; 2],
+    ) -> Option<Vec<[f64; 2]>> {
+        let cell = self.closed.cell(share)??;
+        self.bounds.states(&cell, tau)
+    }
+
+    /// Cells of all of a run, in each of which T falls by an eighth; the first is the last of these.
     fn run(&self) -> Vec<Box> {
         let (mut cells, mut high) = (Vec::new(), integer(1));
         while high > self.until {
-            let low = (&high / integer(2)).max(self.until.clone());
+            let low = (&high * integer(7) / integer(8)).max(self.until.clone());
             cells.push(([low.clone(), high], self.tau.clone()));
             high = low;
         }
