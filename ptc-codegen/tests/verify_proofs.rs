@@ -4,7 +4,21 @@
 mod support;
 
 use nalgebra::{DMatrix, DVector};
-use ptc_codegen::verify::{self, Campaign};
+use ptc_codegen::verify::bound::Proof;
+use ptc_codegen::verify::{self, Campaign, Trial};
+
+/// Whether each objective is proved.
+fn proved(text: &str) -> Vec<bool> {
+    verify::bound::proved(&campaign(text)).iter().map(Proof::is_proved).collect()
+}
+
+/// Why the first objective is not proved.
+fn why(text: &str) -> String {
+    match &verify::bound::proved(&campaign(text))[0] {
+        Proof::NotProved { why } => why.clone(),
+        proved => panic!("{proved:?}: {text}"),
+    }
+}
 
 fn campaign(text: &str) -> Campaign {
     let (spec, plant) = support::design(text);
@@ -229,9 +243,9 @@ fn what_is_proved_is_what_dense_samples_show() {
             text.push_str(&format!("[[objective]]\nbound = \"state\"\nsigma = {sigma}\n"));
             text.push_str(&format!("[[objective]]\nbound = \"attractive\"\nerror = {error}\n"));
         }
-        let proved = verify::bound::proved(&campaign(&text));
+        let found = proved(&text);
         let expected = [[true; 4], [false; 4]].concat();
-        assert_eq!(proved, expected, "round {round}, peaks {peaks:?}\n{text}");
+        assert_eq!(found, expected, "round {round}, peaks {peaks:?}\n{text}");
         // A bound of u stands before all.
         if round % 4 > 0 {
             continue;
@@ -239,8 +253,8 @@ fn what_is_proved_is_what_dense_samples_show() {
         for (factor, expected) in [(1.1, &[true, true, true, true][..]), (0.98, &[false; 4])] {
             let bounded =
                 text.replace("[params]\n", &format!("[params]\nu_max = {}\n", factor * peaks[0]));
-            let proved = verify::bound::proved(&campaign(&bounded));
-            assert_eq!(&proved[..4], expected, "round {round}, u_max\n{bounded}");
+            let found = proved(&bounded);
+            assert_eq!(&found[..4], expected, "round {round}, u_max\n{bounded}");
         }
     }
 }
@@ -298,8 +312,8 @@ fn a_disturbance_is_held_against_its_worst_signal() {
             ));
         }
         let text = design(&objectives);
-        let proved = verify::bound::proved(&campaign(&text));
-        assert_eq!(proved, [true, true, false, false], "round {round}, {peaks:?}\n{text}");
+        let found = proved(&text);
+        assert_eq!(found, [true, true, false, false], "round {round}, {peaks:?}\n{text}");
     }
 }
 
@@ -311,16 +325,209 @@ fn until_share(until: f64, i: u32, last: u32) -> f64 {
 /// u is 3 - 6T and 1 - 3T from (1, 0) and (0, 1): at most 5 - dt in size together.
 #[test]
 fn bounds_in_t_begin_at_t0() {
-    let proved = |upsilon: &str| {
+    let of = |upsilon: &str| {
         let text = format!(
             "n = 2\nmu = \"exp(a=1)\"\ng = 2\npoles = [-2, -3]\n[params]\ntau = 1\nt0 = 10\n\
              [plant]\nf = 0\n[verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\n\
              [[objective]]\nbound = \"input\"\nupsilon = \"{upsilon}\"\n"
         );
-        verify::bound::proved(&campaign(&text))
+        proved(&text)
     };
-    assert_eq!(proved("15.001 - t"), [true]);
-    assert_eq!(proved("5.001 - (t - t0)"), [true]);
-    assert_eq!(proved("5.001 - t"), [false]);
-    assert_eq!(proved("14.99 - t"), [false]);
+    assert_eq!(of("15.001 - t"), [true]);
+    assert_eq!(of("5.001 - (t - t0)"), [true]);
+    assert_eq!(of("5.001 - t"), [false]);
+    assert_eq!(of("14.99 - t"), [false]);
+}
+
+/// The loop of which x1 = x1_0 (5 T^4 - 4 T^5) and x2 = x1_0 (-20 T^3 + 20 T^4), so that x2 = -2.109375
+/// at T = 3/4, its least.
+fn of_two(objectives: &str) -> String {
+    format!(
+        "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n[params]\ntau = 1\n[plant]\nf = 0\n[verify]\n\
+         x1 = [-1, 1]\nx2 = 0\n{objectives}"
+    )
+}
+
+fn within(h: &str, bounds: &str) -> String {
+    of_two(&format!("[[objective]]\nbound = \"within\"\nh = \"{h}\"\n{bounds}"))
+}
+
+#[test]
+fn what_jumps_or_has_no_value_is_not_proved() {
+    for h in [
+        "sign(-2.1093745 - x2)",
+        "sqrt(x2 + 2.1093745)",
+        "sqrt(x2 + 2.1093745)^2",
+        "ln(x2 + 2.1093745)",
+        "exp(ln(x2 + 2.1093745))",
+        "(x2 + 2.1093745)^0.5",
+        "(x2 + 2.1093745)^1.5",
+        "(x2 + 2.1093745)^pi",
+        "0.1*atan(1/(x2 + 2.109375))",
+        "(x2 + 2)/(x2 + 2)",
+        "(x2 + 2)^2*(x2 + 2)^(-2)",
+        "x2*ln(x2 + 2.1093745)/ln(x2 + 2.1093745)",
+        "0*x1 + x2 - x2 + atanh(x2/2.1093745)/1e9",
+        "tan(x2)/1e9",
+        "1/x2",
+        "max(0, sqrt(x2 + 2.1093745))",
+        "min(0, ln(x2 + 2.1093745))",
+        "atan(1/x1)",
+        "exp(-1/x1^2)",
+        "x1^(-2) - x1^(-2)",
+        "abs(x2 + 2.1093745)/(x2 + 2.1093745)",
+        "max(x2, -2.1093745)/(x2 + 2.1093745) - 1",
+        "tanh(1/(x1 - 0.5))",
+    ] {
+        let text = within(h, "high = 2.5");
+        if h.starts_with("sign") {
+            assert_eq!(proved(&within(h, "high = 0.5")), [false], "{h}");
+        } else {
+            assert_eq!(proved(&text), [false], "{h}");
+        }
+    }
+    // The same functions where they exist.
+    for (h, high) in [
+        ("sign(-2.2 - x2)", 0.5),
+        ("sqrt(x2 + 2.2)", 2.2),
+        ("sqrt(x2 + 2.2)^2", 4.6),
+        ("ln(x2 + 2.2)", 1.5),
+        ("(x2 + 2.2)^1.5", 9.5),
+        ("1/(x2 + 2.2)", 12.0),
+        ("(x2 + 2.2)/(x2 + 2.2)", 1.001),
+        ("tan(x2/2)", 2.0),
+        ("atanh(x2/2.2)", 2.0),
+        ("abs(x1 + x2)", 1.7),
+        ("max(x1, x2)", 2.2),
+        ("exp(-x2)", 8.5),
+        ("x1^2", 1.01),
+        ("x2^2/x1_0^2*x1_0^2 - 1", 3.6),
+    ] {
+        let expected = !h.contains("x1_0");
+        assert_eq!(proved(&within(h, &format!("high = {high}"))), [expected], "{h}");
+    }
+    for bound in ["sqrt(T/tau - 0.5)", "ln(dt)", "1/(T - 0.5*tau)", "(t - 0.5)^0.5", "tan(3*dt)"] {
+        for (kind, rest) in [("input", "upsilon"), ("state", "sigma = 1e9\nzeta")] {
+            let text = format!("[[objective]]\nbound = \"{kind}\"\n{rest} = \"1e9 + {bound}\"\n");
+            assert_eq!(proved(&of_two(&text)), [false], "{kind} {bound}");
+        }
+        assert_eq!(proved(&within("x1", &format!("high = \"1e9 + {bound}\""))), [false], "{bound}");
+        assert_eq!(proved(&within("x1", &format!("low = \"{bound} - 1e9\""))), [false], "{bound}");
+    }
+    let least = within("x2", "low = \"-3 + sqrt(dt) + 0*ln(t + 1)\"");
+    assert_eq!(proved(&least), [true], "{}", why(&least));
+    let text = within("sqrt(x2 + 2.1093745)", "high = 2.5");
+    assert!(
+        why(&text).contains("sqrt(x2 + 2.1093745) may have no value at T/tau = 0."),
+        "{}",
+        why(&text)
+    );
+}
+
+/// A sample at which a value or a bound is no number fails, whatever stands around it.
+#[test]
+fn what_has_no_value_fails_a_sample() {
+    for (h, bounds) in [
+        ("max(0, sqrt(x2 + 2))", "high = 9"),
+        ("min(1, ln(x2 + 2))", "high = 9"),
+        ("atan(1/(x1 - x1))", "high = 9"),
+        ("sqrt(x2 + 2)^2", "high = 9"),
+        ("x1", "low = \"ln(-1 - dt)\"\nhigh = 9"),
+        ("x1", "low = -9\nhigh = \"max(9, sqrt(T - 0.5))\""),
+    ] {
+        let campaign = campaign(&format!("{}", within(h, bounds)));
+        let mut trial = Trial::new(&campaign).expect("a trial");
+        // Scenario 0 is a corner of the box.
+        let outcome = trial.run(&campaign.setting(&campaign.scenario(0)));
+        let failed = outcome.excess[0] == f64::INFINITY;
+        let from_one = campaign.setting(&campaign.scenario(0)).x0[0] == 1.0;
+        assert!(failed || !from_one && h.contains("x2"), "{h} {bounds}: {outcome:?}");
+    }
+}
+
+#[test]
+fn the_same_bound_has_the_same_verdict_in_every_spelling() {
+    for (zeta, expected) in [("T/tau", false), ("sqrt(T/tau)", true)] {
+        for share in
+            ["T/tau", "(1 - dt/tau)", "(tau - dt)/tau", "(1 - (t - t0)/tau)", "(t0 + tau - t)/tau"]
+        {
+            let zeta = zeta.replace("T/tau", share);
+            let text = of_two(&format!(
+                "[[objective]]\nbound = \"state\"\nsigma = 3\nzeta = \"{zeta}\"\n"
+            ));
+            let several = text
+                .replace("[params]\ntau = 1\n", "[params]\n")
+                .replace("x2 = 0\n", "x2 = 0\ntau = [0.9, 1.1]\n");
+            assert_eq!(proved(&text), [expected], "{zeta}");
+            assert_eq!(proved(&several), [expected], "{zeta}, several tau");
+        }
+    }
+    for h in [
+        "x1 + x2",
+        "x2 - (-x1)",
+        "2*(x1/2 + x2/2)",
+        "(x1 + x2)^2 - (x1 + x2)^2 + x1 + x2",
+        "(x1 + x2)*T/tau + dt/tau*(x2 + x1)",
+    ] {
+        assert_eq!(proved(&within(h, "high = 1.65")), [true], "{h}");
+        assert_eq!(proved(&within(h, "high = 1.5")), [false], "{h}");
+    }
+    assert_eq!(proved(&within("(x1^2 - x2^2)/(x1 - x2)", "high = 9")), [false], "it divides by 0");
+}
+
+#[test]
+fn what_is_not_proved_says_why() {
+    let with = |from: &str, to: &str| {
+        why(&of_two("[[objective]]\nbound = \"input\"\nupsilon = 100\n").replace(from, to))
+    };
+    let u_max = "[params]\nu_max = 1\n";
+    for (from, to, expected) in [
+        ("poles = [-4, -5]", "pi0 = \"-20*xi1 - 9*xi2 - xi1^3\"", "pi0 is not a sum of gains"),
+        ("f = 0", "f = \"x2\"", "f = x2 is not a sum of bounded symbols"),
+        ("f = 0", "f = 0\ng = 2", "the plant's g = 2 is not the number"),
+        ("upsilon = 100", "upsilon = 19", "no room is left at T/tau = "),
+        ("upsilon = 100", "upsilon = \"100 + ln(T - 0.5)\"", "may have no value at T/tau = "),
+        ("[params]\n", u_max, "u may be clipped by u_max: no room is left"),
+    ] {
+        let why = with(from, to);
+        assert!(why.contains(expected), "{to}: {why}");
+    }
+}
+
+#[test]
+fn a_proof_is_about_the_emitted_program() {
+    let of = |precision: &str, upsilon: &str| {
+        let text = of_two(&format!("[[objective]]\nbound = \"input\"\nupsilon = {upsilon}\n"));
+        format!("precision = \"{precision}\"\n{text}")
+    };
+    // |u| is 20 at t0, which f32 rounds by some 1e-6.
+    assert_eq!(proved(&of("f64", "20.000002")), [true]);
+    assert_eq!(proved(&of("f32", "20.000002")), [false]);
+    assert_eq!(proved(&of("f32", "20.1")), [true]);
+    for (precision, least, most) in [("f32", 1e-7, 1e-3), ("f64", 1e-16, 1e-12)] {
+        let found = &verify::bound::proved(&campaign(&of(precision, "21")))[0];
+        let Proof::Proved { scope } = found else { panic!("{found:?}") };
+        let words: Vec<_> = scope.split(' ').collect();
+        let number = words.iter().position(|word| *word == "within").expect("a bound") + 1;
+        let error: f64 = words[number].parse().expect("a number");
+        assert!(
+            scope
+                .contains(&format!("the emitted {precision} program stays in range there, within"))
+        );
+        assert!((least..most).contains(&error), "{scope}");
+    }
+    // K/T^4 is beyond f32 throughout.
+    let fast = |precision: &str| {
+        format!(
+            "n = 4\nprecision = \"{precision}\"\nmu = \"exp(a=1)\"\npoles = [-5, -6, -7, -8]\n[params]\n\
+             tau = 1e-9\n[plant]\nf = 0\n[verify]\nx1 = [-1, 1]\nx2 = 0\nx3 = 0\nx4 = 0\n\
+             [[objective]]\nbound = \"within\"\nh = \"x1\"\nhigh = 2\n"
+        )
+    };
+    assert_eq!(proved(&fast("f64")), [true]);
+    assert!(why(&fast("f32")).contains("may leave the range of f32"), "{}", why(&fast("f32")));
+    let iterated = of("f64", "1e3").replace("exp(a=1)", "exp_sum(rates=[1, 2])");
+    let found = &verify::bound::proved(&campaign(&iterated))[0];
+    let Proof::Proved { scope } = found else { panic!("{found:?}") };
+    assert!(scope.contains("the rounding of its iteration is not included"), "{scope}");
 }

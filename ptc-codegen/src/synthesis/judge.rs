@@ -89,7 +89,7 @@ pub(super) fn verify(campaign: &Campaign, trial: &Trial) -> Verdict {
     let mut verdict =
         Verdict { worst, proved: Vec::new(), difference, tolerance: campaign.tolerance };
     if verdict.holds() {
-        verdict.proved = bound::proved(campaign);
+        verdict.proved = bound::proved(campaign).iter().map(bound::Proof::is_proved).collect();
     }
     verdict
 }

@@ -7,6 +7,7 @@
 //! [`search`] goes on from the worst one. [`record`] keeps one row a scenario.
 
 pub mod bound;
+mod existence;
 mod keys;
 pub mod objective;
 mod read;

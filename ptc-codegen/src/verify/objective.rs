@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::existence::{self, Condition};
 use crate::expression::Expression;
 use crate::lower;
 use crate::program::machine::{Machine, Slot};
@@ -57,6 +58,11 @@ impl Kind {
             Self::Attractive { .. } => "attractive",
             Self::Within { .. } => "within",
         }
+    }
+
+    /// The parts of its expressions that have to be something for it to have a value.
+    fn needs(&self) -> Vec<(Expression, Condition)> {
+        self.expressions().into_iter().flat_map(existence::needs).collect()
     }
 
     /// The expressions in it, in the order of their values.
@@ -117,6 +123,8 @@ pub struct Level {
 #[derive(Clone, Debug)]
 pub(super) struct Observer {
     kinds: Vec<Kind>,
+    /// What parts of each kind's expressions have to be for these to have a value.
+    conditions: Vec<Vec<Condition>>,
     machine: Machine,
     watched: Vec<Value>,
     time: Option<Slot>,
@@ -129,7 +137,9 @@ impl Observer {
     pub(super) fn new(spec: &Spec, objectives: &[Objective]) -> Self {
         let spec = Spec { precision: Precision::F64, ..spec.clone() };
         let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
-        let expressions: Vec<_> = kinds.iter().flat_map(Kind::expressions).collect();
+        let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
+        let parts = needs.iter().flatten().map(|(part, _)| part);
+        let expressions: Vec<_> = kinds.iter().flat_map(Kind::expressions).chain(parts).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
         let machine = Machine::new(&program, &program.watched);
         Self {
@@ -138,6 +148,7 @@ impl Observer {
             control: machine.slot(Input::Control),
             watched: program.watched,
             machine,
+            conditions: needs.iter().map(|own| own.iter().map(|(_, one)| *one).collect()).collect(),
             kinds,
             size_at_start: f64::NAN,
         }
@@ -182,8 +193,9 @@ impl Observer {
         self.machine.run(Stage::Step, None);
         let mut values = self.watched.iter().map(|value| self.machine.get(*value));
         let mut next = || values.next().unwrap_or(f64::NAN);
-        for (index, kind) in self.kinds.iter().enumerate() {
-            let level = match kind {
+        let mut levels = Vec::with_capacity(self.kinds.len());
+        for kind in &self.kinds {
+            levels.push(match kind {
                 Kind::State { sigma, .. } => {
                     Level::below(norm(x), Some(sigma * self.size_at_start * next()))
                 }
@@ -194,7 +206,13 @@ impl Observer {
                     low: low.as_ref().map(|_| next()),
                     high: high.as_ref().map(|_| next()),
                 },
-            };
+            });
+        }
+        for (index, (kind, mut level)) in self.kinds.iter().zip(levels).enumerate() {
+            let conditions = self.conditions[index].iter();
+            if conditions.filter(|condition| !condition.holds(next())).count() > 0 {
+                level.value = f64::NAN;
+            }
             visit(index, kind, level);
         }
     }
@@ -206,13 +224,15 @@ impl Level {
     }
 
     fn excess(self, kind: &Kind) -> f64 {
+        // A value or a bound that does not exist holds nothing.
+        if ![Some(self.value), self.low, self.high].into_iter().flatten().all(f64::is_finite) {
+            return f64::INFINITY;
+        }
         let excess = match kind {
             Kind::Within { .. } => {
                 let below = self.low.map(|low| low - self.value);
                 let above = self.high.map(|high| self.value - high);
-                let excess = [below, above].into_iter().flatten();
-                // No number is within no bounds, and max would pass over it.
-                excess.fold(f64::NEG_INFINITY, |a, b| if a >= b { a } else { b })
+                [below, above].into_iter().flatten().fold(f64::NEG_INFINITY, f64::max)
             }
             _ => self.high.map_or(f64::NEG_INFINITY, |high| over(self.value, high)),
         };

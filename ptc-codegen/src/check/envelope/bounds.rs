@@ -7,7 +7,7 @@ use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 
 /// A program's values as intervals.
 #[derive(Clone)]
-pub(super) struct Bounds<'a> {
+pub(crate) struct Bounds<'a> {
     program: &'a Program,
     input: &'a dyn Fn(Input) -> Interval,
     known: Vec<Option<Interval>>,
@@ -18,7 +18,7 @@ pub(super) struct Bounds<'a> {
 
 impl<'a> Bounds<'a> {
     /// The bounds of what is known before time is.
-    pub(super) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Interval) -> Self {
+    pub(crate) fn new(program: &'a Program, input: &'a dyn Fn(Input) -> Interval) -> Self {
         let late = program.limits.late;
         let mut held = vec![late];
         if let Op::Min(a, b) = program.get(late).op {
@@ -36,7 +36,7 @@ impl<'a> Bounds<'a> {
 
     /// The bounds for time-to-go from `low` to `high`. Time itself is not needed: `late` is set, as
     /// the digits it has left near the deadline would be lost in an interval of t - deadline.
-    pub(super) fn at(&self, low: f64, high: f64) -> Self {
+    pub(crate) fn at(&self, low: f64, high: f64) -> Self {
         let mut bounds = self.clone();
         for held in &self.held {
             bounds.known[held.0] = Some(outward(-high, -low, self.program.precision));
@@ -44,13 +44,19 @@ impl<'a> Bounds<'a> {
         bounds
     }
 
+    /// What stands for a stretch of time-to-go.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn held(&self) -> &[Value] {
+        &self.held
+    }
+
     /// The bound of a value that has been computed.
-    pub(super) fn get(&self, value: Value) -> Interval {
+    pub(crate) fn get(&self, value: Value) -> Interval {
         self.known[value.0].unwrap_or(Interval::ANY)
     }
 
     /// Computes what `roots` need and returns the first value that may leave the range.
-    pub(super) fn first_excess(&mut self, roots: &[Value]) -> Option<Value> {
+    pub(crate) fn first_excess(&mut self, roots: &[Value]) -> Option<Value> {
         let needed = self.needed(roots);
         for value in &needed {
             if self.known[value.0].is_none() && !self.program.get(*value).looped {
@@ -62,7 +68,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// Gives the gains, once computed, to what `axis` takes as inputs.
-    pub(super) fn hand_over_gains(&mut self) {
+    pub(crate) fn hand_over_gains(&mut self) {
         for (index, definition) in self.program.values.iter().enumerate() {
             if let Op::Input(Input::Gain(j)) = definition.op {
                 self.known[index] = Some(self.get(self.program.gains[j - 1]));
@@ -71,7 +77,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// The values needed for `roots`, without what only serves those that are held.
-    fn needed(&self, roots: &[Value]) -> Vec<Value> {
+    pub(crate) fn needed(&self, roots: &[Value]) -> Vec<Value> {
         let mut wanted = vec![false; self.known.len()];
         for root in roots {
             wanted[root.0] = true;

@@ -45,7 +45,7 @@ impl Interval {
 /// turn at 0: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
 /// the program rounds bound what it computes, with nothing to add. The functions of a library are
 /// taken to be exact to two units in the last place.
-pub(super) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Interval {
+pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Interval {
     if matches!(op, Op::Input(_) | Op::Unknown | Op::Root(_) | Op::Law(_)) {
         return Interval::ANY;
     }
@@ -122,7 +122,7 @@ fn down(value: f64, precision: Precision) -> f64 {
 }
 
 /// The numbers of `precision` nearest to `low` and `high` that hold both between them.
-pub(super) fn outward(low: f64, high: f64, precision: Precision) -> Interval {
+pub(crate) fn outward(low: f64, high: f64, precision: Precision) -> Interval {
     let below = |value: f64| {
         let rounded = number::settle(value, precision);
         if rounded <= value { rounded } else { down(rounded, precision) }

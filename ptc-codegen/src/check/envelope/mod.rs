@@ -7,14 +7,20 @@
 //! Two things are taken on trust: that a library's functions are exact to two units in the last place,
 //! and that an iteration ends no further from its root than its last step may be long.
 
-mod bounds;
+pub(crate) mod bounds;
 mod interval;
 mod report;
 
 pub use interval::Interval;
+#[cfg(feature = "campaign")]
+pub(crate) use interval::{apply, outward};
 
 use bounds::Bounds;
-use report::{describe, input_name};
+#[cfg(feature = "campaign")]
+pub(crate) use report::describe;
+#[cfg(not(feature = "campaign"))]
+use report::describe;
+use report::input_name;
 
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Value, number};

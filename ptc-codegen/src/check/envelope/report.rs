@@ -6,7 +6,7 @@ use crate::program::{Input, Op, Program, Value, number};
 use crate::spec::Precision;
 
 /// The name of a value, else its expression.
-pub(super) fn describe(program: &Program, value: Value) -> String {
+pub(crate) fn describe(program: &Program, value: Value) -> String {
     let text = expression(program, value, 2);
     let inner = text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
     inner.map_or(text.clone(), str::to_owned)

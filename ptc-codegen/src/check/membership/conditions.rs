@@ -1,6 +1,7 @@
 //! The value at the start, the limit at the deadline, and smoothness between them.
 
 use super::Verdict;
+use super::enclosure::Existence;
 use super::pieces::{Wanted, left_open};
 use super::problem::Problem;
 use super::smooth::needs;
@@ -30,7 +31,7 @@ impl Problem<'_> {
         }
         let (names, spelt) = self.sample();
         match self.evaluator.value(&value, &names) {
-            Some(found) if found.is_undefined => Verdict::Refuted {
+            Some(found) if found.existence == Existence::Never => Verdict::Refuted {
                 at: format!("{at}, {spelt}"),
                 why: format!("{name} has no value"),
             },

@@ -3,6 +3,7 @@
 use num_traits::{Signed, Zero};
 
 use super::Verdict;
+use super::enclosure::Existence;
 use super::pieces::Wanted;
 use super::problem::Problem;
 use crate::algebra::{BigRational, integer};
@@ -113,10 +114,10 @@ impl Problem<'_> {
             names.insert(self.v.into(), Interval::exact(&point));
             let at = format!("{}, {spelt}", self.at(&point));
             let slope = self.evaluator.value(&self.slope.clone(), &names)?;
-            if slope.is_undefined {
+            if slope.existence == Existence::Never {
                 return Some(Verdict::Refuted { at, why: format!("{name} has no value") });
             }
-            if slope.interval.is_not_negative() && !slope.may_divide_by_zero {
+            if slope.interval.is_not_negative() && slope.existence == Existence::Certain {
                 return Some(Verdict::Refuted { at, why: format!("{name}' is not positive") });
             }
             let value = self.evaluator.value(&self.falling.clone(), &names)?.interval;

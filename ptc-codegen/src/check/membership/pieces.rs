@@ -1,6 +1,6 @@
 //! A sign on all of an interval, by halving it until an enclosure tells.
 
-use super::enclosure::{Evaluator, Names};
+use super::enclosure::{Evaluator, Existence, Names};
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable};
@@ -49,7 +49,7 @@ pub(super) fn left_open(
             Wanted::Positive => value.interval.is_positive(),
             Wanted::NotZero => !value.interval.has_zero(),
         };
-        if known && !value.is_undefined {
+        if known && value.existence <= Existence::ButAtPoles {
             continue;
         }
         if depth >= MAX_DEPTH || pieces >= MAX_PIECES {

@@ -1,5 +1,6 @@
 //! The verdict, and the worst trajectory.
 
+use ptc_codegen::verify::bound::Proof;
 use ptc_codegen::verify::search::Found;
 use ptc_codegen::verify::{Campaign, Instant, Kind, Scenario, Tally, Trial, Worst as Drawn};
 
@@ -31,7 +32,7 @@ pub(super) struct Verdict {
 /// An objective, judged.
 pub(super) struct Judged {
     pub(super) holds: bool,
-    pub(super) verdict: &'static str,
+    pub(super) verdict: String,
     /// What it was judged by.
     pub(super) details: Vec<String>,
 }
@@ -59,7 +60,7 @@ pub(super) fn verdict(
     campaign: &Campaign,
     trial: &mut Trial,
     tally: &Tally,
-    (worst, proved): (&[Worst], &[bool]),
+    (worst, proofs): (&[Worst], &[Proof]),
 ) -> Result<Verdict, Failure> {
     let runs: usize = worst.iter().map(|worst| worst.found.runs).sum();
     let run = format!(
@@ -72,12 +73,17 @@ pub(super) fn verdict(
         let failed = tally.failed[index];
         let fails = worst.found.excess > 0.0;
         holds &= !fails;
-        let verdict = match (fails, proved[index]) {
-            (true, _) => "fails",
-            (false, true) => "holds, proved by intervals for every x0, tau and T",
-            (false, false) => "holds, by sampling",
+        let verdict = match (fails, &proofs[index]) {
+            (true, _) => "fails".to_owned(),
+            (false, Proof::Proved { scope }) => {
+                format!("holds, proved by intervals for every x0, tau and T, {scope}")
+            }
+            (false, Proof::NotProved { .. }) => "holds, by sampling".to_owned(),
         };
         let mut details = Vec::new();
+        if let (false, Proof::NotProved { why }) = (fails, &proofs[index]) {
+            details.push(format!("not proved: {why}"));
+        }
         if failed > 0 {
             details.push(format!("{failed} of {} scenarios fail it", tally.scenarios));
         }

@@ -155,6 +155,12 @@ impl Interval {
         !self.low.is_inf() && !self.high.is_inf()
     }
 
+    /// Whether neither end is beyond the greatest double.
+    pub(crate) fn is_within_doubles(&self) -> bool {
+        let within = |end: &BigFloat| !end.is_inf() && end.exponent().is_none_or(|e| e <= 1024);
+        within(&self.low) && within(&self.high)
+    }
+
     /// Whether 0 is in it.
     pub(crate) fn has_zero(&self) -> bool {
         !self.is_positive() && !self.is_negative()
@@ -197,6 +203,12 @@ impl Interval {
     /// The least interval that holds both.
     pub(crate) fn hull(&self, other: &Self) -> Self {
         Self::new(self.low.min(&other.low), self.high.max(&other.high))
+    }
+
+    /// The numbers that both hold, of which there is one at least.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn common(&self, other: &Self) -> Self {
+        Self { low: self.low.max(&other.low), high: self.high.min(&other.high) }
     }
 
     /// -a.

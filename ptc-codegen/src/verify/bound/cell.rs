@@ -14,12 +14,20 @@ use super::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 
-/// What is known of the loop over a cell.
+/// Derivatives of x_1 beyond that of g u: cells are as wide as a Taylor series of as many allows.
+pub(super) const BEYOND: usize = 6;
+
+/// What is known of the loop over a cell: x_1..x_n and g u, each by its slope along x_1..x_n at t0, and
+/// what f adds.
 pub(super) struct Cell {
     /// Least and greatest T/tau.
     pub(super) share: [BigRational; 2],
-    /// x_1..x_n and g u over the cell, each by its slope along x_1..x_n at t0, and what f adds.
-    pub(super) rows: Rows,
+    /// Half its width.
+    pub(super) half: Range,
+    /// In the middle, and their derivatives there; f counts as what it adds anywhere in the cell.
+    pub(super) middle: [Rows; 2],
+    /// All over the cell, with the first and the second derivative.
+    pub(super) over: [Rows; 3],
 }
 
 /// The loop in units of tau.
@@ -61,15 +69,16 @@ impl Loop {
         Some(self)
     }
 
-    /// What is known over a cell; none where nothing is, or no more cells may be looked at.
-    pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Rc<Cell>> {
+    /// What is known over a cell, if anything; none where no more cells may be looked at.
+    #[allow(clippy::option_option)]
+    pub(super) fn cell(&mut self, share: &[BigRational; 2]) -> Option<Option<Rc<Cell>>> {
         if let Some(known) = self.cells.get(share) {
-            return known.clone();
+            return Some(known.clone());
         }
         self.left = self.left.checked_sub(1)?;
         let cell = self.enclosed(share).map(Rc::new);
         self.cells.insert(share.clone(), cell.clone());
-        cell
+        Some(cell)
     }
 
     fn enclosed(&mut self, share: &[BigRational; 2]) -> Option<Cell> {
@@ -92,14 +101,9 @@ impl Loop {
         let at_point = self.table(&point, &here)?;
         let over_cell = self.table(&wide, &during)?;
         let centre = self.flow.derivatives(&point, &at_point, at_middle);
-        let mut rows = self.flow.derivatives(&wide, &over_cell, of_cell);
+        let rows = self.flow.derivatives(&wide, &over_cell, of_cell);
         let moved = Range::from(&point.plus(&wide.neg()));
-        for i in (0..rows.len() - 1).rev() {
-            for c in 0..rows[i].len() {
-                let by_slope = centre[i][c] + moved * rows[i + 1][c];
-                rows[i][c] = rows[i][c].common(by_slope);
-            }
-        }
+        let rows = by_series(&centre, rows, moved);
         let added = match self.drift {
             None => vec![Range::from(0.0); rows.len()],
             Some([drift, most]) => {
@@ -116,15 +120,45 @@ impl Loop {
                 signed.into_iter().zip(size).map(one).collect()
             }
         };
-        rows.iter_mut().zip(added).for_each(|(row, added)| row.push(added));
-        rows.pop();
-        Some(Cell { share: share.clone(), rows })
+        let n = self.n;
+        let with = |rows: &Rows, from: usize, added: &dyn Fn(usize) -> Range| -> Rows {
+            let row = |i: usize| [&rows[i][..], &[added(i)]].concat();
+            (from..=n + from).map(row).collect()
+        };
+        let (all, none) = (|i: usize| added[i], |_| Range::from(0.0));
+        let half = if low == high {
+            Range::from(0.0)
+        } else {
+            Range::from(&Interval::exact(&((high - low) / integer(2))))
+        };
+        Some(Cell {
+            share: share.clone(),
+            half,
+            middle: [with(&centre, 0, &all), with(&centre, 1, &none)],
+            over: [with(&rows, 0, &all), with(&rows, 1, &none), with(&rows, 2, &none)],
+        })
     }
 
-    /// B_{i,j} w^i, for x_1 and its first n + 1 derivatives.
+    /// B_{i,j} w^i, for x_1 and its derivatives.
     fn table(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
-        let mut table = self.clock.bell(share, stretched)?;
-        table.truncate(self.n + 2);
-        Some(table)
+        self.clock.bell(share, stretched)
     }
+}
+
+/// x_1 and its derivatives all over a cell, by the Taylor series of each around the middle, the last
+/// derivative of which is that of the cell.
+fn by_series(centre: &Rows, mut rows: Rows, moved: Range) -> Rows {
+    let end = rows.len() - 1;
+    for i in 0..end {
+        for c in 0..rows[i].len() {
+            let mut sum = rows[end][c];
+            let mut order = f64::from(u32::try_from(end - i).unwrap_or(u32::MAX));
+            for row in centre[i..end].iter().rev() {
+                sum = row[c] + moved / Range::from(order) * sum;
+                order -= 1.0;
+            }
+            rows[i][c] = rows[i][c].common(sum);
+        }
+    }
+    rows
 }

@@ -5,6 +5,7 @@ use std::ops::Add;
 
 use super::Campaign;
 use super::flow::Rows;
+use super::form::Values;
 use super::range::Range;
 use super::series::{Arithmetic, Series, product};
 use crate::algebra::{BigInt, BigRational, integer};
@@ -31,7 +32,7 @@ pub(super) struct Clock {
 }
 
 /// The values of what is fixed in a design.
-pub(super) fn values(campaign: &Campaign) -> BTreeMap<Parameter, BigRational> {
+pub(super) fn values(campaign: &Campaign) -> Values {
     let fixed = campaign.spec.fixed.iter().chain(&campaign.plant.fixed);
     fixed.filter_map(|(name, value)| Some((*name, Fixed::number(value)?.clone()))).collect()
 }

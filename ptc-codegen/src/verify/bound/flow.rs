@@ -151,10 +151,10 @@ impl Flow {
         next
     }
 
-    /// x_1 and its first n + 1 derivatives by time, from xi and B_{i,j} w^i.
+    /// x_1 and its derivatives by time, from xi and B_{i,j} w^i.
     pub(super) fn derivatives(&self, share: &Interval, table: &Rows, mut xi: Rows) -> Rows {
         let n = xi.len();
-        for i in 0..2 {
+        for i in 0..table.len() - n {
             let next = self.last(&xi[i..n + i]);
             xi.push(next);
         }

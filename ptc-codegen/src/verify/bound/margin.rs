@@ -2,9 +2,11 @@
 
 use std::ops::Add;
 
+use num_traits::ToPrimitive;
+
 use super::cell::Cell;
-use super::clock::values;
 use super::flow::{Rows, dot};
+use super::form::{Form, Linear, Part, Values};
 use super::range::Range;
 use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
@@ -24,6 +26,45 @@ pub(super) struct Bounds {
     evaluator: Evaluator,
 }
 
+/// An objective with its expressions in canonical form.
+pub(super) enum Aim {
+    State { sigma: f64, zeta: Form },
+    Input { upsilon: Form },
+    Attractive { error: f64 },
+    Within { h: Form, low: Option<Form>, high: Option<Form> },
+}
+
+impl Aim {
+    pub(super) fn new(kind: &Kind, values: &Values) -> Self {
+        let form = |e: &Expression| Form::new(e, values);
+        match kind {
+            Kind::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: form(zeta) },
+            Kind::Input { upsilon } => Self::Input { upsilon: form(upsilon) },
+            Kind::Attractive { error } => Self::Attractive { error: *error },
+            Kind::Within { h, low, high } => Self::Within {
+                h: form(h),
+                low: low.as_ref().map(form),
+                high: high.as_ref().map(form),
+            },
+        }
+    }
+}
+
+/// Why an objective is not seen to hold over a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Why {
+    /// What is bounded may reach the one number, and its bound may be the other.
+    Exceeded(&'static str, f64, f64),
+    /// An expression may have no value.
+    MayNotExist(String),
+    /// Nothing is known of an expression, or no bound of it.
+    Unknown(String),
+    /// The box has x0 = 0, from where f alone moves x.
+    AtRest,
+    /// The loop is not enclosed there.
+    NotEnclosed,
+}
+
 /// Order from which on the corners of a box are too many.
 const MANY: usize = 9;
 
@@ -31,18 +72,22 @@ fn sum(terms: impl Iterator<Item = Range>) -> Range {
     terms.fold(Range::from(0.0), Range::add)
 }
 
-/// x and u over a cell, in the units of the plant.
+/// x and u over a cell of T/tau and one of tau, in the units of the plant.
+///
+/// To first order in T/tau and tau x and u move between those of the corners of both cells, of which
+/// each holds the rest of second order. What is convex in them, as a norm or a sum is, is greatest at
+/// one of the corners.
 struct Point {
     /// x_1..x_n and u, each by its slope along x_1..x_n at t0, and what f adds.
-    rows: Rows,
+    corners: Vec<Rows>,
     names: Names,
 }
 
 impl Bounds {
-    pub(super) fn new(campaign: &Campaign, gain: &BigRational) -> Option<Self> {
-        let values = values(campaign).into_iter();
+    pub(super) fn new(campaign: &Campaign, values: &Values, gain: &BigRational) -> Self {
+        let values = values.iter();
         let mut names: Names =
-            values.map(|(name, value)| (name.into(), Interval::exact(&value))).collect();
+            values.map(|(name, value)| ((*name).into(), Interval::exact(value))).collect();
         names.entry(Parameter::StartTime.into()).or_insert_with(|| Interval::integer(0));
         let ends = |(low, high): &(f64, f64)| [Range::from(*low), Range::from(*high)];
         let start = campaign.x0.iter().map(ends).map(|[low, high]| low.hull(high));
@@ -60,54 +105,119 @@ impl Bounds {
         }
         corners.iter_mut().for_each(|corner| corner.push(Range::from(1.0)));
         let gain = Range::from(&Interval::exact(gain));
-        Some(Self { n: campaign.spec.n, gain, start, corners, names, evaluator: Evaluator::new() })
+        Self { n: campaign.spec.n, gain, start, corners, names, evaluator: Evaluator::new() }
     }
 
-    /// Whether what is to hold does so for all of a cell, and for all of `tau`.
-    pub(super) fn holds(&mut self, kind: &Kind, cell: &Cell, tau: &[BigRational; 2]) -> bool {
+    /// What stands in the way of an objective over a cell and `tau`, with a u that is off by at most
+    /// `rounding`; it holds on all of both where nothing does.
+    pub(super) fn holds(
+        &mut self,
+        aim: &Aim,
+        cell: &Cell,
+        tau: &[BigRational; 2],
+        rounding: f64,
+    ) -> Result<(), Why> {
         let point = self.point(cell, tau);
-        let known = match kind {
-            Kind::State { sigma, zeta } => self.state(&point, *sigma, zeta),
-            Kind::Input { upsilon } => self.value(upsilon, &point.names).map(|most| {
-                let u = self.along(&point.rows[self.n]);
-                u.both_signs().is_below(most)
-            }),
-            Kind::Attractive { error } => {
-                let most = Range::from(*error).square();
-                Some(self.greatest(&point.rows[..self.n]).is_below(most))
+        match aim {
+            Aim::State { sigma, zeta } => self.state(&point, *sigma, zeta),
+            Aim::Input { upsilon } => {
+                let most = self.value(upsilon, &point)?;
+                let u = self.of_row(&point, self.n).both_signs() + Range::from(rounding);
+                below("|u|", u, most)
             }
-            Kind::Within { h, low, high } => self.within(&point, h, [low, high]),
-        };
-        known.unwrap_or(false)
+            Aim::Attractive { error } => point.corners.iter().try_for_each(|rows| {
+                let size = self.greatest(&rows[..self.n]);
+                squares("|x|", size, Range::from(*error).square())
+            }),
+            Aim::Within { h, low, high } => {
+                let h = self.value(h, &point)?;
+                if let Some(low) = low {
+                    below("-h", -h, -self.value(low, &point)?)?;
+                }
+                match high {
+                    Some(high) => below("h", h, self.value(high, &point)?),
+                    None => Ok(()),
+                }
+            }
+        }
     }
 
     fn point(&self, cell: &Cell, tau: &[BigRational; 2]) -> Point {
         let [low, high] = &cell.share;
         let within = |low: &BigRational, high: &BigRational| Interval::between(low, Some(high));
         let one = integer(1);
-        let elapsed = within(&((&one - high) * &tau[0]), &((&one - low) * &tau[1]));
         let mut names = self.names.clone();
-        names.insert(Variable::TimeToGo.into(), within(&(low * &tau[0]), &(high * &tau[1])));
-        let time = names.get(&Parameter::StartTime.into()).map(|start| start.plus(&elapsed));
-        names.extend(time.map(|time| (Variable::Time.into(), time)));
-        names.insert(Variable::Elapsed.into(), elapsed);
-        let tau = within(&tau[0], &tau[1]);
-        let scale = Range::from(&tau);
-        names.insert(Parameter::Tau.into(), tau);
-        // With tau = 1 x_j stands for tau^(j-1) x_j, and g u for tau^n g u.
-        let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
-        let mut rows = cell.rows.clone();
-        for (i, row) in rows.iter_mut().enumerate() {
-            for (c, entry) in row.iter_mut().enumerate() {
-                *entry = *entry * scale.power(power(c) - power(i));
-            }
-        }
-        rows[self.n].iter_mut().for_each(|entry| *entry = *entry / self.gain);
-        for (j, row) in (1..).zip(&rows) {
+        names.insert(Variable::TimeToGo.into(), within(low, high));
+        names.insert(Variable::Elapsed.into(), within(&(&one - high), &(&one - low)));
+        let scale = within(&tau[0], &tau[1]);
+        names.insert(Parameter::Tau.into(), scale.clone());
+        let corners = self.moved(cell, tau, Range::from(&scale));
+        let mut point = Point { corners, names };
+        for j in 1..=self.n + 1 {
             let name = if j > self.n { Variable::Control } else { Variable::State(j) };
-            names.insert(name.into(), self.along(row).into());
+            let values = self.of_row(&point, j - 1);
+            point.names.insert(name.into(), values.into());
         }
-        Point { rows, names }
+        for (j, start) in (1..).zip(&self.start[..self.n]) {
+            point.names.insert(Variable::StateAtStart(j).into(), (*start).into());
+        }
+        point
+    }
+
+    /// What x_1..x_n are within over a cell of T/tau and one of tau; none where they are not bounded.
+    pub(super) fn states(&self, cell: &Cell, tau: &[BigRational; 2]) -> Option<Vec<[f64; 2]>> {
+        let point = self.point(cell, tau);
+        let of_row = |i: usize| self.of_row(&point, i);
+        let one = |x: Range| x.is_bounded().then(|| [x.low(), x.high()]);
+        (0..self.n).map(of_row).map(one).collect()
+    }
+
+    /// The corners of a [`Point`]. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u
+    /// for tau^n g u. The rest is half the second derivative by both times both widths.
+    fn moved(&self, cell: &Cell, tau: &[BigRational; 2], scale: Range) -> Vec<Rows> {
+        let number = |value: &BigRational| Range::from(&Interval::exact(value));
+        let here = number(&((&tau[0] + &tau[1]) / integer(2)));
+        let wide = match tau[0] == tau[1] {
+            true => Range::from(0.0),
+            false => number(&((&tau[1] - &tau[0]) / integer(2))),
+        };
+        let half = cell.half;
+        let both = |width: Range| match width == Range::from(0.0) {
+            true => vec![width],
+            false => vec![width, -width],
+        };
+        let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
+        let entry = |(i, c): (usize, usize), (first, second): (Range, Range)| {
+            let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
+            let [over, slopes, bend] = [0, 1, 2].map(|k| cell.over[k][i][c].size());
+            if over == Range::from(0.0) {
+                // Nothing is what no f adds.
+                return over;
+            }
+            let q = power(c) - power(i);
+            let [one, two] = [f64::from(q), f64::from(q) * f64::from(q - 1)].map(Range::from);
+            let linear = (middle + first * slope) * here.power(q)
+                + second * one * middle * here.power(q - 1);
+            let rest = half * half * bend * scale.power(q)
+                + Range::from(2.0) * half * wide * slopes * one.size() * scale.power(q - 1)
+                + wide * wide * over * two.size() * scale.power(q - 2);
+            let whole = linear + (Range::from(0.5) * rest).both_signs();
+            if i == self.n { whole / self.gain } else { whole }
+        };
+        let row = |i: usize, moved: (Range, Range)| {
+            (0..=self.n).map(|c| entry((i, c), moved)).collect::<Vec<_>>()
+        };
+        let rows = |moved| (0..=self.n).map(|i| row(i, moved)).collect();
+        let moves = both(half)
+            .into_iter()
+            .flat_map(|first| both(wide).into_iter().map(move |second| (first, second)));
+        moves.map(rows).collect()
+    }
+
+    /// What row i of a point is over the box of initial states.
+    fn of_row(&self, point: &Point, i: usize) -> Range {
+        let values = point.corners.iter().map(|rows| self.along(&rows[i]));
+        values.reduce(Range::hull).unwrap_or(Range::WHOLE)
     }
 
     /// What a row is over the box of initial states.
@@ -122,63 +232,149 @@ impl Bounds {
         sizes.reduce(Range::most).unwrap_or(Range::WHOLE)
     }
 
-    fn value(&mut self, expression: &Expression, names: &Names) -> Option<Range> {
-        Some(Range::from(&self.evaluator.sound(expression, names)?))
+    /// The values of an expression that certainly has one for all of a point's.
+    fn value(&mut self, form: &Form, point: &Point) -> Result<Range, Why> {
+        for (part, condition, spelt) in &form.needs {
+            if !condition.is_certain(&self.part(part, point)?) {
+                return Err(Why::MayNotExist(spelt.clone()));
+            }
+        }
+        let value = Range::from(&self.part(&form.value, point)?);
+        if value.is_bounded() { Ok(value) } else { Err(unknown(&form.value)) }
+    }
+
+    /// What holds the values of a part wherever they exist.
+    fn part(&mut self, part: &Part, point: &Point) -> Result<Interval, Why> {
+        let mut names = point.names.clone();
+        for (k, linear) in part.linear.iter().enumerate() {
+            let values = self.linear(linear, point).ok_or_else(|| unknown(part))?;
+            names.insert(Variable::Xi(k).into(), values.into());
+        }
+        let mut value = |e: &Expression| Some(self.evaluator.again().value(e, &names)?.interval);
+        match (value(&part.normal), value(&part.given)) {
+            (Some(normal), Some(given)) => Ok(normal.common(&given)),
+            (Some(one), None) | (None, Some(one)) => Ok(one),
+            (None, None) => Err(unknown(part)),
+        }
+    }
+
+    /// A sum along which states and control move together.
+    fn linear(&mut self, linear: &Linear, point: &Point) -> Option<Range> {
+        let mut number =
+            |e| Some(Range::from(&self.evaluator.again().value(e, &point.names)?.interval));
+        let slopes =
+            linear.slopes.iter().map(|(variable, slope)| Some((*variable, number(slope)?)));
+        let slopes = slopes.collect::<Option<Vec<_>>>()?;
+        let rest = number(&linear.rest)?;
+        let of_corner = |rows: &Rows| {
+            let mut row = vec![Range::from(0.0); self.n + 1];
+            for (variable, slope) in &slopes {
+                let own = match variable {
+                    Variable::State(j) => &rows[j - 1],
+                    Variable::Control => &rows[self.n],
+                    Variable::StateAtStart(j) => {
+                        row[j - 1] = row[j - 1] + *slope;
+                        continue;
+                    }
+                    _ => return None,
+                };
+                row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + *slope * *x);
+            }
+            Some(self.along(&row))
+        };
+        let values = point.corners.iter().map(of_corner).collect::<Option<Vec<_>>>()?;
+        Some(rest + values.into_iter().reduce(Range::hull)?)
     }
 
     /// |x| < sigma |x0| zeta: for the x0 of the box, or for all.
-    fn state(&mut self, point: &Point, sigma: f64, zeta: &Expression) -> Option<bool> {
-        let zeta = self.value(zeta, &point.names)?;
-        let bound = (Range::from(sigma) * zeta).square();
-        let rows = &point.rows[..self.n];
-        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
-        let of_box = self.greatest(rows).is_below(bound * least);
-        let proved = of_box || is_contraction(rows, bound);
-        Some(zeta.is_positive() && proved)
-    }
-
-    fn within(
-        &mut self,
-        point: &Point,
-        h: &Expression,
-        [low, high]: [&Option<Expression>; 2],
-    ) -> Option<bool> {
-        let h = match self.linear(point, h) {
-            Some(h) => h,
-            None => self.value(h, &point.names)?,
-        };
-        let mut bound = |e: &Option<Expression>| match e {
-            Some(e) => self.value(e, &point.names).map(Some),
-            None => Some(None),
-        };
-        let (low, high) = (bound(low)?, bound(high)?);
-        Some(low.is_none_or(|low| low.is_below(h)) && high.is_none_or(|high| h.is_below(high)))
-    }
-
-    /// An h that is linear in x and u, along which states and control move together.
-    fn linear(&mut self, point: &Point, h: &Expression) -> Option<Range> {
-        let names = (1..=self.n).map(Variable::State).chain([Variable::Control]);
-        let moves = |e: &Expression| {
-            matches!(e, Expression::Variable(Variable::State(_) | Variable::Control))
-        };
-        let mut row = vec![Range::from(0.0); self.n + 1];
-        for (name, own) in names.zip(&point.rows) {
-            let slope = h.derivative(name);
-            if slope.any(&moves) {
-                return None;
-            }
-            let slope = self.value(&slope, &point.names)?;
-            row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + slope * *x);
+    fn state(&mut self, point: &Point, sigma: f64, zeta: &Form) -> Result<(), Why> {
+        let zeta = self.value(zeta, point)?;
+        let bound = Range::from(sigma) * zeta;
+        if !zeta.is_positive() {
+            return Err(Why::Exceeded("|x|/|x0|", 0.0, bound.low()));
         }
-        let rest = h.substitute(&|e| moves(e).then(|| Expression::integer(0)));
-        Some(self.along(&row) + self.value(&rest, &point.names)?)
+        point.corners.iter().try_for_each(|rows| self.state_at(&rows[..self.n], bound))
+    }
+
+    fn state_at(&self, rows: &[Vec<Range>], bound: Range) -> Result<(), Why> {
+        // What is 0 at t0 is no direction of the box.
+        let directions = (0..self.n).filter(|c| self.start[*c] != Range::from(0.0));
+        let directions: Vec<_> = directions.chain([self.n]).collect();
+        let along = |row: &Vec<Range>| directions.iter().map(|c| row[*c]).collect();
+        let of_box: Rows = rows.iter().map(along).collect();
+        if is_contraction(&of_box, bound.square()) {
+            return Ok(());
+        }
+        let least = sum(self.start[..self.n].iter().map(|x| x.square()));
+        let driven = rows.iter().any(|row| row[self.n] != Range::from(0.0));
+        match driven {
+            _ if least.is_positive() => squares("|x|", self.greatest(rows), bound.square() * least),
+            true => Err(Why::AtRest),
+            false => Err(Why::Exceeded("|x|/|x0|", norm_about(&of_box), bound.low())),
+        }
     }
 }
 
-/// Whether |rows x|^2 < bound |x|^2 for all x, where f adds nothing: bound - rows^T rows is positive
-/// definite, by the pivots of an elimination.
+fn unknown(part: &Part) -> Why {
+    Why::Unknown(format!("no bound is found of {}", part.given))
+}
+
+fn below(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
+    let why = Why::Exceeded(what, value.high(), bound.low());
+    if value.is_below(bound) { Ok(()) } else { Err(why) }
+}
+
+/// The same of two squares.
+fn squares(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
+    let why = Why::Exceeded(what, value.high().sqrt(), bound.low().max(0.0).sqrt());
+    if value.is_below(bound) { Ok(()) } else { Err(why) }
+}
+
+/// The greatest |rows x|/|x|, about: what is said where it is too much.
+fn norm_about(rows: &[Vec<Range>]) -> f64 {
+    let n = rows.first().map_or(0, |row| row.len() - 1);
+    let mut x = vec![1.0; n];
+    let mut size = 0.0;
+    for _ in 0..100 {
+        let middle = |row: &[Range], c: usize| row[c].middle();
+        let y: Vec<f64> =
+            rows.iter().map(|row| (0..n).map(|c| middle(row, c) * x[c]).sum()).collect();
+        let next: Vec<f64> =
+            (0..n).map(|c| rows.iter().zip(&y).map(|(row, y)| middle(row, c) * y).sum()).collect();
+        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        size = length(&y) / length(&x);
+        let most = length(&next);
+        x = next.iter().map(|next| next / most).collect();
+    }
+    size
+}
+
+impl Why {
+    /// In words, with the place.
+    pub(super) fn at(&self, share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
+        let digits = |value: f64| crate::check::digits(value);
+        let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
+        let place = format!("at T/tau = {}, tau = {}", number(&share[0]), number(&tau[0]));
+        match self {
+            Self::Exceeded(what, value, bound) => format!(
+                "no room is left {place}: {what} may reach {}, and the bound is {}",
+                digits(*value),
+                digits(*bound)
+            ),
+            Self::MayNotExist(what) => format!("{what} may have no value {place}"),
+            Self::Unknown(what) => format!("{what} {place}"),
+            Self::AtRest => {
+                "from x0 = 0, which the box holds, f moves x and no bound is left".into()
+            }
+            Self::NotEnclosed => format!("the loop is not enclosed {place}"),
+        }
+    }
+}
+
+/// Whether |rows x|^2 < bound |x|^2 for all x but 0, where f, in the last column, adds nothing:
+/// bound - rows^T rows is positive definite, by the pivots of an elimination.
 fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
-    let n = rows.len();
+    let n = rows.first().map_or(0, |row| row.len() - 1);
     if rows.iter().any(|row| row[n] != Range::from(0.0)) {
         return false;
     }

@@ -9,22 +9,28 @@
 mod ball;
 mod cell;
 mod clock;
+mod emitted;
 mod flow;
 mod forced;
+mod form;
 mod margin;
 mod range;
+mod rounding;
 mod series;
 
-use num_traits::Signed;
+use num_traits::{Signed, ToPrimitive};
 
-use cell::Loop;
+use cell::{BEYOND, Loop};
 use clock::Clock;
+use emitted::Emitted;
 use flow::Flow;
-use margin::Bounds;
+use form::Values;
+use margin::{Aim, Bounds, Why};
 use range::Range;
 
-use super::{Campaign, Kind, Objective};
-use crate::algebra::{BigRational, integer};
+use super::{Campaign, Kind, Objective, existence};
+use crate::algebra::{BigInt, BigRational, integer};
+use crate::check::digits;
 use crate::expression::Expression;
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
@@ -39,87 +45,145 @@ const DRIVEN: usize = 1000;
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
 
-/// For each objective whether it is proved, for the law in exact arithmetic and every state of the
-/// box, every tau, and T/tau from 1 to the end of a run.
-pub fn proved(campaign: &Campaign) -> Vec<bool> {
-    let none = vec![false; campaign.objectives.len()];
-    let Some(mut proof) = Proof::of(campaign) else { return none };
-    // As long as |u| < u_max the loop is the linear one.
-    let unclipped = match campaign.spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
-        Some(most) => proof.of_kind(&Kind::Input { upsilon: Expression::Number(most.clone()) }),
-        None => Some(()),
-    };
-    if unclipped.is_none() {
-        return none;
+/// What is known of an objective without a scenario.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// It holds, for the law in exact arithmetic and every state of the box, every tau, and T/tau
+    /// from 1 to the end of a run. A bound of u holds for that of the emitted program.
+    Proved {
+        /// What is included of the emitted program, in one line.
+        scope: String,
+    },
+    /// Nothing is known.
+    NotProved {
+        /// What stood in the way, in one line.
+        why: String,
+    },
+}
+
+impl Proof {
+    /// Whether the objective holds.
+    pub fn is_proved(&self) -> bool {
+        matches!(self, Self::Proved { .. })
     }
-    let one = |objective: &Objective| proof.of_kind(&objective.kind).is_some();
+}
+
+/// Cells that are this many powers of 2 narrower than they are far from 0 are not halved.
+const NARROW: u32 = 40;
+
+/// For each objective whether it is proved, or why not.
+pub fn proved(campaign: &Campaign) -> Vec<Proof> {
+    let values = clock::values(campaign);
+    let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
+    let mut prover = match Prover::of(campaign, &values) {
+        Ok(prover) => prover,
+        Err(why) => return all(why),
+    };
+    // As long as |u| < u_max the loop is the linear one.
+    if let Some(most) = campaign.spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
+        let unclipped = Kind::Input { upsilon: Expression::Number(most.clone()) };
+        if let Err(why) = prover.of_kind(&unclipped, &values) {
+            return all(format!("u may be clipped by u_max: {why}"));
+        }
+    }
+    let scope = match Emitted::of(campaign, &mut prover) {
+        Ok(emitted) => {
+            let scope = emitted.scope();
+            prover.emitted = Some(emitted);
+            scope
+        }
+        Err(why) => return all(why),
+    };
+    let one = |objective: &Objective| match prover.of_kind(&objective.kind, &values) {
+        Ok(()) => Proof::Proved { scope: scope.clone() },
+        Err(why) => Proof::NotProved { why },
+    };
     campaign.objectives.iter().map(one).collect()
 }
 
 /// The loop of a campaign, and what it is held against.
-struct Proof {
+struct Prover {
     closed: Loop,
     bounds: Bounds,
     until: BigRational,
     tau: [BigRational; 2],
+    /// The emitted program, once it is known to stay in range.
+    emitted: Option<Emitted>,
 }
 
 /// A cell of T/tau and one of tau.
 type Box = ([BigRational; 2], [BigRational; 2]);
 
-impl Proof {
-    /// That of a campaign; none where its loop is not linear in stretched time.
-    fn of(campaign: &Campaign) -> Option<Self> {
+impl Prover {
+    /// That of a campaign, or why its loop is not one that is linear in stretched time.
+    fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
-        let gain = match &spec.input_gain {
-            None => integer(1),
-            Some(gain) => gain.number()?.clone(),
+        let number = |g: &Expression| {
+            let known = g.substitute(&|e| match e {
+                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+                _ => None,
+            });
+            normal(&known).number().cloned().ok_or(known)
         };
-        let own = |g: &Expression| spec.input_gain.as_ref() == Some(g);
-        let linear = spec.feedback == Feedback::Linear && campaign.plant.g.as_ref().is_none_or(own);
-        if !linear {
-            return None;
+        if spec.feedback != Feedback::Linear {
+            return Err("pi0 is not a sum of gains, so that the loop is not linear".to_owned());
+        }
+        let gain = spec.input_gain.as_ref().map_or(Ok(integer(1)), number);
+        let gain = gain.map_err(|g| format!("g = {g} is not a number"))?;
+        if let Some(own) = &campaign.plant.g
+            && number(own).ok() != Some(gain.clone())
+        {
+            return Err(format!("the plant's g = {own} is not the number that the law divides by"));
         }
         let gains = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i))?.number().cloned());
-        let flow = Flow::new(&gains.collect::<Option<Vec<_>>>()?)?;
-        let clock = Clock::new(campaign, (spec.n + 1).max(3), &flow.rate)?;
-        let exact = BigRational::from_float;
+        let gains = gains.collect::<Option<Vec<_>>>().ok_or("gains are left to run time")?;
+        let flow = Flow::new(&gains).ok_or("the gains are beyond the range of doubles")?;
+        let clock = Clock::new(campaign, spec.n + BEYOND, &flow.rate);
+        let clock = clock.ok_or("the mapping does not scale with tau, which is an interval")?;
+        let exact = |value: f64| BigRational::from_float(value).ok_or("a bound is no number");
         let until = exact(campaign.until)?;
-        let [middle, most] = drift(campaign)?;
+        let [middle, most] = drift(campaign, values)?;
         let driven = middle != integer(0) || most != integer(0);
         let cells = if driven { DRIVEN } else { CELLS };
-        let mut closed = Loop::new(flow, clock, spec.n, cells)?;
+        let closed = Loop::new(flow, clock, spec.n, cells);
+        let mut closed = closed.ok_or("the mapping is not enclosed at t0")?;
         if driven {
             let range = |value: &BigRational| Range::from(&Interval::exact(value));
-            closed = closed.with_drift([range(&middle), range(&most)], &until)?;
+            let driven = closed.with_drift([range(&middle), range(&most)], &until);
+            closed = driven.ok_or(
+                "f acts over too much stretched time; a larger `until` under [verify] is less of it",
+            )?;
         }
-        Some(Self {
+        Ok(Self {
             closed,
-            bounds: Bounds::new(campaign, &gain)?,
+            bounds: Bounds::new(campaign, values, &gain),
             until,
             tau: [exact(campaign.tau.0)?, exact(campaign.tau.1)?],
+            emitted: None,
         })
     }
 
-    /// Some where what is to hold is proved.
-    fn of_kind(&mut self, kind: &Kind) -> Option<()> {
+    /// Proves an objective, or says what stands in the way.
+    fn of_kind(&mut self, kind: &Kind, values: &Values) -> Result<(), String> {
+        let aim = Aim::new(kind, values);
         let mut left = match kind {
             Kind::Attractive { .. } => {
                 vec![([self.until.clone(), self.until.clone()], self.tau.clone())]
             }
             _ => self.run(),
         };
+        // Where an expression has its pole at an end of a cell its middle has a value for ever.
+        let least = BigRational::new(1.into(), BigInt::from(1) << NARROW);
         for _ in 0..MOST {
-            let Some((share, tau)) = left.pop() else { return Some(()) };
-            let cell = self.closed.cell(&share);
-            if cell.is_some_and(|cell| self.bounds.holds(kind, &cell, &tau)) {
-                continue;
+            let Some((share, tau)) = left.pop() else { return Ok(()) };
+            let Err(why) = self.holds(&aim, &share, &tau)? else { continue };
+            if [&share, &tau].iter().all(|[low, high]| high - low <= low * &least) {
+                return Err(why.at(&share, &tau));
             }
             // What does not hold in the middle is not proved by smaller cells.
             let ([first, _], [second, _]) = (halved(&share), halved(&tau));
             let [here, there] = [first, second].map(|[_, middle]| [middle.clone(), middle]);
-            let cell = self.closed.cell(&here)?;
-            self.bounds.holds(kind, &cell, &there).then_some(())?;
+            self.holds(&aim, &here, &there)?.map_err(|why| why.at(&here, &there))?;
             let width = |[low, high]: &[BigRational; 2]| high / low;
             if width(&share) >= width(&tau) {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));
@@ -127,14 +191,40 @@ impl Proof {
                 left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
             }
         }
-        left.is_empty().then_some(())
+        let Some((share, tau)) = left.last() else { return Ok(()) };
+        Err(spent(share, tau))
     }
 
-    /// Cells of all of a run, in each of which T at most doubles; the first is the last of these.
+    /// Whether an objective holds over a cell, as long as another one may be looked at.
+    fn holds(
+        &mut self,
+        aim: &Aim,
+        share: &[BigRational; 2],
+        tau: &[BigRational; 2],
+    ) -> Result<Result<(), Why>, String> {
+        let cell = self.closed.cell(share).ok_or_else(|| spent(share, tau))?;
+        // Where the rounding is not bounded the scope of a proof says so.
+        let rounding = self.emitted.as_ref().and_then(|emitted| emitted.error(share));
+        let rounding = rounding.unwrap_or(0.0);
+        let cell = cell.ok_or(Why::NotEnclosed);
+        Ok(cell.and_then(|cell| self.bounds.holds(aim, &cell, tau, rounding)))
+    }
+
+    /// What x_1..x_n are within over a cell; none where they are not bounded.
+    fn states(
+        &mut self,
+        share: &[BigRational; 2],
+        tau: &[BigRational; 2],
+    ) -> Option<Vec<[f64; 2]>> {
+        let cell = self.closed.cell(share)??;
+        self.bounds.states(&cell, tau)
+    }
+
+    /// Cells of all of a run, in each of which T falls by an eighth; the first is the last of these.
     fn run(&self) -> Vec<Box> {
         let (mut cells, mut high) = (Vec::new(), integer(1));
         while high > self.until {
-            let low = (&high / integer(2)).max(self.until.clone());
+            let low = (&high * integer(7) / integer(8)).max(self.until.clone());
             cells.push(([low.clone(), high], self.tau.clone()));
             high = low;
         }
@@ -143,9 +233,14 @@ impl Proof {
     }
 }
 
-/// The middle of f, and how far it is from there at most; none where f is no sum of bounded symbols.
-fn drift(campaign: &Campaign) -> Option<[BigRational; 2]> {
-    let values = clock::values(campaign);
+fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
+    let about = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
+    let place = format!("T/tau = {}, tau = {}", about(&share[0]), about(&tau[0]));
+    format!("the cells that may be looked at are used up at {place}: too little room there")
+}
+
+/// The middle of f, and how far it is from there at most.
+fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], String> {
     let known = campaign.plant.f.substitute(&|e| match e {
         Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
         _ => None,
@@ -160,19 +255,25 @@ fn drift(campaign: &Campaign) -> Option<[BigRational; 2]> {
             let (symbol, _) = bounded.iter().find(|(symbol, _)| is(e, *symbol))?;
             Some(Expression::integer(i64::from(one == Some(*symbol))))
         };
-        normal(&known.substitute(&value)).number().cloned()
+        let f = normal(&known.substitute(&value));
+        f.number().cloned().ok_or_else(|| format!("f = {f} is not a sum of bounded symbols"))
     };
+    let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is no number");
     let alone = with(None)?;
     let (mut middle, mut most) = (alone.clone(), integer(0));
     let mut rest = known.clone().sub(Expression::Number(alone.clone()));
     for (symbol, (low, high)) in &bounded {
         let share = with(Some(*symbol))? - &alone;
-        let [low, high] = [BigRational::from_float(*low)?, BigRational::from_float(*high)?];
+        let [low, high] = [exact(*low)?, exact(*high)?];
         middle += &share * (&low + &high) / integer(2);
         most += (&share * (&high - &low) / integer(2)).abs();
         rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
     }
-    (normal(&rest) == Expression::integer(0)).then_some([middle, most])
+    let needs = existence::needs(&campaign.plant.f);
+    if normal(&rest) != Expression::integer(0) || !needs.is_empty() {
+        return Err(format!("f = {} is not a sum of bounded symbols", campaign.plant.f));
+    }
+    Ok([middle, most])
 }
 
 fn halved([low, high]: &[BigRational; 2]) -> [[BigRational; 2]; 2] {

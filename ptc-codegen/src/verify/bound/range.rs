@@ -47,6 +47,15 @@ impl Range {
         self.high
     }
 
+    pub(super) fn low(self) -> f64 {
+        self.low
+    }
+
+    /// A number in the middle, about.
+    pub(super) fn middle(self) -> f64 {
+        0.5 * self.low + 0.5 * self.high
+    }
+
     pub(super) fn is_positive(self) -> bool {
         self.low > 0.0
     }

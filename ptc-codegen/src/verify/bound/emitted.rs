@@ -1,0 +1,146 @@
+//! The emitted program over the envelope of a proof: whether it stays in range there, and how far its
+//! u may be from that of the law.
+//!
+//! Over each cell of T/tau and tau, x is within what encloses the exact loop. The program is run on
+//! these intervals: a value that may leave the range of its precision is one at which `step` may
+//! return PTC_E_RANGE. What its rounding makes of x in turn, and sampling, are no part of this.
+
+use num_traits::ToPrimitive;
+
+use super::rounding::error;
+use super::{Box, Campaign, Prover, halved};
+use crate::algebra::{BigRational, integer};
+use crate::check::digits;
+use crate::check::envelope::bounds::Bounds;
+use crate::check::envelope::{Interval, outward};
+use crate::expression::interval::Interval as Exact;
+use crate::law::Law;
+use crate::lower::lower;
+use crate::program::{Input, Program, number, passes};
+use crate::spec::{Fixed, Parameter, Spec, What};
+
+/// Cells at which the program may be looked at.
+const MOST: usize = 4000;
+
+/// A cell is halved until T in it changes by less than one part of as many.
+const NARROW: i64 = 256;
+
+/// The emitted program over the envelope.
+pub(super) struct Emitted {
+    /// Name of its precision.
+    precision: &'static str,
+    /// T/tau of the cells, and how far u may be from that of the law in each; none where that is not
+    /// bounded.
+    errors: Vec<([BigRational; 2], Option<f64>)>,
+}
+
+impl Emitted {
+    /// The program of a campaign over the envelope of its exact loop, or why it may leave its range.
+    pub(super) fn of(campaign: &Campaign, prover: &mut Prover) -> Result<Self, String> {
+        let spec = Spec { what: What::Controller, ..campaign.spec.clone() };
+        let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+        let precision = program.precision;
+        let mut left: Vec<Box> = prover.run();
+        let mut errors = Vec::new();
+        for _ in 0..MOST {
+            let Some((share, tau)) = left.pop() else {
+                return Ok(Self { precision: precision.name(), errors });
+            };
+            if &tau[1] * integer(8) > &tau[0] * integer(9) {
+                left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
+                continue;
+            }
+            let what = match prover.states(&share, &tau) {
+                None => "x, which is not bounded,".to_owned(),
+                Some(states) => match over(&program, &spec, (&share, &tau), &states) {
+                    Ok(error) => {
+                        errors.push((share, error));
+                        continue;
+                    }
+                    Err(what) => what,
+                },
+            };
+            if (&share[1] - &share[0]) * integer(NARROW) < share[1] {
+                let name = precision.name();
+                let at = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
+                return Err(format!(
+                    "in the emitted program {what} may leave the range of {name} at T/tau = {}, tau = {}",
+                    at(&share[1]),
+                    at(&tau[0])
+                ));
+            }
+            left.extend(halved(&share).map(|share| (share, tau.clone())));
+        }
+        Err("the cells at which the emitted program may be looked at are used up".to_owned())
+    }
+
+    /// How far u may be from that of the law over a cell; none where that is not bounded.
+    pub(super) fn error(&self, [low, high]: &[BigRational; 2]) -> Option<f64> {
+        let met = self.errors.iter().filter(|([from, to], _)| from <= high && low <= to);
+        met.map(|(_, error)| *error).try_fold(0.0, |most: f64, error| Some(most.max(error?)))
+    }
+
+    /// What a proof includes of the program.
+    pub(super) fn scope(&self) -> String {
+        let name = self.precision;
+        let of_u = match self.error(&[integer(0), integer(1)]) {
+            Some(error) => format!("within {} of u there", digits(error * 1.001)),
+            None => "the rounding of its iteration is not included".to_owned(),
+        };
+        format!(
+            "for the law in exact arithmetic at every instant; the emitted {name} program stays in range there, \
+             {of_u}; sampling, and what rounding makes of x, are not included"
+        )
+    }
+}
+
+/// The error of u over a cell, if it is bounded, or the first value that may leave the range.
+fn over(
+    program: &Program,
+    spec: &Spec,
+    (share, tau): (&[BigRational; 2], &[BigRational; 2]),
+    states: &[[f64; 2]],
+) -> Result<Option<f64>, String> {
+    let precision = program.precision;
+    let within = |low: &BigRational, high: &BigRational| {
+        let [low, _] = Exact::exact(low).about();
+        let [_, high] = Exact::exact(high).about();
+        outward(low.next_down(), high.next_up(), precision)
+    };
+    let of_tau = match tau[0] == tau[1] {
+        true => Interval::point(number::round(&tau[0], precision)),
+        false => within(&tau[0], &tau[1]),
+    };
+    let input = |input: Input| match input {
+        Input::Parameter(Parameter::Tau) => of_tau,
+        Input::State(j) => {
+            states.get(j - 1).map_or(Interval::ANY, |[low, high]| outward(*low, *high, precision))
+        }
+        Input::Parameter(p) => fixed(spec, p),
+        Input::StartTime => fixed(spec, Parameter::StartTime),
+        _ => Interval::ANY,
+    };
+    // Time-to-go has a rounding or two.
+    let slack = integer(1) / integer(1 << 20);
+    let low = &share[0] * &tau[0] * (integer(1) - &slack);
+    let high = &share[1] * &tau[1] * (integer(1) + &slack);
+    let stretch = within(&low, &high);
+    let early = Bounds::new(program, &input);
+    let mut bounds = early.at(stretch.low, stretch.high);
+    if let Some(value) = bounds.first_excess(&[program.step]) {
+        return Err(crate::check::envelope::describe(program, value));
+    }
+    let found = error(program, &bounds, bounds.held(), stretch.high, program.step);
+    let gains = bounds.first_excess(&program.gains);
+    bounds.hand_over_gains();
+    if let Some(value) = gains.or_else(|| bounds.first_excess(program.axis.as_slice())) {
+        return Err(crate::check::envelope::describe(program, value));
+    }
+    Ok(found)
+}
+
+/// A parameter that is fixed; what is not, as eps may be, is not needed for u before the gains are held.
+fn fixed(spec: &Spec, parameter: Parameter) -> Interval {
+    let value = spec.fixed.get(&parameter).and_then(Fixed::number);
+    Interval::point(value.map_or(0.0, |value| number::round(value, spec.precision)))
+}

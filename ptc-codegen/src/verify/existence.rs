@@ -1,0 +1,131 @@
+//! Where an expression has a value: the conditions on its parts.
+//!
+//! An objective whose value does not exist fails. Sampling and proofs take this from one list, made
+//! from the expression as it was given: a normal form may exist where the expression does not, as
+//! that of sqrt(x)^2 does for x < 0.
+
+use crate::expression::interval::Interval;
+use crate::expression::{Expression, Function};
+
+/// What a part of an expression has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Condition {
+    NotZero,
+    Positive,
+    NotNegative,
+    /// Greater than -1 and less than 1.
+    WithinOne,
+}
+
+impl Condition {
+    /// Whether a number meets it; NaN and infinities meet none.
+    pub(super) fn holds(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::NotZero => value != 0.0,
+                Self::Positive => value > 0.0,
+                Self::NotNegative => value >= 0.0,
+                Self::WithinOne => value.abs() < 1.0,
+            }
+    }
+
+    /// Whether every number of an interval meets it.
+    pub(super) fn is_certain(self, values: &Interval) -> bool {
+        values.is_within_doubles()
+            && match self {
+                Self::NotZero => !values.has_zero(),
+                Self::Positive => values.is_positive(),
+                Self::NotNegative => values.is_not_negative(),
+                Self::WithinOne => {
+                    values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1)))
+                }
+            }
+    }
+}
+
+/// The conditions under which `expression` has a value: each part, and what it has to be.
+pub(super) fn needs(expression: &Expression) -> Vec<(Expression, Condition)> {
+    let mut found = Vec::new();
+    collect(expression, &mut found);
+    found
+}
+
+fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
+    use Expression as E;
+    let own = match expression {
+        E::Div(_, b) => Some(((**b).clone(), Condition::NotZero)),
+        E::Power(a, b) => {
+            let part = (**a).clone();
+            match (b.small_integer(), b.number()) {
+                (Some(k), _) if k > 0 => None,
+                (Some(_), _) => Some((part, Condition::NotZero)),
+                (None, Some(b)) if num_traits::Signed::is_positive(b) => {
+                    Some((part, Condition::NotNegative))
+                }
+                _ => Some((part, Condition::Positive)),
+            }
+        }
+        E::Call(Function::Sqrt, a) => Some(((**a).clone(), Condition::NotNegative)),
+        E::Call(Function::Ln, a) => Some(((**a).clone(), Condition::Positive)),
+        E::Call(Function::Atanh, a) => Some(((**a).clone(), Condition::WithinOne)),
+        E::Call(Function::Tan, a) => {
+            Some((E::call(Function::Cos, (**a).clone()), Condition::NotZero))
+        }
+        _ => None,
+    };
+    expression.operands().into_iter().for_each(|operand| collect(operand, found));
+    let constant = |(part, condition): &(E, Condition)| {
+        let number = part.number().map(Interval::exact);
+        number.is_some_and(|number| condition.is_certain(&number))
+    };
+    found.extend(own.filter(|need| !constant(need) && !found.contains(need)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::testing::mu;
+
+    fn spelt(text: &str) -> Vec<String> {
+        needs(&mu(text)).iter().map(|(part, needed)| format!("{part} {needed:?}")).collect()
+    }
+
+    #[test]
+    fn every_partial_operation_has_its_condition() {
+        for (text, expected) in [
+            ("1/t", "t NotZero"),
+            ("t/2 + 3*t^2", ""),
+            ("t^(-2)", "t NotZero"),
+            ("t^1.5", "t NotNegative"),
+            ("t^(-0.5)", "t Positive"),
+            ("t^a", "t Positive"),
+            ("2^t", ""),
+            ("sqrt(t - 1)", "t - 1 NotNegative"),
+            ("sqrt(t - 1)^2", "t - 1 NotNegative"),
+            ("ln(t)", "t Positive"),
+            ("atanh(t)", "t WithinOne"),
+            ("tan(t)", "cos(t) NotZero"),
+            ("max(0, sqrt(t))", "t NotNegative"),
+            ("abs(t) + sign(t) + sin(t) + cos(t) + atan(t) + tanh(t)", ""),
+            ("exp(t) + sinh(t) + cosh(t) + min(t, 1)", ""),
+            ("atan(1/ln(t))", "t Positive, ln(t) NotZero"),
+        ] {
+            assert_eq!(spelt(text).join(", "), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn no_number_meets_no_condition() {
+        for condition in
+            [Condition::NotZero, Condition::Positive, Condition::NotNegative, Condition::WithinOne]
+        {
+            for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(!condition.holds(value), "{condition:?} {value}");
+            }
+            assert!(condition.holds(0.5) && condition.is_certain(&Interval::of_doubles(0.5, 0.6)));
+            assert!(!condition.is_certain(&Interval::whole()));
+        }
+        assert!(!Condition::NotZero.holds(0.0) && !Condition::Positive.holds(0.0));
+        assert!(Condition::NotNegative.holds(0.0) && !Condition::WithinOne.holds(-1.0));
+    }
+}
