@@ -30,6 +30,11 @@ impl Failure {
         Self { exit: 1, notices }
     }
 
+    /// What was asked for could not be decided.
+    pub(crate) fn undecided(notices: Vec<Notice>) -> Self {
+        Self { exit: 3, notices }
+    }
+
     /// One thing went wrong that no flag's value is to blame for.
     pub(crate) fn because(title: String, help: &str) -> Self {
         Self { exit: 2, notices: vec![Notice { help: Some(help.to_owned()), ..Notice::of(title) }] }

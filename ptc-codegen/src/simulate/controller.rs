@@ -64,7 +64,7 @@ impl Controller {
             };
             if !legal {
                 let name = parameter.spelling();
-                return Err(Failure::new(
+                return Err(Failure::input(
                     format!("{name} = {value} is outside its domain"),
                     format!("{name} ({}) is {}", parameter.meaning(), domain.text()),
                 ));
@@ -116,7 +116,7 @@ pub(super) fn has_text(spec: &Spec, after: bool) -> Result<(), Failure> {
         (_, After::Extern) if after => "after",
         _ => return Ok(()),
     };
-    Err(Failure::new(
+    Err(Failure::input(
         format!("`{key} = extern` is a function of your program, which a simulation does not have"),
         format!("give `{key}` another value for the simulation"),
     ))

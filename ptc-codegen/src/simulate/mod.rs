@@ -12,17 +12,17 @@
 mod continuous;
 mod controller;
 mod direct;
+mod failure;
 mod plant;
 mod sampled;
 mod side;
 mod solver;
 mod values;
 
-use std::fmt;
-
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;
+pub use failure::{Cause, Failure};
 pub use sampled::{Loop, Sampled};
 pub use side::{At, Run, Side};
 pub use values::Values;
@@ -63,26 +63,3 @@ impl Default for Accuracy {
         Self { relative: 1e-12, absolute: 1e-280, steps: 200_000 }
     }
 }
-
-/// Why a run ended early.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Failure {
-    /// What happened, and when.
-    pub message: String,
-    /// What may help.
-    pub help: String,
-}
-
-impl Failure {
-    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), help: help.into() }
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\n{}", self.message, self.help)
-    }
-}
-
-impl std::error::Error for Failure {}

@@ -95,10 +95,8 @@ impl Sampled {
                 break;
             }
             let until = (f64::from(index + 1) * around.period).min(end);
-            x = self.between(x, u, (t, t0 + until)).map_err(|failure| Failure {
-                message: format!("{}, at t = {t} s", failure.message),
-                ..failure
-            })?;
+            let next = self.between(x, u, (t, t0 + until));
+            x = next.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
         }
         Ok(())
     }

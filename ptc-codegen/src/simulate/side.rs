@@ -119,8 +119,7 @@ impl<S: Side> Run<S> {
         end.map_err(|(sigma, failure)| {
             let share = (-sigma).exp();
             let t = t0 + tau * (1.0 - share);
-            let message = format!("{}, at t = {t} s, T/tau = {share:.2e}", failure.message);
-            Failure { message, ..failure }
+            failure.at(t, format_args!("t = {t} s, T/tau = {share:.2e}"))
         })
     }
 }

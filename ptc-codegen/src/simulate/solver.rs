@@ -145,7 +145,7 @@ fn stiff<F: Fn(f64, &State, &mut State)>(
             Err((at, wrong)) => {
                 let many = format!("the integration takes more than {} steps", accuracy.steps);
                 let help = "see that f, g and the law are smooth where the state goes";
-                return Err((at, wrong.unwrap_or_else(|| Failure::new(many, help))));
+                return Err((at, wrong.unwrap_or_else(|| Failure::unfinished(many, help))));
             }
         }
     }
@@ -175,7 +175,7 @@ pub(super) fn across<F: Fn(f64, &State, &mut State)>(
     let weigh = of(&method, |_, _| Ok(()));
     let end = pass.run(&mut method, system, (&set_step, &weigh), &mut |_, _, _| {});
     let stiff = || {
-        Failure::new(
+        Failure::unfinished(
             "the plant moves too fast for its sample period",
             "give a shorter sample period",
         )
@@ -280,23 +280,19 @@ impl Pass<'_> {
                 set_step(method, longer).map_err(failed)?;
             }
             if !finite(method.y()) {
-                return Err((at, Some(too_large())));
+                return Err((at, Some(Failure::range())));
             }
         }
         Ok(())
     }
 }
 
-fn too_large() -> Failure {
-    Failure::new("the state leaves the range of numbers", "the loop is unstable with these values")
-}
-
 fn failure(error: &Error<f64, State>) -> Failure {
     let help = "the state, f, g or the law may leave the range of numbers there, or jump; see what they are at this instant";
     match error {
         Error::StepSize { .. } => {
-            Failure::new("the step of the integration became too small", help)
+            Failure::unfinished("the step of the integration became too small", help)
         }
-        _ => Failure::new("the integration does not converge", help),
+        _ => Failure::unfinished("the integration does not converge", help),
     }
 }

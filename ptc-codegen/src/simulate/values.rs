@@ -62,7 +62,7 @@ impl Values {
             };
             let Some(value) = self.0.get(&parameter) else {
                 let name = parameter.spelling();
-                return Err(Failure::new(
+                return Err(Failure::input(
                     format!("{name} ({}) has no value", parameter.meaning()),
                     format!("give {name} a value for this run"),
                 ));

@@ -7,7 +7,7 @@ mod picture;
 mod run;
 
 use ptc_codegen::plant::Plant;
-use ptc_codegen::simulate::{Failure as Ended, Values};
+use ptc_codegen::simulate::{Cause, Failure as Ended, Values};
 use ptc_codegen::spec::{Parameter, Spec};
 
 pub(crate) use args::{EXAMPLES, Simulate};
@@ -15,7 +15,7 @@ use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::page as html;
-use super::report::Failure;
+use super::report::{Failure, Notice};
 use super::write;
 
 /// Runs `simulate`.
@@ -106,8 +106,17 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
 }
 
 /// Why a run ended early, with the tau of the run.
-fn ended(failure: &Ended, tau: f64) -> Failure {
-    Failure::because(format!("tau = {tau}: {}", failure.message), &failure.help)
+fn ended(failure: Ended, tau: f64) -> Failure {
+    let title = match failure.cause {
+        Cause::Unfinished => format!("undecided: tau = {tau}: {}", failure.message),
+        Cause::Input | Cause::Range => format!("tau = {tau}: {}", failure.message),
+    };
+    let notices = vec![Notice { help: Some(failure.help), ..Notice::of(title) }];
+    match failure.cause {
+        Cause::Input => Failure::bad_input(notices),
+        Cause::Range => Failure::refused(notices),
+        Cause::Unfinished => Failure::undecided(notices),
+    }
 }
 
 fn csv(runs: &[Run]) -> String {

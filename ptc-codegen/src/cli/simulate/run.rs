@@ -76,7 +76,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
             index += 1;
         })
     });
-    end.map_err(|failure| ended(&failure, tau))?;
+    end.map_err(|failure| ended(failure, tau))?;
     Ok(Run::new(spec, &values, false, rows))
 }
 
@@ -108,6 +108,6 @@ pub(super) fn sampled(
     let end = Sampled::new(spec, plant).and_then(|mut run| {
         run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
     });
-    end.map_err(|failure| ended(&failure, tau))?;
+    end.map_err(|failure| ended(failure, tau))?;
     Ok(Run::new(spec, &values, true, rows))
 }

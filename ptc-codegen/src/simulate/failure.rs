@@ -1,0 +1,64 @@
+//! Why a run ended early.
+
+use std::fmt;
+
+/// What a run that ended early says of its loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// Nothing: a value or the design is wrong.
+    Input,
+    /// The loop leaves the range of numbers.
+    Range,
+    /// Nothing: the integration could not be finished, and the rest of the run is undecided.
+    Unfinished,
+}
+
+/// Why a run ended early.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// What it says of the loop.
+    pub cause: Cause,
+    /// Instant t in s that the run reached; `None` where it did not begin.
+    pub at: Option<f64>,
+    /// What happened, and when.
+    pub message: String,
+    /// What may help.
+    pub help: String,
+}
+
+impl Failure {
+    /// A wrong value or design.
+    pub(super) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::of(Cause::Input, message, help)
+    }
+
+    /// An integration that cannot go on.
+    pub(super) fn unfinished(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::of(Cause::Unfinished, message, help)
+    }
+
+    /// A state that is no longer finite.
+    pub(super) fn range() -> Self {
+        let message = "the state leaves the range of numbers";
+        Self::of(Cause::Range, message, "the loop is unstable with these values")
+    }
+
+    fn of(cause: Cause, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { cause, at: None, message: message.into(), help: help.into() }
+    }
+
+    /// The same with the instant that the run reached.
+    #[must_use]
+    pub(super) fn at(self, t: f64, place: impl fmt::Display) -> Self {
+        let message = format!("{}, at {place}", self.message);
+        Self { at: Some(t), message, ..self }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}", self.message, self.help)
+    }
+}
+
+impl std::error::Error for Failure {}
