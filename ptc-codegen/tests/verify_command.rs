@@ -144,7 +144,7 @@ fn the_search_finds_the_worst_disturbance() {
         let folder = folder("worst", &format!("{DRIVEN}{}", objective(&within)));
         let (found, told, wrong) = run(&folder, &["stage.toml", "--worst", "worst.csv"]);
         assert_eq!(found, Some(code), "{told}{wrong}");
-        assert!(!told.contains("scenarios fail it"), "chance does not find it: {told}");
+        assert!(code == 0 || told.contains("0 of 4 draws and 0 of 2 corners fail it"), "{told}");
         let csv = fs::read_to_string(folder.join("worst.csv")).expect("a trajectory");
         for line in csv.lines().skip(1) {
             let row: Vec<f64> = line.split(',').map(|x| x.parse().expect("a number")).collect();
@@ -290,7 +290,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (
             with("bound = \"input\"\nupsilon = 9", "bound = \"state\"\nsigma = 0.5"),
             &[],
-            &["fails at t0 already", "x0 = [1.0, 0.0]"],
+            &["fails at t0 already", "at tau = 1, x1 = 1, x2 = 0"],
         ),
         (with("", ""), &["--scenarios=0"], &["scenarios is not legal", "--scenarios \"0\""]),
         (with("", ""), &["--seed=-1"], &["seed is not legal", "| --seed \"-1\""]),

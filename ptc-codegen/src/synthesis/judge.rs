@@ -1,30 +1,46 @@
-//! A closed loop against its objectives: few scenarios, or all of them and the search.
+//! A closed loop against its objectives: few scenarios, or all of them, the search and the proof, and
+//! then draws that nothing was chosen by.
 
 use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-use crate::verify::{Campaign, Scenario, Tally, Trial, bound, chunks, sample, search};
+use crate::simulate::Failure;
+use crate::verify::{
+    self, Campaign, Corners, Evidence, Kind, Scenario, Status, Tally, Trial, bound, chunks, sample,
+    search,
+};
 
-/// Scenarios that are drawn for the first look at a loop: each fourth is a corner of its boxes.
-const FIRST: u64 = 16;
+/// Draws for the first look at a loop, and most corners beside them.
+const DRAWS: u64 = 8;
+const CORNERS: usize = 32;
+
+/// The part of its bound that a sampled objective has to keep free.
+pub const ROOM: f64 = 0.02;
+
+/// Fewest runs of the search that follows fresh draws.
+const SEARCH: usize = 200;
 
 /// What verifying a loop gave.
 #[derive(Clone, Debug)]
-pub struct Verdict {
+pub struct Assessment {
     /// For each objective its worst excess, and the scenario that has it.
     pub worst: Vec<(f64, Scenario)>,
-    /// For each objective whether it is proved.
-    pub proved: Vec<bool>,
-    /// By how much the two sides of Theorem 1 differ.
+    /// For each objective the verdict: of the fresh draws, where it is not proved.
+    pub verdicts: Vec<verify::Verdict>,
+    /// Whether each objective is proved, or keeps [`ROOM`].
+    pub keeps: Vec<bool>,
+    /// The largest difference of the two sides of Theorem 1.
     pub difference: f64,
-    tolerance: f64,
+    /// Why a run could not be finished, if one could not.
+    pub unfinished: Option<Failure>,
 }
 
-impl Verdict {
-    /// Whether every objective holds and the sides agree.
+impl Assessment {
+    /// Whether every objective is proved, or holds in fresh draws and keeps its room.
     pub fn holds(&self) -> bool {
-        self.difference <= self.tolerance && self.worst.iter().all(|(excess, _)| *excess <= 0.0)
+        let all = self.verdicts.iter().zip(&self.keeps);
+        !self.verdicts.is_empty() && all.clone().all(|(verdict, keeps)| verdict.holds() && *keeps)
     }
 
     /// The scenarios in which an objective fails.
@@ -34,62 +50,176 @@ impl Verdict {
     }
 }
 
-/// The scenarios of the first look.
+/// The scenarios of the first look: draws, and corners spread over all of them.
 pub(super) fn first(campaign: &Campaign) -> Vec<Scenario> {
-    (0..campaign.scenarios.min(FIRST)).map(|index| campaign.scenario(index)).collect()
+    let corners = campaign.corners();
+    let stride = corners.len().div_ceil(CORNERS).max(1);
+    let draws = (0..campaign.scenarios.min(DRAWS)).map(|index| campaign.scenario(index));
+    draws.chain(corners.into_iter().step_by(stride)).collect()
 }
 
-/// The excess of each objective in each scenario, and the difference of the sides.
-pub(super) fn run(
-    campaign: &Campaign,
-    trial: &Trial,
-    scenarios: &[Scenario],
-) -> Vec<(Vec<f64>, f64)> {
+/// What one scenario says: the excess of each objective, the difference of the sides, and why it could
+/// not be finished.
+pub(super) type Look = (Vec<f64>, f64, Option<Failure>);
+
+/// The scenarios, run.
+pub(super) fn run(campaign: &Campaign, trial: &Trial, scenarios: &[Scenario]) -> Vec<Look> {
     let one = |trial: &mut Trial, scenario: &Scenario| {
         let outcome = trial.run(&campaign.setting(scenario));
-        let sides = outcome.excess.iter().zip(&outcome.excess_direct);
-        (sides.map(|(a, b)| a.max(*b)).collect(), outcome.difference)
+        let excess = (0..campaign.objectives.len()).map(|objective| outcome.worst(objective));
+        let excess = excess.collect();
+        let unfinished = outcome.status() == Status::Unfinished;
+        (excess, outcome.difference, outcome.ended.filter(|_| unfinished))
     };
     scenarios.par_iter().map_init(|| trial.clone(), one).collect()
 }
 
-/// What `verify` finds of a loop. It ends early where an objective fails: after four times as many
-/// scenarios each time, and after each search.
-pub(super) fn verify(campaign: &Campaign, trial: &Trial) -> Verdict {
-    let tally = Mutex::new(Tally::new(campaign));
-    let (mut from, mut to) = (0, 128.min(campaign.scenarios));
-    let tally = loop {
-        let done = sample(campaign, trial, &chunks(from..to), &|_, rows| {
-            let mut tally = tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            rows.iter().for_each(|row| tally.add(row));
-            Ok::<_, std::convert::Infallible>(())
-        });
-        let Ok(()) = done;
-        let tally = tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
-        if to == campaign.scenarios || tally.apart > 0 || tally.failed.iter().any(|n| *n > 0) {
-            break tally;
-        }
-        (from, to) = (to, campaign.scenarios.min(4 * to));
+/// What `verify` finds of a loop. It ends early where an objective fails.
+pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
+    let corners = Corners::run(campaign, trial, &|| ());
+    let mut assessment = Assessment {
+        worst: vec![(f64::NEG_INFINITY, campaign.scenario(0)); campaign.objectives.len()],
+        verdicts: Vec::new(),
+        keeps: Vec::new(),
+        difference: 0.0,
+        unfinished: None,
     };
-    let drawn = tally.excess.iter();
-    let mut worst: Vec<_> =
-        drawn.map(|worst| (worst.value, campaign.scenario(worst.index))).collect();
-    let mut difference = tally.difference.value;
-    for objective in 0..worst.len() {
-        if difference > campaign.tolerance || worst.iter().any(|(excess, _)| *excess > 0.0) {
-            break;
+    let none = vec![false; campaign.objectives.len()];
+    assessment.take(campaign, &corners.tally, &|place| {
+        usize::try_from(place).ok().and_then(|place| corners.scenarios.get(place)).cloned()
+    });
+    if assessment.fails(campaign)
+        || assessment.sampled(campaign, trial, (&corners, &none)).is_none()
+    {
+        return assessment;
+    }
+    let proved: Vec<_> = bound::proved(campaign).iter().map(bound::Proof::is_proved).collect();
+    let seed = campaign.seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11;
+    let fresh = Campaign {
+        seed,
+        scenarios: 2 * campaign.scenarios + 1000,
+        search: campaign.search.max(SEARCH),
+        ..campaign.clone()
+    };
+    let verdicts = match proved.iter().all(|proved| *proved) {
+        true => Some(vec![verify::Verdict::Proved; proved.len()]),
+        false => assessment.sampled(&fresh, trial, (&corners, &proved)),
+    };
+    let Some(verdicts) = verdicts else { return assessment };
+    let keeps = |(objective, verdict): (usize, &verify::Verdict)| {
+        let (excess, scenario) = &assessment.worst[objective];
+        let room = || room(campaign, trial, (objective, scenario));
+        *verdict == verify::Verdict::Proved || room().is_some_and(|room| *excess <= -room)
+    };
+    assessment.keeps = verdicts.iter().enumerate().map(keeps).collect();
+    assessment.verdicts = verdicts;
+    assessment
+}
+
+impl Assessment {
+    fn take(
+        &mut self,
+        campaign: &Campaign,
+        tally: &Tally,
+        scenario: &dyn Fn(u64) -> Option<Scenario>,
+    ) {
+        self.difference = self.difference.max(tally.difference.value);
+        for (objective, worst) in tally.excess.iter().enumerate() {
+            if worst.value > self.worst[objective].0
+                && let Some(scenario) = scenario(worst.index)
+            {
+                self.worst[objective] = (worst.value, scenario);
+            }
         }
-        let start = (objective, tally.excess[objective].index);
-        let found = search::search(campaign, trial, start, &|_| ());
-        difference = difference.max(found.difference);
-        if found.excess > worst[objective].0 {
-            worst[objective] = (found.excess, found.scenario);
+        if let Some(index) = tally.first_unfinished
+            && self.unfinished.is_none()
+            && let Some(scenario) = scenario(index)
+            && let Ok(mut trial) = Trial::new(campaign)
+        {
+            self.unfinished = trial.run(&campaign.setting(&scenario)).ended;
         }
     }
-    let mut verdict =
-        Verdict { worst, proved: Vec::new(), difference, tolerance: campaign.tolerance };
-    if verdict.holds() {
-        verdict.proved = bound::proved(campaign).iter().map(bound::Proof::is_proved).collect();
+
+    /// Whether it is known already that the loop will not do.
+    fn fails(&self, campaign: &Campaign) -> bool {
+        self.difference > campaign.tolerance
+            || self.unfinished.is_some()
+            || self.worst.iter().any(|(excess, _)| *excess > 0.0)
     }
-    verdict
+
+    /// The verdicts of draws and of a search; none where an objective fails, after four times as many
+    /// draws each time, and after each search.
+    fn sampled(
+        &mut self,
+        campaign: &Campaign,
+        trial: &Trial,
+        (corners, proved): (&Corners, &[bool]),
+    ) -> Option<Vec<verify::Verdict>> {
+        let tally = Mutex::new(Tally::new(campaign));
+        let (mut from, mut to) = (0, 128.min(campaign.scenarios));
+        let drawn = loop {
+            let done = sample(campaign, trial, &chunks(from..to), &|_, rows| {
+                let mut tally = tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                rows.iter().for_each(|row| tally.add(row));
+                Ok::<_, std::convert::Infallible>(())
+            });
+            let Ok(()) = done;
+            let drawn = tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
+            self.take(campaign, &drawn, &|index| Some(campaign.scenario(index)));
+            if self.fails(campaign) {
+                return None;
+            }
+            if to == campaign.scenarios {
+                break drawn;
+            }
+            (from, to) = (to, campaign.scenarios.min(4 * to));
+        };
+        let mut verdicts = Vec::new();
+        for (objective, proved) in proved.iter().enumerate() {
+            if *proved {
+                verdicts.push(verify::Verdict::Proved);
+                continue;
+            }
+            let mut starts = corners.starts(campaign, objective);
+            starts.insert(0, campaign.scenario(drawn.excess[objective].index));
+            let found = search::search(campaign, trial, (objective, &starts), &|_| ());
+            self.difference = self.difference.max(found.difference);
+            let unfinished = found.unfinished.clone().map(|(_, ended)| ended);
+            self.unfinished = self.unfinished.take().or(unfinished);
+            let tallies =
+                Evidence { drawn: &drawn, corners: &corners.tally, found: &found, proved: false };
+            verdicts.push(verify::Verdict::of(campaign, objective, tallies));
+            if found.excess > self.worst[objective].0 {
+                self.worst[objective] = (found.excess, found.scenario);
+            }
+            if self.fails(campaign) {
+                return None;
+            }
+        }
+        Some(verdicts)
+    }
+}
+
+/// The room that an objective has to keep, in the unit of its excess: that of `within` is a part of
+/// the bound that is nearest in its worst scenario.
+fn room(
+    campaign: &Campaign,
+    trial: &Trial,
+    (objective, scenario): (usize, &Scenario),
+) -> Option<f64> {
+    if !matches!(campaign.objectives[objective].kind, Kind::Within { .. }) {
+        return Some(ROOM);
+    }
+    let mut trial = trial.clone();
+    let setting = campaign.closely(scenario);
+    let mut instants = Vec::new();
+    trial.infinite(&setting, &mut |instant| instants.push(instant)).ok()?;
+    let levels = trial.levels(&setting, &instants).ok()?;
+    let worst = |index: &usize| instants[*index].excess[objective];
+    let worst = (0..instants.len()).reduce(|a, b| if worst(&b) > worst(&a) { b } else { a })?;
+    let level = levels[objective][worst];
+    let bounds = level.low.into_iter().chain(level.high);
+    let apart = |bound: f64| (level.value - bound).abs();
+    let nearest = bounds.reduce(|a, b| if apart(b) < apart(a) { b } else { a })?;
+    Some(ROOM * nearest.abs())
 }

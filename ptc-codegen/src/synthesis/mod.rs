@@ -9,7 +9,9 @@
 //! overshoots and asks for a large u, so the worst excess of the objectives falls and then rises.
 //!
 //! What is tried runs on few scenarios first. What passes is verified as `verify` does, and where that
-//! finds a counterexample, the scenario is one of those that everything else has to pass first.
+//! finds a counterexample, the scenario is one of those that everything else has to pass first. What
+//! holds then is proved; an objective that is not has to hold in draws of another seed, by which
+//! nothing was chosen, and to keep a part of its bound free.
 
 mod candidate;
 pub mod file;
@@ -19,7 +21,7 @@ mod probe;
 mod wish;
 
 pub use candidate::{MAPPINGS, Plan};
-pub use judge::Verdict;
+pub use judge::{Assessment, ROOM};
 pub use probe::{Probe, Refused};
 pub use wish::{Choice, Wish};
 
@@ -35,8 +37,8 @@ use candidate::candidates;
 pub struct Outcome {
     /// What was tried last, and verified, or what came nearest; none where no try was allowed.
     pub best: Option<Probe>,
-    /// Verdict on the best one, where every objective holds.
-    pub verdict: Option<Verdict>,
+    /// What is known of the best one, where every objective holds.
+    pub assessment: Option<Assessment>,
     /// What else was tried.
     pub others: Vec<Probe>,
     /// Tries that were taken.
@@ -79,7 +81,7 @@ pub fn design(
 
 /// Why a search ended before its last candidate.
 enum End {
-    Met(Box<Choice>, Verdict),
+    Met(Box<Choice>, Assessment),
     UsedUp,
     Broken(Failure),
 }
@@ -130,13 +132,13 @@ impl<'a> Search<'a> {
     /// Verifies a choice with all scenarios; ends the search where every objective holds.
     fn verified(&mut self, choice: &Choice) -> ControlFlow<End, f64> {
         self.one_more()?;
-        let Some(verdict) = self.probes.get_mut(choice).and_then(Probe::verify) else {
+        let Some(found) = self.probes.get_mut(choice).and_then(Probe::assess) else {
             return ControlFlow::Continue(f64::INFINITY);
         };
-        if verdict.holds() {
-            return ControlFlow::Break(End::Met(Box::new(choice.clone()), verdict));
+        if found.holds() {
+            return ControlFlow::Break(End::Met(Box::new(choice.clone()), found));
         }
-        for scenario in verdict.counterexamples() {
+        for scenario in found.counterexamples() {
             if !self.scenarios.contains(scenario) {
                 self.scenarios.push(scenario.clone());
             }
@@ -162,9 +164,9 @@ impl<'a> Search<'a> {
     fn outcome(mut self, met: ControlFlow<End>) -> Result<Outcome, Failure> {
         let tries = self.tries;
         let used_up = matches!(met, ControlFlow::Break(End::UsedUp));
-        let (best, verdict) = match met {
+        let (best, assessment) = match met {
             ControlFlow::Break(End::Broken(failure)) => return Err(failure),
-            ControlFlow::Break(End::Met(choice, verdict)) => (Some(*choice), Some(verdict)),
+            ControlFlow::Break(End::Met(choice, found)) => (Some(*choice), Some(found)),
             ControlFlow::Break(End::UsedUp) | ControlFlow::Continue(()) => {
                 // Those that a check refuses say nothing where any other is known.
                 let rank = |probe: &Probe| (probe.refused().is_some(), probe.excess());
@@ -175,6 +177,6 @@ impl<'a> Search<'a> {
         };
         let best = best.and_then(|choice| self.probes.remove(&choice));
         let others = self.probes.into_values().collect();
-        Ok(Outcome { best, verdict, others, tries, used_up })
+        Ok(Outcome { best, assessment, others, tries, used_up })
     }
 }

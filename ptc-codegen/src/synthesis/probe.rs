@@ -1,6 +1,6 @@
 //! One choice, and what is known of it.
 
-use super::judge::{self, Verdict};
+use super::judge::{self, Assessment};
 use super::wish::{Choice, Wish};
 use crate::check;
 use crate::simulate::Failure;
@@ -19,6 +19,10 @@ pub struct Probe {
     pub worst: Vec<(f64, Scenario)>,
     /// Largest difference of the two sides of Theorem 1.
     difference: f64,
+    /// Why a run could not be finished, if one could not.
+    pub unfinished: Option<Failure>,
+    /// For each objective whether it is proved or keeps its room, where all were found to hold.
+    pub keeps: Vec<bool>,
     /// Of the scenarios that are run first, how many have been.
     seen: usize,
 }
@@ -42,7 +46,8 @@ impl Probe {
         let middle = campaign.scenario(0);
         let worst = vec![(f64::NEG_INFINITY, middle); campaign.objectives.len()];
         let choice = choice.clone();
-        Ok(Self { choice, campaign, trial, worst, difference: 0.0, seen: 0 })
+        let (unfinished, keeps) = (None, Vec::new());
+        Ok(Self { choice, campaign, trial, worst, difference: 0.0, unfinished, keeps, seen: 0 })
     }
 
     /// Runs those of `scenarios` that it has not been run on.
@@ -50,10 +55,11 @@ impl Probe {
         let Ok(trial) = &self.trial else { return };
         let new = &scenarios[self.seen..];
         self.seen = scenarios.len();
-        for (scenario, (excess, difference)) in
+        for (scenario, (excess, difference, unfinished)) in
             new.iter().zip(judge::run(&self.campaign, trial, new))
         {
             self.difference = self.difference.max(difference);
+            self.unfinished = self.unfinished.take().or(unfinished);
             for (worst, excess) in self.worst.iter_mut().zip(excess) {
                 if excess > worst.0 {
                     *worst = (excess, scenario.clone());
@@ -62,22 +68,26 @@ impl Probe {
         }
     }
 
-    /// The verdict of all scenarios and the search, whose worst ones it keeps; none where it is refused.
-    pub(super) fn verify(&mut self) -> Option<Verdict> {
+    /// What all scenarios, the search, the proof and fresh draws say, of which it keeps the worst
+    /// ones; none where it is refused.
+    pub(super) fn assess(&mut self) -> Option<Assessment> {
         let trial = self.trial.as_ref().ok()?;
-        let verdict = judge::verify(&self.campaign, trial);
-        self.difference = self.difference.max(verdict.difference);
-        for (worst, found) in self.worst.iter_mut().zip(&verdict.worst) {
+        let assessment = judge::assess(&self.campaign, trial);
+        self.difference = self.difference.max(assessment.difference);
+        self.unfinished = self.unfinished.take().or_else(|| assessment.unfinished.clone());
+        self.keeps = assessment.keeps.clone();
+        for (worst, found) in self.worst.iter_mut().zip(&assessment.worst) {
             if found.0 > worst.0 {
                 *worst = found.clone();
             }
         }
-        Some(verdict)
+        Some(assessment)
     }
 
-    /// The worst excess of all objectives, infinite where it is refused or its sides differ.
+    /// The worst excess of all objectives, infinite where it is refused, its sides differ, or a run of
+    /// it could not be finished.
     pub fn excess(&self) -> f64 {
-        if self.trial.is_err() || self.sides_differ() {
+        if self.trial.is_err() || self.sides_differ() || self.unfinished.is_some() {
             return f64::INFINITY;
         }
         self.worst.iter().map(|(excess, _)| *excess).fold(f64::NEG_INFINITY, f64::max)

@@ -1,30 +1,42 @@
 //! Whether a closed loop keeps its objectives h(x, u, t) in H(t) for all that is uncertain.
 //!
 //! A [`Campaign`] is what a design asks for: boxes of initial states and tau, the set F of what may
-//! move the plant, and objectives. A [`Scenario`] is one point of it, a pure function of the seed and
-//! an index, so that shards and threads decide nothing. A [`Trial`] runs it on both sides of
-//! Theorem 1; a [`Tally`] holds what is kept of many, by reductions in which no order counts; and
-//! [`search`] goes on from the worst one. [`record`] keeps one row a scenario.
+//! move the plant, and objectives. A [`Scenario`] is one point of it: a draw is a pure function of
+//! the seed and an index, so that shards and threads decide nothing; corners are joint extremes of all
+//! that is uncertain. A [`Trial`] runs one on both sides of Theorem 1; a [`Tally`] holds what is kept
+//! of many, by reductions in which no order counts; [`search`] goes on from the worst ones, with the
+//! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
+//! [`record`] keeps one row per draw.
 
 pub mod bound;
+mod corner;
+mod course;
 mod existence;
+mod kernel;
 mod keys;
 pub mod objective;
 mod read;
 pub mod record;
+mod replay;
 mod run;
 mod scenario;
 pub mod search;
+mod start;
 mod tally;
 mod trial;
+mod verdict;
 
+pub use corner::Corners;
+pub use course::{Course, Signal};
 pub use keys::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use objective::{Kind, Level, Objective};
 pub use read::read;
 pub use run::{Done, chunks, sample};
-pub use scenario::{Scenario, Setting, Signal};
+pub use scenario::{Scenario, Setting};
+pub use start::{Impossible, impossible, reversed};
 pub use tally::{Tally, Worst};
-pub use trial::{Instant, Outcome, Trial};
+pub use trial::{Instant, Judgement, Outcome, Status, Trial};
+pub use verdict::{Doubt, Evidence, Verdict, confidence};
 
 use crate::expression::{Expression, Variable};
 use crate::plant::Plant;
@@ -40,7 +52,7 @@ pub struct Campaign {
     pub spec: Spec,
     /// The plant, whose bounded symbols are uncertain.
     pub plant: Plant,
-    /// Number of scenarios.
+    /// Number of draws.
     pub scenarios: u64,
     /// Seed of all of them.
     pub seed: u64,
@@ -111,7 +123,7 @@ impl Campaign {
         names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
-        names.push("difference".to_owned());
+        names.extend(["difference", "status"].map(str::to_owned));
         names
     }
 }

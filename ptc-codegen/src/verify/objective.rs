@@ -249,6 +249,6 @@ fn over(value: f64, bound: f64) -> f64 {
     }
 }
 
-fn norm(x: &[f64]) -> f64 {
+pub(super) fn norm(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::record::Row;
-use super::{Campaign, Trial};
+use super::{Campaign, Scenario, Trial};
 
 /// Fewest scenarios of a chunk, which one core runs at a time and an interruption loses at most.
 const CHUNK: u64 = 64;
@@ -43,16 +43,35 @@ pub fn sample<E: Send>(
 }
 
 impl Campaign {
-    /// The row of a scenario.
+    /// The row of a draw.
     pub fn row(&self, trial: &mut Trial, index: u64) -> Row {
-        let setting = self.setting(&self.scenario(index));
-        let outcome = trial.run(&setting);
-        let mut numbers = vec![setting.values.get(crate::spec::Parameter::Tau)];
-        numbers.extend(&setting.x0);
-        numbers.extend(self.intervals.iter().map(|(symbol, _)| setting.values.get(*symbol)));
+        self.row_of(trial, index, &self.scenario(index))
+    }
+
+    /// The row of any scenario, as that of an index.
+    fn row_of(&self, trial: &mut Trial, index: u64, scenario: &Scenario) -> Row {
+        let outcome = trial.run(&self.setting(scenario));
+        let mut numbers = scenario.point.clone();
+        let status = outcome.status().code();
         numbers.extend(outcome.excess);
         numbers.extend(outcome.excess_direct);
-        numbers.push(outcome.difference);
+        numbers.extend([outcome.difference, status]);
         Row { index, numbers }
+    }
+
+    /// The rows of scenarios that are no draws, by their place. `done` is called after each.
+    pub(super) fn rows(
+        &self,
+        trial: &Trial,
+        scenarios: &[Scenario],
+        done: &(dyn Fn() + Sync),
+    ) -> Vec<Row> {
+        let one = |trial: &mut Trial, (index, scenario): (u64, &Scenario)| {
+            let row = self.row_of(trial, index, scenario);
+            done();
+            row
+        };
+        let all: Vec<_> = (0..).zip(scenarios).collect();
+        all.into_par_iter().map_init(|| trial.clone(), one).collect()
     }
 }

@@ -1,123 +1,235 @@
-//! From the worst scenario that was drawn to a worse one nearby.
+//! From the worst scenarios that are known to worse ones nearby.
 //!
-//! A compass search in the unit box of the scenario: each coordinate is moved both ways, a piece of a
-//! worst-case disturbance to its other bound, and the best of all moves is taken; where none is better
-//! the moves are halved. All moves of a round are run at once, and the first of equals is taken, so
-//! that the number of cores decides nothing.
+//! Where a disturbance may be the worst one, its switching follows from the run itself: see `kernel`.
+//! Then a compass search goes on in tau, x0, the constants and the numbers of the other signals: each
+//! is moved both ways and the best of all moves is taken; where none is better the moves are halved.
+//! The two take turns until neither finds more. All moves of a round are run at once, and the first of
+//! equals is taken, so that the number of cores decides nothing.
 
 use rayon::prelude::*;
 
-use super::{Campaign, Outcome, Scenario, Trial};
+use super::kernel::{self, Rates};
+use super::{Campaign, Judgement, Outcome, Scenario, Signal, Status, Trial};
+use crate::simulate::Failure;
 
 /// What a search found.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The worst scenario.
     pub scenario: Scenario,
-    /// Its excess of the objective that was searched for, of both sides.
+    /// Its excess of the objective that was searched for, on the worse side.
     pub excess: f64,
+    /// What the scenarios say of the objective: the worst of it.
+    pub judgement: Judgement,
     /// The largest difference of the two sides in any run of the search.
     pub difference: f64,
     /// Runs that were taken.
     pub runs: usize,
+    /// The first scenario that could not be finished, and why.
+    pub unfinished: Option<(Scenario, Failure)>,
 }
 
 /// Smallest move, as a part of a box.
 const SMALLEST: f64 = 1.0 / 256.0;
 
-/// The worst scenario for `objective` that is found from that of `index`, as it was drawn and with
-/// its disturbances at their bounds, which is looked at closely in the end. `told` of the runs of
-/// each round.
+/// Turns of the two ways of going on.
+const TURNS: usize = 3;
+
+/// Worse by less than this is no progress.
+const PROGRESS: f64 = 1e-9;
+
+/// The worst scenario for `objective` that is found from `starts`, which is looked at closely in the
+/// end. `told` of the runs as they are taken.
 pub fn search(
     campaign: &Campaign,
     trial: &Trial,
-    (objective, index): (usize, u64),
+    (objective, starts): (usize, &[Scenario]),
     told: &dyn Fn(usize),
 ) -> Found {
-    let drawn = campaign.scenario(index);
-    let worst = campaign.at_worst(&drawn);
-    let starts = if worst == drawn { vec![drawn] } else { vec![drawn, worst] };
-    let most = campaign.search / starts.len();
-    let climbed =
-        starts.into_iter().map(|start| climb(campaign, trial, (objective, start), most, told));
-    let better = |best: Found, next: Found| {
-        let (runs, difference) = (best.runs + next.runs, best.difference.max(next.difference));
-        let found = if next.excess > best.excess { next } else { best };
-        Found { runs, difference, ..found }
-    };
-    let none = Found {
-        scenario: campaign.scenario(index),
-        excess: f64::NEG_INFINITY,
-        difference: 0.0,
-        runs: 0,
-    };
-    let found = climbed.fold(none, better);
-    let closely = trial.clone().run(&campaign.closely(&found.scenario));
-    told(1);
-    Found {
-        excess: found.excess.max(closely.worst(objective)),
-        difference: found.difference.max(closely.difference),
-        runs: found.runs + 1,
-        ..found
+    let worst = |(_, _, legal): &(_, _, Vec<Signal>)| legal.contains(&Signal::Worst);
+    let rates = campaign.disturbances.iter().any(worst).then(|| Rates::new(campaign)).flatten();
+    let left = campaign.search;
+    let mut search = Search { campaign, trial, rates, objective, told, left, best: None };
+    search.take(starts);
+    for start in starts {
+        search.switch(start);
     }
+    for _ in 0..TURNS {
+        let Some(before) = search.best.as_ref().map(|found| found.excess) else { break };
+        search.compass();
+        let Some(scenario) = search.best.as_ref().map(|found| found.scenario.clone()) else {
+            break;
+        };
+        search.switch(&scenario);
+        if search.best.as_ref().is_none_or(|found| !(found.excess > before + PROGRESS)) {
+            break;
+        }
+    }
+    search.look_closely(starts)
 }
 
-/// The search from one scenario, of at most as many runs.
-fn climb(
-    campaign: &Campaign,
-    trial: &Trial,
-    (objective, start): (usize, Scenario),
-    most: usize,
-    told: &dyn Fn(usize),
-) -> Found {
-    let run = |scenarios: &[Scenario]| -> Vec<Outcome> {
-        let one = |trial: &mut Trial, scenario: &Scenario| trial.run(&campaign.setting(scenario));
-        scenarios.par_iter().map_init(|| trial.clone(), one).collect()
-    };
-    let mut round = vec![start.clone()];
-    let mut found = Found { scenario: start, excess: f64::NEG_INFINITY, difference: 0.0, runs: 0 };
-    let mut size = 0.5;
-    while size >= SMALLEST && found.runs + round.len() <= most && found.excess.is_finite()
-        || found.runs == 0
-    {
-        let outcomes = run(&round);
-        found.runs += round.len();
-        told(round.len());
+struct Search<'a> {
+    campaign: &'a Campaign,
+    trial: &'a Trial,
+    /// What the worst signals follow from, where one is legal.
+    rates: Option<Rates>,
+    objective: usize,
+    told: &'a dyn Fn(usize),
+    /// Runs that may be taken.
+    left: usize,
+    best: Option<Found>,
+}
+
+impl Search<'_> {
+    /// Runs scenarios, as many as are left to run; whether one is worse than all before.
+    fn take(&mut self, scenarios: &[Scenario]) -> bool {
+        let scenarios = &scenarios[..scenarios.len().min(self.left)];
+        self.left -= scenarios.len();
+        let one =
+            |trial: &mut Trial, scenario: &Scenario| trial.run(&self.campaign.setting(scenario));
+        let outcomes: Vec<_> = scenarios.par_iter().map_init(|| self.trial.clone(), one).collect();
         let mut better = false;
-        for (scenario, outcome) in round.into_iter().zip(&outcomes) {
-            found.difference = found.difference.max(outcome.difference);
-            let excess = outcome.worst(objective);
-            if excess > found.excess {
-                (found.excess, found.scenario, better) = (excess, scenario, true);
+        for (scenario, outcome) in scenarios.iter().zip(outcomes) {
+            better |= self.note(scenario, outcome);
+        }
+        (self.told)(scenarios.len());
+        better
+    }
+
+    fn note(&mut self, scenario: &Scenario, outcome: Outcome) -> bool {
+        let (excess, judgement) =
+            (outcome.worst(self.objective), outcome.judgement(self.objective));
+        let unfinished = match outcome.status() {
+            Status::Unfinished => outcome.ended.clone().map(|ended| (scenario.clone(), ended)),
+            _ => None,
+        };
+        let difference = outcome.difference;
+        let Some(best) = &mut self.best else {
+            let scenario = scenario.clone();
+            self.best =
+                Some(Found { scenario, excess, judgement, difference, runs: 1, unfinished });
+            return true;
+        };
+        best.runs += 1;
+        best.difference = best.difference.max(difference);
+        best.unfinished = best.unfinished.take().or(unfinished);
+        let rank = |judgement| match judgement {
+            Judgement::Holds => 0,
+            Judgement::Open => 1,
+            Judgement::Fails => 2,
+        };
+        if rank(judgement) > rank(best.judgement) {
+            best.judgement = judgement;
+        }
+        let better = excess > best.excess;
+        if better {
+            (best.excess, best.scenario) = (excess, scenario.clone());
+        }
+        better
+    }
+
+    /// Goes on with the worst switching of the disturbances along the run, as long as that is worse.
+    fn switch(&mut self, start: &Scenario) {
+        if self.rates.is_none() {
+            return;
+        }
+        let mut from = start.clone();
+        while self.left > 0 {
+            self.left -= 1;
+            let mut trial = self.trial.clone();
+            let rates = self.rates.as_mut();
+            let next = rates.and_then(|rates| {
+                kernel::worse(self.campaign, (&mut trial, rates), self.objective, &from)
+            });
+            (self.told)(1);
+            let (before, left) = (self.best.as_ref().map(|found| found.excess), self.left);
+            let Some(next) = next else {
+                // Where the run has no slopes the bounds are tried piece by piece.
+                let flipped = self.campaign.flipped(&from);
+                if flipped.is_empty() || !self.take(&flipped) {
+                    return;
+                }
+                from = self.best.as_ref().map_or(from, |found| found.scenario.clone());
+                continue;
+            };
+            self.take(&next);
+            let gained = self.best.as_ref().map(|found| found.excess).zip(before);
+            if left == 0 || gained.is_none_or(|(after, before)| !(after > before + PROGRESS)) {
+                return;
+            }
+            from = self.best.as_ref().map_or(from, |found| found.scenario.clone());
+        }
+    }
+
+    fn compass(&mut self) {
+        let mut size = 0.5;
+        while size >= SMALLEST {
+            let Some(best) = self.best.as_ref().filter(|best| best.excess.is_finite()) else {
+                return;
+            };
+            let moves = self.campaign.moved(&best.scenario, size);
+            if moves.is_empty() || moves.len() > self.left {
+                return;
+            }
+            if !self.take(&moves) {
+                size /= 2.0;
             }
         }
-        if !better {
-            size /= 2.0;
-        }
-        round = moves(campaign, &found.scenario, size, !better);
     }
-    found
+
+    /// Runs the worst scenario once more, with each peak met.
+    fn look_closely(mut self, starts: &[Scenario]) -> Found {
+        let best = self.best.as_ref().map(|found| &found.scenario).or(starts.first());
+        if let Some(scenario) = best.cloned() {
+            let outcome = self.trial.clone().run(&self.campaign.closely(&scenario));
+            self.note(&scenario, outcome);
+            (self.told)(1);
+        }
+        self.best.unwrap_or_else(|| Found {
+            scenario: self.campaign.scenario(0),
+            excess: f64::NEG_INFINITY,
+            judgement: Judgement::Holds,
+            difference: 0.0,
+            runs: 0,
+            unfinished: None,
+        })
+    }
 }
 
-/// The scenario with one coordinate moved; with `halved` those of two values, which were tried
-/// already, are left out.
-fn moves(campaign: &Campaign, from: &Scenario, size: f64, halved: bool) -> Vec<Scenario> {
-    let mut moved = Vec::new();
-    for (place, two) in campaign.movable(from) {
-        let here = from.0[place];
-        let to = |value: f64| {
+impl Campaign {
+    /// The scenarios next to one, in each of its numbers by `size` of what this may be.
+    pub(super) fn moved(&self, from: &Scenario, size: f64) -> Vec<Scenario> {
+        let mut moved = Vec::new();
+        for (place, (low, high)) in self.sides().enumerate() {
+            let here = from.point[place];
+            let steps = [here + size * (high - low), here - size * (high - low)];
+            let steps = steps.map(|value| value.clamp(low, high));
+            for value in steps.into_iter().filter(|value| *value != here) {
+                let mut scenario = from.clone();
+                scenario.point[place] = value;
+                moved.push(scenario);
+            }
+        }
+        for (d, (_, bounds, _)) in self.disturbances.iter().enumerate() {
+            for course in from.courses[d].moved(*bounds, size) {
+                let mut scenario = from.clone();
+                scenario.courses[d] = course;
+                moved.push(scenario);
+            }
+        }
+        moved
+    }
+
+    /// The scenarios in which a disturbance at its bounds is at the other one in a piece of the run.
+    fn flipped(&self, from: &Scenario) -> Vec<Scenario> {
+        let each = from.courses.iter().enumerate().flat_map(|(d, course)| {
+            course.flipped(self.until).into_iter().map(move |course| (d, course))
+        });
+        let with = |(d, course)| {
             let mut scenario = from.clone();
-            scenario.0[place] = value;
+            scenario.courses[d] = course;
             scenario
         };
-        if two {
-            if !halved {
-                moved.push(to(if here >= 0.5 { 0.0 } else { 1.0 }));
-            }
-            continue;
-        }
-        let steps = [(here + size).min(1.0), (here - size).max(0.0)];
-        moved.extend(steps.into_iter().filter(|value| *value != here).map(to));
+        each.map(with).collect()
     }
-    moved
 }

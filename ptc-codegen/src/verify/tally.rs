@@ -1,8 +1,8 @@
 //! What is kept of many scenarios. Maxima with their least index and counts: no order decides them,
 //! so that the tally of shards is that of one run, bit for bit.
 
-use super::Campaign;
 use super::record::Row;
+use super::{Campaign, Judgement, Status};
 
 /// The greatest of many values, and the least index that has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +30,14 @@ pub struct Tally {
     pub scenarios: u64,
     /// The worst excess of each objective, of both sides.
     pub excess: Vec<Worst>,
-    /// How many scenarios fail each objective, on either side.
+    /// How many scenarios fail each objective.
     pub failed: Vec<u64>,
+    /// How many fail it on one side of Theorem 1 alone.
+    pub open: Vec<u64>,
+    /// How many could not be finished.
+    pub unfinished: u64,
+    /// The least index of these.
+    pub first_unfinished: Option<u64>,
     /// The largest difference of the two sides.
     pub difference: Worst,
     /// How many scenarios differ by more than the tolerance.
@@ -49,12 +55,21 @@ impl Tally {
             scenarios: 0,
             excess: vec![Worst::NONE; objectives],
             failed: vec![0; objectives],
+            open: vec![0; objectives],
+            unfinished: 0,
+            first_unfinished: None,
             difference: Worst::NONE,
             apart: 0,
             objectives,
-            first: campaign.columns().len() - 2 * objectives - 1,
+            first: campaign.columns().len() - 2 * objectives - 2,
             tolerance: campaign.tolerance,
         }
+    }
+
+    /// The excess of an objective in a row, on the worse side.
+    pub(super) fn worst_of(&self, row: &Row, objective: usize) -> f64 {
+        let excess = &row.numbers[self.first..];
+        excess[objective].max(excess[objective + self.objectives])
     }
 
     /// Takes a row.
@@ -62,10 +77,17 @@ impl Tally {
         self.scenarios += 1;
         let index = row.index;
         let excess = &row.numbers[self.first..];
+        let status = excess[2 * self.objectives + 1];
         for i in 0..self.objectives {
-            let value = excess[i].max(excess[i + self.objectives]);
-            self.excess[i].take(Worst { value, index });
-            self.failed[i] += u64::from(value > 0.0);
+            let sides = [excess[i], excess[i + self.objectives]];
+            self.excess[i].take(Worst { value: sides[0].max(sides[1]), index });
+            let judgement = Status::judge(status, sides);
+            self.failed[i] += u64::from(judgement == Judgement::Fails);
+            self.open[i] += u64::from(judgement == Judgement::Open);
+        }
+        if status == Status::Unfinished.code() {
+            self.unfinished += 1;
+            self.first_unfinished = self.first_unfinished.into_iter().chain([index]).min();
         }
         let value = excess[2 * self.objectives];
         self.difference.take(Worst { value, index });
@@ -77,10 +99,14 @@ impl Tally {
     pub fn merge(mut self, other: &Self) -> Self {
         self.scenarios += other.scenarios;
         self.apart += other.apart;
+        self.unfinished += other.unfinished;
+        self.first_unfinished =
+            self.first_unfinished.into_iter().chain(other.first_unfinished).min();
         self.difference.take(other.difference);
         for i in 0..self.objectives {
             self.excess[i].take(other.excess[i]);
             self.failed[i] += other.failed[i];
+            self.open[i] += other.open[i];
         }
         self
     }

@@ -2,7 +2,7 @@
 
 use super::objective::Observer;
 use super::{Campaign, Level, Setting};
-use crate::simulate::{Accuracy, Continuous, Direct, Failure, Run, Sample, Side};
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Side};
 use crate::spec::{Precision, Spec};
 
 /// Both closed loops of a campaign, to be run with many scenarios.
@@ -14,11 +14,54 @@ pub struct Trial {
     objectives: usize,
 }
 
+/// How far a run came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// To its end, on both sides.
+    Finished,
+    /// Until x or u left the range of numbers: each objective fails.
+    OutOfRange,
+    /// Until the integration had to stop: what comes after that is not known.
+    Unfinished,
+}
+
+/// What a scenario says of an objective.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judgement {
+    /// It holds as far as the run came.
+    Holds,
+    /// It holds on one side of Theorem 1 and fails on the other: the bound is met within rounding.
+    Open,
+    /// It fails.
+    Fails,
+}
+
+impl Status {
+    /// As it stands in a row.
+    pub fn code(self) -> f64 {
+        match self {
+            Self::Finished => 0.0,
+            Self::OutOfRange => 1.0,
+            Self::Unfinished => 2.0,
+        }
+    }
+
+    /// Of the excess on both sides. What failed before the end of an unfinished run failed.
+    pub(super) fn judge(code: f64, sides: [f64; 2]) -> Judgement {
+        let [low, high] = [sides[0].min(sides[1]), sides[0].max(sides[1])];
+        match () {
+            () if high <= 0.0 => Judgement::Holds,
+            () if low > 0.0 || code == Self::Unfinished.code() => Judgement::Fails,
+            () => Judgement::Open,
+        }
+    }
+}
+
 /// What a scenario gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// By how much each objective is exceeded at its worst instant, on the side of the infinite-time
-    /// system; above 0 it fails. Infinite where the run ends early.
+    /// system; above 0 it fails. Infinite where x or u leaves the range of numbers.
     pub excess: Vec<f64>,
     /// The same on the side of the plant with the emitted program.
     pub excess_direct: Vec<f64>,
@@ -29,9 +72,24 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// How far it came.
+    pub fn status(&self) -> Status {
+        match &self.ended {
+            None => Status::Finished,
+            Some(ended) if ended.cause == Cause::Range => Status::OutOfRange,
+            Some(_) => Status::Unfinished,
+        }
+    }
+
     /// By how much an objective is exceeded on the side on which it comes off worse.
-    pub(super) fn worst(&self, objective: usize) -> f64 {
+    pub fn worst(&self, objective: usize) -> f64 {
         self.excess[objective].max(self.excess_direct[objective])
+    }
+
+    /// What it says of an objective.
+    pub fn judgement(&self, objective: usize) -> Judgement {
+        let sides = [self.excess[objective], self.excess_direct[objective]];
+        Status::judge(self.status().code(), sides)
     }
 }
 
@@ -74,22 +132,31 @@ impl Trial {
         let (mut first, mut second) = (Vec::new(), Vec::new());
         let infinite = self.infinite(setting, &mut |instant| first.push(instant));
         let direct = self.direct(setting, &mut |instant| second.push(instant));
-        let excess = |side: &[Instant], failed: bool| {
-            let start = if failed { f64::INFINITY } else { f64::NEG_INFINITY };
+        let is_range = |end: &Result<(), Failure>| {
+            end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
+        };
+        let excess = |side: &[Instant], end: &Result<(), Failure>| {
+            let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
             let worst =
                 |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
             (0..self.objectives).map(worst).collect()
         };
-        let difference = match (&infinite, &direct) {
-            (Ok(()), Ok(())) => difference(&first, &second),
-            (Err(_), Err(_)) => 0.0,
+        let difference = match (is_range(&infinite), is_range(&direct)) {
+            // As far as both came.
+            (false, false) => difference(&first, &second),
+            (true, true) => 0.0,
+            _ if infinite.is_err() && direct.is_err() => 0.0,
             _ => f64::INFINITY,
         };
         Outcome {
-            excess: excess(&first, infinite.is_err()),
-            excess_direct: excess(&second, direct.is_err()),
+            excess: excess(&first, &infinite),
+            excess_direct: excess(&second, &direct),
             difference,
-            ended: infinite.err().or(direct.err()),
+            // What could not be finished says more than what left the range of numbers elsewhere.
+            ended: match (infinite.err(), direct.err()) {
+                (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
+                (first, second) => first.or(second),
+            },
         }
     }
 
@@ -128,6 +195,26 @@ impl Trial {
             self.observer.levels(here, last, &mut |i, _, level| levels[i].push(level));
         }
         Ok(levels)
+    }
+
+    /// Excess of an objective of a scenario in a state `x` under a control `u` at a time-to-go.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub(super) fn excess_at(
+        &mut self,
+        setting: &Setting,
+        here: (f64, &[f64], f64),
+        (objective, last): (usize, bool),
+    ) -> Result<f64, Failure> {
+        self.observer.start(&setting.values, &setting.x0)?;
+        let mut excess = f64::NEG_INFINITY;
+        self.observer.excess(here, last, &mut |i, value| {
+            if i == objective {
+                excess = value;
+            }
+        });
+        Ok(excess)
     }
 
     /// Excess of each objective at t0, with u = 0 where one holds u.

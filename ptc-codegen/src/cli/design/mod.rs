@@ -31,10 +31,8 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         Ok(wish) => parsed.finish(Some(wish), Vec::new())?,
         Err(found) => return parsed.finish(None, found),
     };
-    let wrong =
-        |wrong: ptc_codegen::simulate::Failure| Failure::because(wrong.message, &wrong.help);
     // What fails at t0 fails with every choice.
-    starts(wish.campaign(), &mut Trial::new(wish.campaign()).map_err(wrong)?)?;
+    starts(wish.campaign(), &mut Trial::new(wish.campaign())?)?;
     let bar = progress("designing", u64::from(request.tries));
     let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
     let outcome = synthesis::design(&wish, most, &|probe, tries| {
@@ -42,11 +40,11 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         bar.set_message(probe.choice.to_string());
     });
     bar.finish_and_clear();
-    let outcome = outcome.map_err(wrong)?;
-    let Outcome { best: Some(best), verdict: Some(verdict), tries, .. } = &outcome else {
+    let outcome = outcome?;
+    let Outcome { best: Some(best), assessment: Some(found), tries, .. } = &outcome else {
         return Err(report::blocked(&wish, &outcome));
     };
-    let told = report::met(best, verdict, *tries);
+    let told = report::met(best, found, *tries);
     let text = design::load(&request.design)
         .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
     let text = file::complete(&text, &best.choice, &head(&request.design, &told))

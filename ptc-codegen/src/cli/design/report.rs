@@ -1,12 +1,13 @@
 //! What is told of a choice that was found, and of a wish for which there is none.
 
-use ptc_codegen::synthesis::{Choice, Outcome, Probe, Refused, Verdict, Wish};
+use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
+use ptc_codegen::verify::{Verdict, confidence};
 
 use crate::cli::report::{Failure, Notice};
-use crate::cli::verify::{against, told};
+use crate::cli::verify::against;
 
 /// What was chosen, and each objective with its margin.
-pub(super) fn met(probe: &Probe, verdict: &Verdict, tries: usize) -> String {
+pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     let campaign = &probe.campaign;
     let name = campaign.spec.name();
     let mut text = if probe.choice == Choice::default() {
@@ -14,11 +15,27 @@ pub(super) fn met(probe: &Probe, verdict: &Verdict, tries: usize) -> String {
     } else {
         format!("{name}: {}, after {}\n", probe.choice, counted(tries))
     };
-    let all = campaign.objectives.iter().zip(&verdict.worst).zip(&verdict.proved);
-    for (number, ((objective, (excess, _)), proved)) in (1..).zip(all) {
-        let how = if *proved { "proved by intervals" } else { "by sampling" };
+    let all = campaign.objectives.iter().zip(&found.worst).zip(&found.verdicts);
+    let mut draws = None;
+    for (number, ((objective, (excess, _)), verdict)) in (1..).zip(all) {
+        let how = match verdict {
+            Verdict::Proved => "proved by intervals",
+            _ => "by sampling",
+        };
+        if let Verdict::Sampled { draws: own } = verdict {
+            draws = Some(*own);
+        }
         let at = against(&objective.kind, *excess);
         text.push_str(&format!("objective {number}, {objective}: holds, {how}, {at}\n"));
+    }
+    if let Some(draws) = draws {
+        let most = confidence(draws).map_or(String::new(), |(most, beta)| {
+            format!(", which bounds its probability by {most:.2e} with confidence {}", 1.0 - beta)
+        });
+        text.push_str(&format!(
+            "by sampling: {draws} draws of a fresh seed without a failure{most}, and {} % of the bound left\n",
+            100.0 * ROOM
+        ));
     }
     text
 }
@@ -52,9 +69,22 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             notes.push(why.clone());
             "the gains are held before a run ends, whatever is chosen".to_owned()
         }
+        (None, _) if best.unfinished.is_some() => {
+            notes.extend(best.unfinished.iter().map(|ended| ended.message.clone()));
+            "undecided: a run could not be finished with any choice that was tried".to_owned()
+        }
         (None, _) if best.sides_differ() => {
             "the two sides of Theorem 1 differ by more than `tolerance`, whatever is chosen"
                 .to_owned()
+        }
+        (None, Some(_)) if failed.is_empty() => {
+            let (numbers, room) = (tight(best), 100.0 * ROOM);
+            let all = if open {
+                "no choice was found that leaves"
+            } else {
+                "nothing is left to choose, and there is not"
+            };
+            format!("{all} {room} % of the bound of objective {numbers}, which is not proved")
         }
         (None, Some(_)) if open && failed.len() > 1 => {
             format!("no choice was found that meets objectives {} at once", failed.join(" and "))
@@ -72,7 +102,7 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             let at = against(&objective.kind, *excess);
             let mut note = format!("objective {}, {objective}: {at}", index + 1);
             if *excess > 0.0 {
-                note.push_str(&format!(", from {}", told(&best.campaign, scenario)));
+                note.push_str(&format!(", from {}", best.campaign.told(scenario)));
                 note.extend(elsewhere(outcome, index));
             }
             notes.push(note);
@@ -87,7 +117,17 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             "leave `mu`, or `poles` and `gains`, out of the design, so that there is something to choose"
         }
     };
-    Failure::refused(vec![Notice { notes, help: Some(help.to_owned()), ..Notice::of(title) }])
+    let notices = vec![Notice { notes, help: Some(help.to_owned()), ..Notice::of(title) }];
+    match best.refused().is_none() && best.unfinished.is_some() {
+        true => Failure::undecided(notices),
+        false => Failure::refused(notices),
+    }
+}
+
+/// The objectives that hold, and neither are proved nor keep their room.
+fn tight(best: &Probe) -> String {
+    let tight = (1..).zip(&best.keeps).filter(|(_, keeps)| !**keeps);
+    tight.map(|(number, _): (usize, _)| number.to_string()).collect::<Vec<_>>().join(" and ")
 }
 
 /// Where an objective that fails is met, and what that costs the others.

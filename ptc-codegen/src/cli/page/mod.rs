@@ -67,12 +67,13 @@ pub(crate) struct Section {
     pub(crate) table: Table,
 }
 
-/// Something that holds or does not.
+/// Something that holds, fails, or is not known.
 pub(crate) struct Judged {
     /// By which it is found elsewhere; empty where it is nowhere.
     pub(crate) name: String,
     pub(crate) what: Math,
-    pub(crate) holds: bool,
+    /// The class of its verdict: good, bad or open.
+    pub(crate) colour: &'static str,
     pub(crate) verdict: String,
     pub(crate) details: Vec<String>,
 }

@@ -9,14 +9,15 @@ use crate::cli::args::{Design, SpecFlags};
 pub(crate) const EXAMPLES: &str = "\
 What is verified stands in the design: under [plant] the plant, with [least, greatest] for each symbol
 that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn and
-tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it, each of them a
-function of the seed and its index alone, and run on both sides of Theorem 1, which must agree.
+tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
+of them a function of the seed and its index alone, and run on both sides of Theorem 1, which must
+agree; so are the joint corners of all that is uncertain, and what a search finds from the worst ones.
 
-With --out one row a scenario is kept as Parquet, and a run that was interrupted goes on where it was
+With --out one row per draw is kept as Parquet, and a run that was interrupted goes on where it was
 when it is started again. Shards are parts of the same run: merged they are its bytes.
 
-Exit codes: 0 every objective holds, or the shard is done; 1 an objective fails, or the two sides
-differ; 2 bad input.
+Exit codes: 0 every objective holds, or the shard is done; 1 an objective fails; 2 bad input; 3 none
+fails and one is undecided: a run could not be finished, or the two sides differ.
 
 Examples:
   ptc-codegen verify roll.toml --scenarios 100000 --seed 7
@@ -24,7 +25,8 @@ Examples:
   ptc-codegen verify roll.toml --report roll.html
   ptc-codegen verify roll.toml --shard 3/64 --out part3.parquet
   ptc-codegen verify roll.toml --merge part*.parquet --out roll.parquet
-  ptc-codegen verify roll.toml --scenario 8123";
+  ptc-codegen verify roll.toml --scenario 8123
+  ptc-codegen verify roll.toml --scenario \"tau = 2, x1 = -1, x2 = 1, gust = worst(0.1, 0.4)\"";
 
 /// What is asked of a verification.
 #[derive(Debug, Args)]
@@ -58,7 +60,8 @@ pub(crate) struct Verify {
     /// that needs nothing else
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scenario", "shard"])]
     pub(crate) report: Option<PathBuf>,
-    /// Run one scenario and print its trajectory as CSV
-    #[arg(long, value_name = "INDEX", conflicts_with = "out")]
-    pub(crate) scenario: Option<u64>,
+    /// Run one scenario and print its trajectory as CSV: a draw by its index, or one that is written
+    /// out as it is printed
+    #[arg(long, value_name = "SCENARIO", conflicts_with = "out")]
+    pub(crate) scenario: Option<String>,
 }

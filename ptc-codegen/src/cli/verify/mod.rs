@@ -8,10 +8,11 @@ mod report;
 use std::ops::Range;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use ptc_codegen::verify::{self, Campaign, Scenario, Trial};
+use ptc_codegen::simulate::{self, Cause};
+use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
-use report::Worst;
+use report::End;
 pub(crate) use report::against;
 
 use super::page as html;
@@ -26,14 +27,12 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
-    let mut trial =
-        Trial::new(&campaign).map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+    let mut trial = Trial::new(&campaign)?;
     starts(&campaign, &mut trial)?;
-    if let Some(index) = request.scenario {
-        let scenario = campaign.scenario(index);
-        return write::to_stdout(&report::csv(&campaign, &mut trial, &scenario)?);
+    if let Some(text) = &request.scenario {
+        return replay(&campaign, &mut trial, text);
     }
-    let tally = match &request.shard {
+    let drawn = match &request.shard {
         _ if !request.merge.is_empty() => {
             parts::merge(&campaign, &request.merge, request.out.as_deref())?
         }
@@ -46,33 +45,52 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         }
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
-        let count = tally.scenarios;
+        let count = drawn.scenarios;
         let told = format!("wrote {}, part {shard} with {count} scenarios\n", out.display());
         return write::to_stdout(&told);
     }
     let bar = progress("searching", searched(&campaign));
-    let worst: Vec<_> = (0..campaign.objectives.len())
-        .map(|objective| {
-            let index = tally.excess[objective].index;
-            let told = |runs| bar.inc(runs as u64);
-            let found = verify::search::search(&campaign, &trial, (objective, index), &told);
-            Worst { drawn: tally.excess[objective], found }
-        })
-        .collect();
+    let corners = Corners::run(&campaign, &trial, &|| bar.inc(1));
+    let search = |objective: usize| {
+        let mut starts = corners.starts(&campaign, objective);
+        starts.insert(0, campaign.scenario(drawn.excess[objective].index));
+        let told = |runs| bar.inc(runs as u64);
+        verify::search::search(&campaign, &trial, (objective, &starts), &told)
+    };
+    let found: Vec<_> = (0..campaign.objectives.len()).map(search).collect();
     bar.finish_and_clear();
-    let proved = verify::bound::proved(&campaign);
-    let verdict = report::verdict(&campaign, &mut trial, &tally, (&worst, &proved))?;
+    let proofs = verify::bound::proved(&campaign);
+    let all = report::Known { drawn: &drawn, corners: &corners, found: &found, proofs: &proofs };
+    let summary = report::summary(&campaign, &mut trial, &all)?;
     let mut files = Vec::new();
-    if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&worst)) {
-        files.push((path.clone(), report::csv(&campaign, &mut trial, &worst.found.scenario)?));
+    if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&found)) {
+        let (csv, _) = report::csv(&campaign, &mut trial, &worst.scenario);
+        files.push((path.clone(), csv));
     }
     if let Some(path) = report {
-        files.push((path, page::text(request, &source, (&campaign, &mut trial), &verdict)?));
+        files.push((path, page::text(request, &source, (&campaign, &mut trial), &summary)?));
     }
     let files: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
     write::paths(&files)?;
-    write::to_stdout(&verdict.text(&campaign))?;
-    if verdict.holds { Ok(()) } else { Err(Failure::refused(Vec::new())) }
+    write::to_stdout(&summary.text(&campaign))?;
+    match summary.end() {
+        End::Holds => Ok(()),
+        End::Fails => Err(Failure::refused(Vec::new())),
+        End::Undecided => Err(Failure::undecided(Vec::new())),
+    }
+}
+
+/// Prints the trajectory of one scenario: a draw by its index, or any that is written out.
+fn replay(campaign: &Campaign, trial: &mut Trial, text: &str) -> Result<(), Failure> {
+    let scenario = match text.trim().parse() {
+        Ok(index) => campaign.scenario(index),
+        Err(_) => {
+            campaign.replayed(text).map_err(|(message, help)| Failure::because(message, &help))?
+        }
+    };
+    let (csv, ended) = report::csv(campaign, trial, &scenario);
+    write::to_stdout(&csv)?;
+    ended.map_or(Ok(()), |ended| Err(ended.into()))
 }
 
 fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
@@ -92,40 +110,33 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
     }
 }
 
-/// An objective that fails at t0, whatever the control does, says nothing of the loop.
+/// An objective that no control can keep says nothing of the loop.
 pub(crate) fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failure> {
-    let wrong =
-        |wrong: ptc_codegen::simulate::Failure| Failure::because(wrong.message, &wrong.help);
-    let of_gain = Campaign { objectives: vec![campaign.gain()], ..campaign.clone() };
-    let mut gain = Trial::new(&of_gain).map_err(wrong)?;
-    // Every fourth scenario is a corner of the boxes.
-    for index in 0..campaign.scenarios.min(1024) {
-        let scenario = campaign.scenario(index);
-        let setting = campaign.setting(&scenario);
-        if gain.at_start(&setting).map_err(wrong)?.iter().any(|excess| *excess >= 0.0) {
-            return Err(Failure::because(
-                format!(
-                    "the gain of the plant is 0 or has another sign than g, at {}",
-                    told(campaign, &scenario)
-                ),
-                "Theorem 1 asks for |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
-            ));
-        }
-        let excess = trial.at_start(&setting);
-        let excess = excess.map_err(wrong)?;
-        for (number, (objective, excess)) in (1..).zip(campaign.objectives.iter().zip(excess)) {
-            if objective.is_of_state() && excess > 0.0 {
-                return Err(Failure::because(
-                    format!(
-                        "objective {number}, {objective}, fails at t0 already, from x0 = {:?}",
-                        setting.x0
-                    ),
-                    "whatever the control does: widen the bound at dt = 0, or narrow the box of initial states under [verify]",
-                ));
-            }
-        }
+    if let Some(scenario) = verify::reversed(campaign)? {
+        return Err(Failure::because(
+            format!(
+                "the gain of the plant is 0 or has another sign than g, at {}",
+                campaign.told(&scenario)
+            ),
+            "Theorem 1 requires |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
+        ));
     }
-    Ok(())
+    let Some(Impossible { objective, scenario, at_start }) = verify::impossible(campaign, trial)?
+    else {
+        return Ok(());
+    };
+    let at = campaign.told(&scenario);
+    let which = format!("objective {}, {}", objective + 1, campaign.objectives[objective]);
+    Err(match at_start {
+        true => Failure::because(
+            format!("{which}, fails at t0 already, at {at}"),
+            "whatever the control does: widen the bound at dt = 0, or narrow the box of initial states under [verify]",
+        ),
+        false => Failure::because(
+            format!("{which}, is impossible at {at}: |x0| is 0, and x does not stay there"),
+            "whatever the control does: keep x0 = 0 out of the box under [verify], or bound |x| by `within` and `attractive`",
+        ),
+    })
 }
 
 /// The scenarios of part I of N.
@@ -148,7 +159,7 @@ fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
 }
 
 fn searched(campaign: &Campaign) -> u64 {
-    (campaign.search * campaign.objectives.len()) as u64
+    (campaign.corners().len() + campaign.search * campaign.objectives.len()) as u64
 }
 
 /// A bar on the standard error, where that is a terminal.
@@ -161,22 +172,15 @@ pub(crate) fn progress(what: &'static str, count: u64) -> ProgressBar {
     }
 }
 
-/// The scenario of a search, as one would ask for it again.
-pub(crate) fn told(campaign: &Campaign, scenario: &Scenario) -> String {
-    let setting = campaign.setting(scenario);
-    let mut parts =
-        vec![format!("tau = {}", setting.values.get(ptc_codegen::spec::Parameter::Tau))];
-    parts.extend((1..).zip(&setting.x0).map(|(j, x)| format!("x{j} = {x}")));
-    for (symbol, _) in &campaign.intervals {
-        parts.push(format!("{} = {}", symbol.spelling(), setting.values.get(*symbol)));
+impl From<simulate::Failure> for Failure {
+    fn from(failure: simulate::Failure) -> Self {
+        let notice = Notice { help: Some(failure.help), ..Notice::of(failure.message) };
+        match failure.cause {
+            Cause::Input => Self::bad_input(vec![notice]),
+            Cause::Range => Self::refused(vec![notice]),
+            Cause::Unfinished => Self::undecided(vec![notice]),
+        }
     }
-    parts.extend(
-        campaign
-            .signals(scenario)
-            .iter()
-            .map(|(symbol, signal)| format!("{} {}", symbol.spelling(), signal.name())),
-    );
-    parts.join(", ")
 }
 
 fn unwritable(notice: Notice) -> Failure {

@@ -2,10 +2,10 @@
 
 use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::spec::Parameter;
-use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial};
+use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
 use super::Verify;
-use super::report::{APART, Judged, Trajectory, Verdict, shown};
+use super::report::{APART, End, Judged, Summary, Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
 };
@@ -18,7 +18,7 @@ pub(super) fn text(
     request: &Verify,
     source: &Source,
     (campaign, trial): (&Campaign, &mut Trial),
-    verdict: &Verdict,
+    summary: &Summary,
 ) -> Result<String, Failure> {
     let spec = &campaign.spec;
     let flags = [("--scenarios", request.scenarios.clone()), ("--seed", request.seed.clone())];
@@ -27,30 +27,34 @@ pub(super) fn text(
         plant: &campaign.plant,
         source,
         command: command("verify", spec, source, &flags),
-        section: section((campaign, trial), verdict)?,
+        section: section((campaign, trial), summary)?,
     };
     page::html(&content)
 }
 
 fn section(
     (campaign, trial): (&Campaign, &mut Trial),
-    verdict: &Verdict,
+    summary: &Summary,
 ) -> Result<Section, Failure> {
-    let end = if verdict.holds { "Every objective holds" } else { "Not verified" };
-    let mut told = vec![format!("{end}: {}.", verdict.run)];
-    told.push(format!("{}.", uncertain(campaign).join("; ")));
-    let pairs = campaign.objectives.iter().zip(&verdict.objectives);
+    let end = match summary.end() {
+        End::Holds => "Every objective holds",
+        End::Fails => "Not verified",
+        End::Undecided => "Undecided",
+    };
+    let mut told = vec![format!("{end}: {}.", summary.run)];
+    told.push(format!("{}. Draws: {}.", uncertain(campaign).join("; "), summary.distribution));
+    let pairs = campaign.objectives.iter().zip(&summary.objectives);
     let mut verdicts: Vec<_> = (1..).zip(pairs).map(judged).collect();
-    let mut details = vec![verdict.sides.clone()];
-    details.extend(verdict.apart.then(|| APART.to_owned()));
+    let mut details = vec![summary.sides.clone()];
+    details.extend(summary.apart.then(|| APART.to_owned()));
     verdicts.push(page::Judged {
         name: String::new(),
         what: words("both sides of Theorem 1"),
-        holds: !verdict.apart,
-        verdict: if verdict.apart { "differ" } else { "agree" }.to_owned(),
+        colour: if summary.apart { "open" } else { "good" },
+        verdict: if summary.apart { "differ" } else { "agree" }.to_owned(),
         details,
     });
-    let Some(trajectory) = &verdict.trajectory else {
+    let Some(trajectory) = &summary.trajectory else {
         let figure = Svg::of(&Figure::default())?;
         let caption = String::new();
         return Ok(Section {
@@ -67,8 +71,13 @@ fn section(
         told,
         verdicts,
         caption: format!(
-            "Worst trajectory, {}. Bounds of the objectives are dashed, in red.",
-            trajectory.told
+            "Worst trajectory, {}. Bounds of the objectives are dashed, in red.{}",
+            trajectory.told,
+            trajectory
+                .ended
+                .iter()
+                .map(|ended| format!(" It ends early: {ended}."))
+                .collect::<String>()
         ),
         figure: Svg::of(&figure((campaign, trial), trajectory)?)?,
         table: table(trajectory),
@@ -83,9 +92,8 @@ fn uncertain(campaign: &Campaign) -> Vec<String> {
         true => format!("{name} = {least}"),
         false => format!("{name} in [{least}, {greatest}]"),
     };
-    let mut parts = vec![within("tau", campaign.tau)];
-    parts.extend((1..).zip(&campaign.x0).map(|(j, x)| within(&format!("x{j}"), *x)));
-    parts.extend(campaign.intervals.iter().map(|(symbol, i)| within(&symbol.spelling(), *i)));
+    let mut parts: Vec<_> =
+        campaign.uncertain().map(|(name, interval)| within(&name, interval)).collect();
     for (symbol, interval, signals) in &campaign.disturbances {
         let signals: Vec<_> = signals.iter().map(|signal| signal.name()).collect();
         let signals = signals.join(", ");
@@ -98,8 +106,12 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
     page::Judged {
         name: format!("objective {number}"),
         what: formula(objective),
-        holds: judged.holds,
-        verdict: judged.verdict.to_owned(),
+        colour: match judged.verdict {
+            Verdict::Proved | Verdict::Sampled { .. } => "good",
+            Verdict::Undecided(_) => "open",
+            Verdict::Fails => "bad",
+        },
+        verdict: judged.verdict().to_owned(),
         details: judged.details.clone(),
     }
 }
@@ -142,9 +154,7 @@ fn figure(
 ) -> Result<Figure, Failure> {
     let Trajectory { scenario, instants, .. } = trajectory;
     let setting = campaign.closely(scenario);
-    let levels = trial
-        .levels(&setting, instants)
-        .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
+    let levels = trial.levels(&setting, instants)?;
     let [tau, start, u_max] = [Parameter::Tau, Parameter::StartTime, Parameter::UMax]
         .map(|parameter| setting.values.get(parameter));
     let spec = &campaign.spec;

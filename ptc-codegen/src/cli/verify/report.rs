@@ -1,22 +1,31 @@
 //! The verdict, and the worst trajectory.
 
+use ptc_codegen::simulate;
 use ptc_codegen::verify::bound::Proof;
 use ptc_codegen::verify::search::Found;
-use ptc_codegen::verify::{Campaign, Instant, Kind, Scenario, Tally, Trial, Worst as Drawn};
+use ptc_codegen::verify::{
+    Campaign, Corners, Doubt, Evidence, Instant, Kind, Scenario, Signal, Tally, Trial, Verdict,
+    Worst, confidence,
+};
 
-use super::told;
 use crate::cli::report::Failure;
 
-/// The worst of an objective: that which was drawn, and that which the search found from it.
-pub(super) struct Worst {
-    pub(super) drawn: Drawn,
-    pub(super) found: Found,
+/// All that is known in the end.
+pub(super) struct Known<'a> {
+    pub(super) drawn: &'a Tally,
+    pub(super) corners: &'a Corners,
+    /// For each objective what the search found.
+    pub(super) found: &'a [Found],
+    /// For each objective its proof, or why there is none.
+    pub(super) proofs: &'a [Proof],
 }
 
 /// What is told in the end.
-pub(super) struct Verdict {
+pub(super) struct Summary {
     /// How much was run.
     pub(super) run: String,
+    /// What the draws are drawn from.
+    pub(super) distribution: String,
     /// One for each objective.
     pub(super) objectives: Vec<Judged>,
     /// How far the sides of Theorem 1 are apart.
@@ -25,16 +34,23 @@ pub(super) struct Verdict {
     pub(super) apart: bool,
     /// The trajectory of the objective that comes off worst.
     pub(super) trajectory: Option<Trajectory>,
-    /// Whether all of it holds.
-    pub(super) holds: bool,
 }
 
 /// An objective, judged.
 pub(super) struct Judged {
-    pub(super) holds: bool,
-    pub(super) verdict: String,
+    pub(super) verdict: Verdict,
+    /// What of the emitted program a proof includes.
+    scope: String,
     /// What it was judged by.
     pub(super) details: Vec<String>,
+}
+
+/// What a verification comes to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    Holds,
+    Fails,
+    Undecided,
 }
 
 /// A run, and the words of its scenario.
@@ -42,6 +58,8 @@ pub(super) struct Trajectory {
     pub(super) scenario: Scenario,
     pub(super) told: String,
     pub(super) instants: Vec<Instant>,
+    /// Why it is not whole, if it is not.
+    pub(super) ended: Option<String>,
 }
 
 /// What is to be done where the sides differ.
@@ -51,92 +69,219 @@ pub(super) const APART: &str =
 /// Rows of the worst trajectory that are told.
 const SHOWN: usize = 8;
 
-/// The objective that comes off worst.
-pub(super) fn foremost(worst: &[Worst]) -> Option<&Worst> {
-    worst.iter().reduce(|a, b| if b.found.excess > a.found.excess { b } else { a })
+/// The worst that was found of all objectives.
+pub(super) fn foremost(found: &[Found]) -> Option<&Found> {
+    found.iter().reduce(|a, b| if b.excess > a.excess { b } else { a })
 }
 
-pub(super) fn verdict(
+pub(super) fn summary(
     campaign: &Campaign,
     trial: &mut Trial,
-    tally: &Tally,
-    (worst, proofs): (&[Worst], &[Proof]),
-) -> Result<Verdict, Failure> {
-    let runs: usize = worst.iter().map(|worst| worst.found.runs).sum();
+    known: &Known<'_>,
+) -> Result<Summary, Failure> {
+    let Known { drawn, corners, found, proofs } = known;
+    let runs: usize = found.iter().map(|found| found.runs).sum();
     let run = format!(
-        "{} scenarios of seed {} and {runs} runs of the search, T/tau from 1 to {:?}",
-        tally.scenarios, campaign.seed, campaign.until
+        "{} draws of seed {}, {} corners and {runs} runs of the search, T/tau from 1 to {:?}",
+        drawn.scenarios,
+        campaign.seed,
+        corners.scenarios.len(),
+        campaign.until
     );
-    let mut holds = true;
     let mut objectives = Vec::new();
-    for (index, (objective, worst)) in campaign.objectives.iter().zip(worst).enumerate() {
-        let failed = tally.failed[index];
-        let fails = worst.found.excess > 0.0;
-        holds &= !fails;
-        let verdict = match (fails, &proofs[index]) {
-            (true, _) => "fails".to_owned(),
-            (false, Proof::Proved { scope }) => {
-                format!("holds, proved by intervals for every x0, tau and T, {scope}")
-            }
-            (false, Proof::NotProved { .. }) => "holds, by sampling".to_owned(),
-        };
-        let mut details = Vec::new();
-        if let (false, Proof::NotProved { why }) = (fails, &proofs[index]) {
+    for (index, found) in found.iter().enumerate() {
+        let tally = &corners.tally;
+        let proof = &proofs[index];
+        let evidence = Evidence { drawn, corners: tally, found, proved: proof.is_proved() };
+        let verdict = Verdict::of(campaign, index, evidence);
+        let mut details = reasons((campaign, trial), (index, verdict), (known, found))?;
+        if let (Verdict::Sampled { .. } | Verdict::Undecided(_), Proof::NotProved { why }) =
+            (verdict, proof)
+        {
             details.push(format!("not proved: {why}"));
         }
-        if failed > 0 {
-            details.push(format!("{failed} of {} scenarios fail it", tally.scenarios));
+        let kind = &campaign.objectives[index].kind;
+        let Worst { value, index: draw } = drawn.excess[index];
+        details.push(format!("worst draw: scenario {draw}, {}", against(kind, value)));
+        let mut most = value;
+        let corner = tally.excess[index];
+        let scenario = usize::try_from(corner.index).ok().and_then(|i| corners.scenarios.get(i));
+        let others =
+            [("corner", corner.value, scenario), ("found", found.excess, Some(&found.scenario))];
+        for (name, value, scenario) in others {
+            if let Some(scenario) = scenario.filter(|_| value > most) {
+                let (told, at) = (campaign.told(scenario), against(kind, value));
+                details.push(format!("worst {name}: {told}, {at}"));
+                most = value;
+            }
         }
-        let Drawn { value, index } = worst.drawn;
-        let drawn = against(&objective.kind, value);
-        details.push(format!("worst drawn: scenario {index}, {drawn}"));
-        if worst.found.excess > value {
-            details.push(format!(
-                "worst found: {}, {}",
-                told(campaign, &worst.found.scenario),
-                against(&objective.kind, worst.found.excess)
-            ));
-        }
-        objectives.push(Judged { holds: !fails, verdict, details });
+        let scope = match proof {
+            Proof::Proved { scope } => scope.clone(),
+            Proof::NotProved { .. } => String::new(),
+        };
+        objectives.push(Judged { verdict, scope, details });
     }
-    let difference = worst.iter().map(|worst| worst.found.difference);
-    let difference = difference.fold(tally.difference.value, f64::max);
+    let others = found.iter().map(|found| found.difference);
+    let others = others.fold(corners.tally.difference.value, f64::max);
+    let Worst { index, value } = drawn.difference;
+    let difference = others.max(value);
     let apart = difference > campaign.tolerance;
-    holds &= !apart;
-    let Drawn { index, .. } = tally.difference;
     let agree = if apart { "differ" } else { "agree" };
     let sides = format!(
-        "both sides of Theorem 1 {agree}: by at most {difference:.1e}, in scenario {index} {:.1e}; {:?} is allowed",
-        tally.difference.value, campaign.tolerance
+        "both sides of Theorem 1 {agree}: maximum difference {difference:.1e} (of the draws {value:.1e}, scenario {index}), tolerance {:?}",
+        campaign.tolerance
     );
-    let trajectory = match foremost(worst) {
-        Some(worst) => {
-            let scenario = worst.found.scenario.clone();
-            let instants = trajectory(campaign, trial, &scenario)?;
-            Some(Trajectory { told: told(campaign, &scenario), instants, scenario })
-        }
-        None => None,
-    };
-    Ok(Verdict { run, objectives, sides, apart, trajectory, holds })
+    let trajectory = foremost(found).map(|worst| {
+        let scenario = worst.scenario.clone();
+        let (instants, ended) = trajectory(campaign, trial, &scenario);
+        let ended = ended.map(|ended| ended.message);
+        Trajectory { told: campaign.told(&scenario), instants, scenario, ended }
+    });
+    let distribution = distribution(campaign);
+    Ok(Summary { run, distribution, objectives, sides, apart, trajectory })
 }
 
-impl Verdict {
+/// Why a verdict is what it is.
+fn reasons(
+    (campaign, trial): (&Campaign, &mut Trial),
+    (objective, verdict): (usize, Verdict),
+    (known, found): (&Known<'_>, &Found),
+) -> Result<Vec<String>, Failure> {
+    let (draws, corners) = (known.drawn, &known.corners.tally);
+    let of = |count: &dyn Fn(&Tally) -> u64| {
+        format!(
+            "{} of {} draws and {} of {} corners",
+            count(draws),
+            draws.scenarios,
+            count(corners),
+            corners.scenarios
+        )
+    };
+    let failed = || format!("{} fail it", of(&|tally| tally.failed[objective]));
+    Ok(match verdict {
+        Verdict::Proved => Vec::new(),
+        Verdict::Sampled { draws } => vec![match confidence(draws) {
+            Some((most, beta)) => format!(
+                "{draws} independent draws without a failure: the probability of failure under the stated distribution is at most ln(1/{beta})/{draws} = {most:.2e} with confidence {}",
+                1.0 - beta
+            ),
+            None => format!("{draws} independent draws without a failure: too few to bound its probability"),
+        }],
+        Verdict::Fails => vec![failed()],
+        Verdict::Undecided(Doubt::Contradiction) => vec![
+            failed(),
+            "the intervals prove it: one of the two is wrong, which is a fault of this program; please report it".to_owned(),
+        ],
+        Verdict::Undecided(Doubt::Apart) => {
+            vec!["the two sides of Theorem 1 differ by more than `tolerance`".to_owned()]
+        }
+        Verdict::Undecided(Doubt::Open) => {
+            vec!["the bound is met within rounding: it holds on one side of Theorem 1, and fails on the other".to_owned()]
+        }
+        Verdict::Undecided(Doubt::Unfinished) => {
+            let (scenario, ended) = match (draws.first_unfinished, corners.first_unfinished) {
+                (Some(index), _) => (format!("scenario {index}"), rerun(campaign, trial, &campaign.scenario(index))),
+                (None, Some(place)) => {
+                    let place = usize::try_from(place).unwrap_or(usize::MAX);
+                    let scenario = known.corners.scenarios.get(place).cloned();
+                    let scenario = scenario.unwrap_or_else(|| campaign.scenario(0));
+                    (campaign.told(&scenario), rerun(campaign, trial, &scenario))
+                }
+                (None, None) => match &found.unfinished {
+                    Some((scenario, ended)) => (campaign.told(scenario), Some(ended.clone())),
+                    None => (String::new(), None),
+                },
+            };
+            let mut details = vec![format!("{} could not be finished", of(&|tally| tally.unfinished))];
+            details.extend(ended.map(|ended| format!("{scenario}: {}; {}", ended.message, ended.help)));
+            details
+        }
+    })
+}
+
+/// Why a scenario ends early.
+fn rerun(campaign: &Campaign, trial: &mut Trial, scenario: &Scenario) -> Option<simulate::Failure> {
+    trial.run(&campaign.setting(scenario)).ended
+}
+
+/// What the draws are drawn from.
+fn distribution(campaign: &Campaign) -> String {
+    let drawn = campaign.uncertain().filter(|(_, (low, high))| low < high);
+    let names: Vec<_> = drawn.map(|(name, _)| name).collect();
+    let mut parts = Vec::new();
+    if !names.is_empty() {
+        let boxes = if names.len() == 1 { "its interval" } else { "their intervals" };
+        parts.push(format!("{} uniform in {boxes}", listed(&names)));
+    }
+    for (symbol, _, signals) in &campaign.disturbances {
+        let words: Vec<_> =
+            signals.iter().map(|signal: &Signal| signal.name().to_owned()).collect();
+        let likely = match words.len() {
+            1 => words[0].clone(),
+            _ => format!("one of {}, each as likely", listed(&words)),
+        };
+        parts.push(format!("{} {likely}", symbol.spelling()));
+    }
+    if parts.is_empty() { "nothing is drawn".to_owned() } else { parts.join("; ") }
+}
+
+fn listed(words: &[String]) -> String {
+    match words {
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => String::new(),
+    }
+}
+
+impl Judged {
+    /// The verdict in words.
+    pub(super) fn verdict(&self) -> String {
+        match self.verdict {
+            Verdict::Proved => {
+                format!("holds, proved by intervals for every x0, tau and T, {}", self.scope)
+            }
+            Verdict::Sampled { .. } => "holds, by sampling".to_owned(),
+            Verdict::Undecided(_) => "undecided".to_owned(),
+            Verdict::Fails => "fails".to_owned(),
+        }
+    }
+}
+
+impl Summary {
+    /// What it comes to: an objective that fails decides it.
+    pub(super) fn end(&self) -> End {
+        let any = |wanted: &dyn Fn(Verdict) -> bool| {
+            self.objectives.iter().any(|judged| wanted(judged.verdict))
+        };
+        match () {
+            () if any(&|verdict| verdict == Verdict::Fails) => End::Fails,
+            () if self.apart || any(&|verdict| !verdict.holds()) => End::Undecided,
+            () => End::Holds,
+        }
+    }
+
     /// As it is printed.
     pub(super) fn text(&self, campaign: &Campaign) -> String {
-        let mut text = format!("{}: {}\n\n", campaign.spec.name(), self.run);
+        let mut text = format!("{}: {}\n", campaign.spec.name(), self.run);
+        text.push_str(&format!("draws: {}\n\n", self.distribution));
         let judged = campaign.objectives.iter().zip(&self.objectives);
         for (number, (objective, judged)) in (1..).zip(judged) {
-            text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict));
+            text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict()));
             judged.details.iter().for_each(|detail| text.push_str(&format!("  {detail}\n")));
         }
         text.push_str(&format!("\n{}\n", self.sides));
         if self.apart {
             text.push_str(&format!("  {APART}\n"));
         }
-        if let Some(Trajectory { told, instants, .. }) = &self.trajectory {
+        if let Some(Trajectory { told, instants, ended, .. }) = &self.trajectory {
             text.push_str(&format!("\nworst trajectory, {told}\n{}", table(instants)));
+            text.extend(ended.iter().map(|ended| format!("  it ends early: {ended}\n")));
         }
-        text.push_str(if self.holds { "\nevery objective holds\n" } else { "\nnot verified\n" });
+        text.push_str(match self.end() {
+            End::Holds => "\nevery objective holds\n",
+            End::Fails => "\nnot verified\n",
+            End::Undecided => "\nundecided\n",
+        });
         text
     }
 }
@@ -157,15 +302,11 @@ fn trajectory(
     campaign: &Campaign,
     trial: &mut Trial,
     scenario: &Scenario,
-) -> Result<Vec<Instant>, Failure> {
+) -> (Vec<Instant>, Option<simulate::Failure>) {
     let mut instants = Vec::new();
     let ended = trial.infinite(&campaign.closely(scenario), &mut |instant| instants.push(instant));
-    match ended {
-        // How far it came is what is to be seen.
-        Err(_) if !instants.is_empty() => Ok(instants),
-        Err(wrong) => Err(Failure::because(wrong.message, &wrong.help)),
-        Ok(()) => Ok(instants),
-    }
+    // How far it came is what is to be seen.
+    (instants, ended.err())
 }
 
 /// A few instants, one of them the worst, which is told of it.
@@ -196,20 +337,21 @@ fn table(instants: &[Instant]) -> String {
     text
 }
 
-/// A trajectory as CSV.
+/// A trajectory as CSV, and why it is not whole, if it is not.
 pub(super) fn csv(
     campaign: &Campaign,
     trial: &mut Trial,
     scenario: &Scenario,
-) -> Result<String, Failure> {
+) -> (String, Option<simulate::Failure>) {
     let states: String = (1..=campaign.spec.n).map(|j| format!(",x{j}")).collect();
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
     let mut text = format!("t,time_to_go{states},u{excess}\n");
-    for instant in trajectory(campaign, trial, scenario)? {
+    let (instants, ended) = trajectory(campaign, trial, scenario);
+    for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
         let numbers = instant.x.iter().chain([&instant.u]).chain(&instant.excess);
         numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
         text.push('\n');
     }
-    Ok(text)
+    (text, ended)
 }
