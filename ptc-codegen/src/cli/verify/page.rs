@@ -111,7 +111,7 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
             Verdict::Undecided(_) => "open",
             Verdict::Fails => "bad",
         },
-        verdict: judged.verdict().to_owned(),
+        verdict: judged.verdict(),
         details: judged.details.clone(),
     }
 }
