@@ -2,12 +2,14 @@
 
 mod known;
 mod numbers;
+mod period;
 
 use std::collections::btree_map::Entry;
 
 pub(crate) use known::decay_rate;
 use known::{fixed_gains, is_known};
 use numbers::Numbers;
+pub(crate) use period::held_period;
 
 use super::envelope::{Interval, scan};
 use super::growth::growth;
