@@ -1,6 +1,6 @@
 //! Prescribed-time controllers: a chain of integrators is brought to rest at a time you choose.
 //!
-//! The plant is `x1' = x2, ..., xn' = u`: x1 in a unit of yours, xi in unit/s^(i-1), u in unit/s^n.
+//! The plant is `x1' = x2, ..., xn' = f + g u`, g = 1 unless given: x1 in any unit, xi in unit/s^(i-1), g u in unit/s^n.
 //! [`ptc_controller!`] writes a controller for one order n and one mapping of time, specialised when
 //! your crate is compiled; this crate holds the types that all such controllers share. Nothing
 //! allocates, nothing panics, and no `std` is needed.

@@ -35,7 +35,7 @@ fn specs() -> Vec<Spec> {
         &[
             ("n", "2"),
             ("mu", "algebraic"),
-            ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt)"),
+            ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt*T)"),
             ("after", "extern"),
         ],
         &[("n", "3"), ("kappa", "dt/(a*(tau - dt))"), ("g", "x1"), ("guard", "result")],

@@ -10,7 +10,7 @@ use egg::{Id, RecExpr, Runner};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::mapping::Family;
-use ptc_codegen::program::cost::{WEIGHTS, count};
+use ptc_codegen::program::cost::{X86_64, count};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Op, Program, Stage, Value, passes};
 use ptc_codegen::spec::{Guard, Parameter, Precision};
@@ -65,7 +65,7 @@ pub(crate) fn measure() -> Result<Vec<Found>> {
             found.push(Found {
                 family: family.name().to_owned(),
                 n,
-                before: count(&program, &[program.step], Stage::Tick).cycles(&WEIGHTS[0]),
+                before: count(&program, &[program.step], Stage::Tick).cycles(&X86_64),
                 kept: saturate(&program, true)?,
                 free: saturate(&program, false)?,
             });
@@ -85,7 +85,7 @@ fn saturate(program: &Program, keep_time: bool) -> Result<Outcome> {
         .run(&rules());
     let best = extract(&runner.egraph, &expression);
     let (after, best) = best.ok_or_else(|| Failure::new("nothing to extract"))?;
-    let time = count(program, &[program.limits.late], Stage::Tick).cycles(&WEIGHTS[0]);
+    let time = count(program, &[program.limits.late], Stage::Tick).cycles(&X86_64);
     let stopped = match runner.stop_reason {
         Some(egg::StopReason::Saturated) => "saturated",
         Some(egg::StopReason::NodeLimit(_)) => "nodes",

@@ -1,7 +1,7 @@
 //! The operations in an e-graph, what they cost, and the equalities between them.
 
 use egg::{Analysis, DidMerge, EGraph, Id, Rewrite, define_language, rewrite};
-use ptc_codegen::program::cost::{Cost, WEIGHTS};
+use ptc_codegen::program::cost::{Cost, X86_64};
 
 define_language! {
     /// A value of a program; a leaf is `v<index>`, or 1 or -1.
@@ -28,7 +28,7 @@ impl Node {
             Self::Div(_) => Cost { div: 1, ..Cost::default() },
             Self::One(_) | Self::Leaf(_) => Cost::default(),
         };
-        cost.cycles(&WEIGHTS[0])
+        cost.cycles(&X86_64)
     }
 }
 

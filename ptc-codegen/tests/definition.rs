@@ -140,7 +140,8 @@ fn gains_that_are_fixed() {
 #[test]
 fn laws_of_every_kind_of_variable() {
     judge(&|n| {
-        let law = format!("-xi1 - xi{n}*abs(xi1)/8 + min(xi{n}_0, x1_0)*dt/8 - t0*t_kappa/64");
+        let law =
+            format!("-xi1 - xi{n}*abs(xi1)/8 + min(xi{n}_0, x1_0)*dt/8 - t0*t_kappa/64 - T*xi1/8");
         let text = |text: &str| text.to_owned();
         vec![("pi0", law), ("g", text(DIVISOR)), ("precision", text("f32"))]
     });

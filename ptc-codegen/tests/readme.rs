@@ -159,6 +159,30 @@ fn pages_show_what_is_printed() {
     }
 }
 
+/// The column of eps in the table of families, from the command below the table.
+#[test]
+fn families_show_the_eps_that_the_check_sets() {
+    let folder = folder("families");
+    let line = README.lines().find_map(|line| {
+        let command = line.split('`').find(|part| part.starts_with("ptc-codegen check "))?;
+        line.starts_with("The eps is for n = 2").then(|| command.to_owned())
+    });
+    let line = line.expect("the command of the table");
+    for family in &ptc_codegen::mapping::FAMILIES {
+        let row = README.lines().find(|line| line.starts_with(&format!("| `{}` |", family.name)));
+        let cells: Vec<_> = row.expect("a row").split('|').map(str::trim).collect();
+        let arguments = match family.name {
+            "power" => "a=1,m=2",
+            "exp_sum" => "rates=[0.5,1.5]",
+            _ => "a=1",
+        };
+        let found =
+            printed(&line.replace("exp(a=1)", &format!("{}({arguments})", family.name)), &folder);
+        let set = format!("sampling    sound: eps = {} s ", cells[5]);
+        assert!(found.contains(&set), "{}: {}\n{found}", family.name, cells[5]);
+    }
+}
+
 #[test]
 fn programs_on_expressions_in_c() {
     let folder = folder("extern");

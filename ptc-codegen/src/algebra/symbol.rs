@@ -29,7 +29,7 @@ pub enum Kind {
     InversePowerRatio,
     /// E = exp(-2 a t) of the tanh family.
     Decay,
-    /// g = 1/(1 + E) of the tanh family.
+    /// L = 1/(1 + E) of the tanh family.
     Logistic,
     /// y = a t, the stretched time in units of its rate.
     StretchedAngle,
@@ -99,7 +99,7 @@ impl Symbol {
             Kind::PowerRatio => "P",
             Kind::InversePowerRatio => "q",
             Kind::Decay => "E",
-            Kind::Logistic => "g",
+            Kind::Logistic => "L",
             Kind::StretchedAngle => "y",
             Kind::Lorentz => "V",
             Kind::Cosine => "h",

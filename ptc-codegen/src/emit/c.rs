@@ -47,7 +47,7 @@ fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let header = Header {
         name: &name,
         head: &head,
-        parameters: &declared(spec),
+        parameters: &declared(spec, Language::C),
         externs: &externs,
         contracts: &contracts,
         frame: &frame,

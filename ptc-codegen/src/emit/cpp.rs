@@ -41,7 +41,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
         name: &spec.name(),
         type_name: &spec.type_name(),
         head: &header::lines(controller, Language::Cpp),
-        parameters: &declared(spec),
+        parameters: &declared(spec, Language::Cpp),
         init: word(&[Routine::Init, Routine::Arm]),
         arm: word(&[Routine::Arm]),
         step: word(&[Routine::Step]),

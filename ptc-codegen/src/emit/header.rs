@@ -1,19 +1,13 @@
-//! The head of an emitted file: how to make it again, and the mathematics in it.
+//! The head of an emitted file: how to make it again, what it does and on which conditions.
 
-use std::collections::BTreeSet;
-
+use super::declared::{declared, meaning};
 use super::measured::Measured;
-use super::{Controller, Language};
-use crate::algebra::{self, Poly, Symbol};
-use crate::expansion::{self, Expanded};
-use crate::expression::Subject;
-use crate::law::Form as LawForm;
-use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
-use crate::program::{Stage, cost};
-use crate::spec::{Feedback, Guard, Precision, Spec, TimeMapping, What};
-
-/// Order up to which the head shows the closed forms in full; beyond it they fill pages.
-const SHOWN: usize = 6;
+use super::{Controller, Language, formulas};
+use crate::check::examine::held_period;
+use crate::check::{Verdict, digits};
+use crate::expression::Function;
+use crate::program::{Op, Stage, cost};
+use crate::spec::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
@@ -26,237 +20,180 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
         format!("{kind} {name}: order n = {n}, mapping {mapping_name}."),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
-        format!("  ptc-codegen emit --lang {lang} {}", spec.command()),
-        format!("Version {}.", env!("CARGO_PKG_VERSION")),
-        String::new(),
     ];
+    // A command is one line, to be copied.
+    let command = format!("  ptc-codegen emit --lang {lang} {}", spec.command());
+    let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
     if associated {
-        lines.push("xi_i' = xi_(i+1), xi_n' = mu'(t)^n f + pi0(xi, t), in stretched time t; the plant's state is".to_owned());
-        lines.push(
-            "x = BB_n[mu] xi, and f its own f(x, u, t). On it pi0 is designed and simulated."
-                .to_owned(),
-        );
-        lines.push(format!("  pi0 = {}", pi0(spec)));
-        lines.extend(parameters(controller));
-        lines.extend(mapping(controller));
-        return lines.into_iter().flat_map(|line| wrap(&line)).collect();
-    }
-    lines.push(
-        "It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...)."
-            .to_owned(),
-    );
-    lines.extend(parameters(controller));
-    lines.extend(mapping(controller));
-    lines.extend(law(controller));
-    lines.extend(behaviour(controller));
-    lines.extend(checks(controller));
-    lines.extend(count(controller));
-    if !controller.measured.is_empty() {
-        lines.push("The most that one step took, measured over its self-test:".to_owned());
-        lines.extend(controller.measured.iter().map(Measured::told));
-    }
-    lines.into_iter().flat_map(|line| wrap(&line)).collect()
-}
-
-fn parameters(controller: &Controller<'_>) -> Vec<String> {
-    let mut lines = vec![String::new(), "Parameters:".to_owned()];
-    let mut last = "";
-    for parameter in controller.spec().parameters() {
-        let key = parameter.key();
-        let about = format!(
-            "{} [{}], {}",
-            parameter.meaning(),
-            parameter.unit(),
-            controller.spec().domain(parameter).text()
-        );
-        match controller.spec().fixed.get(&parameter) {
-            Some(value) => {
-                let index = parameter.index().map(|i| format!("[{i}]")).unwrap_or_default();
-                lines.push(format!("  {key}{index} = {value}, fixed: {about}"));
-            }
-            None if key == last => {}
-            None => lines.push(format!("  {key}: {about}")),
-        }
-        last = key;
-    }
-    lines
-}
-
-fn mapping(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec();
-    let head = [
-        String::new(),
-        "Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):"
-            .to_owned(),
-    ];
-    let own = match &spec.time_mapping {
-        TimeMapping::Family { family, rates } => {
-            closed_forms(spec, family.info(), &family.mapping(*rates))
-        }
-        TimeMapping::Custom(custom) => as_given(custom, spec.expanded.as_ref()),
-    };
-    head.into_iter().chain(own).collect()
-}
-
-/// What is told of a mapping that the user wrote down.
-fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
-    let mut lines = Vec::new();
-    let given = if custom.subject == Subject::Mu { "mu(t) " } else { "kappa(dt)" };
-    lines.push(format!("  {given} = {}", custom.given));
-    match &custom.form {
-        Form::Complement(form) => {
-            lines.push(format!("  tau - mu(t) = {form}, t the stretched time since t0"));
-            lines
-                .push("  kappa = the root t of tau - mu(t) = T, by a bounded iteration".to_owned());
-        }
-        Form::Kappa(kappa) => {
-            lines.push(format!("  kappa = {}", kappa.form));
-            lines.push(format!("  r_1 = T*({})", kappa.rate));
-        }
-    }
-    match expanded {
-        Some(Expanded::Custom { engine, r }) => {
-            lines.push(format!(
-                "Derivatives r_k = mu^(k)(kappa(Dt)), as the engine {engine} expands them:"
-            ));
-            let told = r.iter().take(SHOWN).enumerate();
-            lines.extend(told.map(|(index, r)| format!("  r_{} = {r}", index + 1)));
-        }
-        _ => lines.push("r_k and BB_n come from its Taylor series at each tick.".to_owned()),
-    }
-    lines
-}
-
-/// The closed forms of a family.
-fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
-    let shown = spec.n.min(SHOWN);
-    let mut lines = vec![
-        format!("  mu(t)     = {}", info.mu),
-        format!("  kappa(Dt) = {}", info.kappa),
-        format!("  atoms: {}", info.atoms),
-        "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
-        format!("  r_k = {}", info.r),
-    ];
-    let forms = spec.closed_forms();
-    let r = forms.map_or_else(|| expansion::r(ring, shown), |forms| forms.r[..shown].to_vec());
-    for (index, r) in r.iter().enumerate() {
-        lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
-    }
-    lines
-        .push("Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:".to_owned());
-    let table = match forms {
-        Some(forms) => forms.bell[..=shown].to_vec(),
-        None if info.family.is_iterated() => expansion::bell::bell_table(shown),
-        None => expansion::table(ring, shown),
-    };
-    for (i, row) in table.iter().enumerate() {
-        let columns = if i == shown { &row[..i] } else { &row[..] };
-        for (j, entry) in columns.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
-            lines.push(format!("  B_{{{i},{j}}} = {}", algebra::text(entry)));
-        }
-    }
-    if shown < spec.n {
-        lines.push(format!(
-            "  (to order {shown}; all of them: ptc-codegen show matrix --n {} --mu {})",
-            spec.n, info.name
-        ));
-    }
-    lines
-}
-
-/// The law pi0 in words.
-fn pi0(spec: &Spec) -> String {
-    match &spec.feedback {
-        Feedback::Linear => "-(k_1 xi_1 + ... + k_n xi_n)".to_owned(),
-        Feedback::Expression(law) => law.to_string(),
-        Feedback::Extern => "a function of yours, called with xi and t_kappa".to_owned(),
-    }
-}
-
-fn law(controller: &Controller<'_>) -> Vec<String> {
-    let spec = controller.spec();
-    let pi0 = pi0(spec);
-    let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
-    let mut lines = vec![
-        String::new(),
-        "Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)".to_owned(),
-        format!("  pi0 = {pi0}"),
-        format!("  g   = {gain}"),
-    ];
-    if spec.feedback == Feedback::Linear {
-        lines.push("  u = (sum_j gain_j x_j)/g".to_owned());
-    }
-    match &controller.law.form {
-        LawForm::Rows { base_inverse, rows } => {
-            let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
-            lines.push(format!("  gain_j = {base}row_j"));
-            lines.push(format!("  K_i = k_i/({})^(n+1-i)", algebra::text(&controller.law.rate)));
-            for (j, row) in rows.iter().take(SHOWN).enumerate() {
-                lines.push(format!("  row_{} = {}", j + 1, algebra::text(row)));
-            }
-            lines.extend(definitions(*base_inverse, rows));
-            if rows.len() > SHOWN {
-                lines.push(format!(
-                    "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
-                    spec.n,
-                    spec.mapping_name()
-                ));
-            }
-        }
-        LawForm::Series => {
-            lines.push("  gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1".to_owned());
-            lines.push(
-                "  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)".to_owned(),
+        rest.push("xi_i' = xi_(i+1), xi_n' = mu'(t - t0)^n f + pi0(xi, t), in stretched time t. x = BB_n[mu] xi is the state of the plant, and f its f(x, u, t). Use it to design and simulate pi0.".to_owned());
+        rest.push(format!("  pi0 = {}", formulas::pi0(spec)));
+        rest.extend(parameters(controller, language));
+        rest.extend(formulas::mapping(controller));
+    } else {
+        rest.extend(purpose(spec));
+        rest.extend(sample_period(controller));
+        rest.extend(parameters(controller, language));
+        rest.extend(formulas::mapping(controller));
+        rest.extend(formulas::law(controller));
+        rest.extend(behaviour(controller, language));
+        rest.extend(checks(controller));
+        rest.extend(count(controller));
+        if !controller.measured.is_empty() {
+            rest.push(
+                "Measured, most instructions of one call of step over the self-test, library functions included:"
+                    .to_owned(),
             );
-            lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
+            rest.extend(controller.measured.iter().map(Measured::told));
         }
-        LawForm::State => {
-            lines
-                .push("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j".to_owned());
-            lines.push("  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l".to_owned());
-        }
+    }
+    lines.push(command);
+    lines.extend(rest.into_iter().flat_map(|line| wrap(&line)));
+    lines
+}
+
+/// The plant and what becomes of it.
+fn purpose(spec: &Spec) -> Vec<String> {
+    let n = spec.n;
+    let input = if spec.input_gain.is_some() { "g u" } else { "u" };
+    let chain = match n {
+        1 => String::new(),
+        2 => "x1' = x2, ".to_owned(),
+        _ => "x1' = x2, ..., ".to_owned(),
+    };
+    let rate = if n == 1 { "s".to_owned() } else { format!("s^{n}") };
+    let states = match n {
+        1 => String::new(),
+        2 => ", x2 in U/s".to_owned(),
+        3 => ", x2 in U/s, x3 in U/s^2".to_owned(),
+        _ => format!(", x2 in U/s, ..., x{n} in U/s^{}", n - 1),
+    };
+    vec![
+        format!("Plant: {chain}x{n}' = f + {input}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
+        "Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.".to_owned(),
+        "f is not part of the law: cancel its known terms before the call.".to_owned(),
+    ]
+}
+
+/// A design whose sample period no check has judged says so, loudly.
+fn sample_period(controller: &Controller<'_>) -> Vec<String> {
+    let (spec, outcomes) = (controller.spec(), &controller.report.outcomes);
+    let open = outcomes.iter().any(|o| o.name == "sampling" && o.verdict == Verdict::NotChecked);
+    if !open {
+        return Vec::new();
+    }
+    let head = match spec.promises.sample_time {
+        None => "SAMPLE PERIOD NOT GIVEN:",
+        Some(_) => "SAMPLE PERIOD NOT CHECKED:",
+    };
+    let eps = spec.fixed.get(&Parameter::Eps);
+    let text = match (eps, held_period(spec)) {
+        (Some(eps), Some(Some(period))) => format!(
+            "{head} with the gains held at eps = {eps} s, the loop with f = 0 and a zero-order hold is stable only for sample periods below {} s.",
+            digits(period)
+        ),
+        (Some(eps), Some(None)) => format!(
+            "{head} with the gains held at eps = {eps} s, NO SAMPLE PERIOD was found for which the loop with f = 0 and a zero-order hold is stable."
+        ),
+        _ if spec.feedback == Feedback::Linear => format!(
+            "{head} the held gains grow as eps falls, and the loop is stable only for sample periods below a limit that depends on eps and the gains. ptc-codegen check finds it once tau, eps, the gains and --sample-time are given."
+        ),
+        _ => format!(
+            "{head} the gain held at eps limits the sample period for which the loop is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time."
+        ),
+    };
+    vec![String::new(), text]
+}
+
+fn parameters(controller: &Controller<'_>, language: Language) -> Vec<String> {
+    let spec = controller.spec();
+    let mut lines = vec![String::new(), "Parameters:".to_owned()];
+    for parameter in spec.parameters() {
+        let Some(value) = spec.fixed.get(&parameter) else { continue };
+        let meaning = match parameter {
+            Parameter::Gain(i) => format!("gain of xi_{i}"),
+            _ => meaning(spec, parameter),
+        };
+        let unit = match parameter {
+            Parameter::Named(_) => String::new(),
+            _ => format!(" [{}]", parameter.unit_for(spec.n)),
+        };
+        lines.push(format!("  {} = {value}{unit}, fixed: {meaning}", parameter.symbol()));
+    }
+    let greatest = controller.report.greatest.as_ref();
+    for parameter in declared(spec, language) {
+        let most = greatest.filter(|(bounded, _)| bounded.key() == parameter.name);
+        let most = most.map(|(_, most)| format!(", at most {most}")).unwrap_or_default();
+        lines.push(format!("  {}: {}{most}", parameter.name, parameter.about));
     }
     lines
 }
 
-/// What the quantities in the rows mean, where they are no atoms.
-fn definitions(base_inverse: Option<Symbol>, rows: &[Poly]) -> Vec<String> {
-    let used: BTreeSet<Symbol> = rows.iter().flat_map(Poly::symbols).chain(base_inverse).collect();
-    let told = |s: Symbol| Some(format!("  {} = {}", s.text(), s.definition()?));
-    used.into_iter().filter_map(told).collect()
-}
-
-fn behaviour(controller: &Controller<'_>) -> Vec<String> {
+fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let spec = controller.spec();
-    let guard = match spec.guard {
-        Guard::Full => "full: every input and pointer is checked.",
-        Guard::Result => {
-            "result: one test on u catches non-finite x and t; pointers and t >= t0 are trusted."
-        }
-        Guard::None => "none: pointers, finite x and t, and t >= t0 are trusted.",
+    let held = match spec.feedback {
+        Feedback::Linear => "the gains of T = eps are held",
+        Feedback::Expression(_) | Feedback::Extern => "T is held at eps in the law",
     };
+    let mut lines = vec![String::new()];
+    lines.push(match spec.after {
+        After::Hold => {
+            format!("From t0 + tau - eps on, and after the deadline, {held} (status HOLD).")
+        }
+        After::Zero => format!(
+            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u = 0 (status AFTER)."
+        ),
+        After::Extern => format!(
+            "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u is the result of the user-defined function after (status AFTER)."
+        ),
+    });
+    lines.push(match spec.fixed.get(&Parameter::UMax) {
+        Some(Fixed::Infinite) => "u is not clipped.".to_owned(),
+        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the deadline."
+            .to_owned(),
+    });
+    let pointers = language == Language::C;
+    lines.push(match (spec.guard, pointers) {
+        (Guard::Full, true) => "Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused (status E_INPUT).".to_owned(),
+        (Guard::Full, false) => {
+            "Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).".to_owned()
+        }
+        (Guard::Result, true) => "Guard result: t or x that is not finite is refused by one test on u (status E_RANGE). t >= t0 and valid pointers are the responsibility of the caller.".to_owned(),
+        (Guard::Result, false) => "Guard result: t or x that is not finite is refused by one test on u (RANGE). t >= t0 is the responsibility of the caller.".to_owned(),
+        (Guard::None, true) => "Guard none: finite t and x, t >= t0 and valid pointers are the responsibility of the caller.".to_owned(),
+        (Guard::None, false) => {
+            "Guard none: finite t and x and t >= t0 are the responsibility of the caller.".to_owned()
+        }
+    });
     let precision = match spec.precision {
         Precision::F64 => "f64 (IEEE 754 binary64)",
         Precision::F32 => "f32 (IEEE 754 binary32)",
     };
-    vec![
-        String::new(),
-        "From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid."
-            .to_owned(),
-        "|u| <= u_max always (status SATURATED where u was clipped).".to_owned(),
-        format!("Guard {guard}"),
-        format!(
-            "Precision {precision}. Equal bits everywhere need no fused multiply-add (-ffp-contract=off)."
-        ),
-    ]
+    let library = controller.program.values.iter().any(|value| match value.op {
+        Op::Call(function, _) => {
+            !matches!(function, Function::Abs | Function::Sign | Function::Sqrt)
+        }
+        Op::Pow(..) => true,
+        _ => false,
+    });
+    let library = if library { " and with the same mathematical library" } else { "" };
+    lines.push(format!(
+        "Precision {precision}. Results are bit for bit the same on every IEEE 754 machine without fused multiply-add (gcc, clang: -ffp-contract=off){library}."
+    ));
+    lines
 }
 
-/// What the checks say of the design. What they could not check is a condition for the user.
+/// The verdicts of the checks. What they could not check is a condition for the user.
 fn checks(controller: &Controller<'_>) -> Vec<String> {
     let mut lines =
-        vec![String::new(), "Checks of the design (ptc-codegen check tells more):".to_owned()];
+        vec![String::new(), "Checks of the design (details: ptc-codegen check):".to_owned()];
     for outcome in &controller.report.outcomes {
-        let verdict = outcome.verdict.text();
+        // A design that is emitted in spite of a failed check says so loudly.
+        let verdict = match outcome.verdict {
+            Verdict::Unsound | Verdict::Refuted => {
+                format!("{}, ALLOWED BY THE DESIGN", outcome.verdict.text().to_uppercase())
+            }
+            verdict => verdict.text().to_owned(),
+        };
         lines.push(format!("  {}: {verdict}: {}.", outcome.name, outcome.summary));
     }
     lines
@@ -265,18 +202,33 @@ fn checks(controller: &Controller<'_>) -> Vec<String> {
 fn count(controller: &Controller<'_>) -> Vec<String> {
     let program = controller.program;
     let step = cost::count(program, &[program.step], Stage::Tick);
-    let loops = if controller.spec().is_iterated() { ", one round of the iteration" } else { "" };
-    let cycles: Vec<_> = cost::WEIGHTS
-        .iter()
-        .map(|w| format!("{} about {} cycles", w.target, step.cycles(w)))
-        .collect();
+    let several = |count: usize, one: &str, many: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        count => Some(format!("{count} {many}")),
+    };
+    let parts = [
+        several(step.add, "addition or comparison", "additions or comparisons"),
+        several(step.mul, "multiplication", "multiplications"),
+        several(step.div, "division", "divisions"),
+        several(step.sqrt, "square root", "square roots"),
+        several(step.calls, "function call", "function calls"),
+    ];
+    let parts: Vec<_> = parts.into_iter().flatten().collect();
+    let rounds = program.values.iter().find_map(|value| match &value.op {
+        Op::Root(root) => Some(root.rounds),
+        _ => None,
+    });
+    let rounds = rounds.map(|rounds| {
+        format!(" One round of the iteration is counted; it takes at most {rounds}.")
+    });
     vec![
         String::new(),
         format!(
-            "Operations of one step: {} + - or comparison, {} *, {} /, {} sqrt, {} calls{loops}.",
-            step.add, step.mul, step.div, step.sqrt, step.calls
+            "Operations of one step, without input checks and clipping: {}.{}",
+            parts.join(", "),
+            rounds.unwrap_or_default()
         ),
-        format!("Latencies added up: {}.", cycles.join(", ")),
     ]
 }
 

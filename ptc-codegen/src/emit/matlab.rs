@@ -69,7 +69,8 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
         parts.extend([(Part::Tick, "tick"), (Part::Axis, "axis")]);
     }
     let name = spec.name();
-    let (head, parameters) = (header::lines(controller, Language::Matlab), declared(spec));
+    let (head, parameters) =
+        (header::lines(controller, Language::Matlab), declared(spec, Language::Matlab));
     let file = |(part, function): (Part, &str)| {
         let template =
             FunctionFile { part, name: &name, head: &head, parameters: &parameters, frame: &frame };

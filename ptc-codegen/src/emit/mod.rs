@@ -6,9 +6,11 @@
 mod acsl;
 mod c;
 mod cpp;
+mod declared;
 mod eva;
 mod example;
 pub mod fmu;
+mod formulas;
 mod frame;
 mod header;
 mod matlab;
@@ -31,6 +33,7 @@ use crate::law::Law;
 use crate::program::{Op, Program, Value};
 use crate::selftest::SelfTest;
 use crate::spec::{After, Feedback, Parameter, Spec, What};
+use declared::{Declared, declared};
 use plan::{Field, Plan};
 
 /// A language to emit.
@@ -247,36 +250,6 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
 /// The items of the Rust file on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
     rust::items(controller)
-}
-
-/// A parameter as an emitted struct declares it.
-struct Declared {
-    name: &'static str,
-    /// Length of an array; none for a scalar.
-    length: Option<usize>,
-    meaning: &'static str,
-    unit: &'static str,
-    domain: &'static str,
-}
-
-/// The run-time parameters in the order of the emitted struct, arrays taken together.
-fn declared(spec: &Spec) -> Vec<Declared> {
-    let mut declared: Vec<Declared> = Vec::new();
-    for parameter in spec.run_time_parameters() {
-        let key = parameter.key();
-        let length = parameter.index().map(|index| index + 1);
-        match declared.last_mut() {
-            Some(last) if last.name == key => last.length = length,
-            _ => declared.push(Declared {
-                name: key,
-                length,
-                meaning: parameter.meaning(),
-                unit: parameter.unit(),
-                domain: spec.domain(parameter).text(),
-            }),
-        }
-    }
-    declared
 }
 
 /// Template text without trailing spaces and with one newline at its end.

@@ -105,8 +105,8 @@ impl<'a> Plan<'a> {
             (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
             (None, Op::Input(Input::StartTime)) => "start time".to_owned(),
             (None, Op::Input(Input::StateAtStart(_))) => "state at the start".to_owned(),
-            _ if definition.stage == Stage::Arm => "known at the start".to_owned(),
-            _ => "known when the parameters are".to_owned(),
+            _ if definition.stage == Stage::Arm => "derived at the start time".to_owned(),
+            _ => "derived from the parameters".to_owned(),
         };
         self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
     }

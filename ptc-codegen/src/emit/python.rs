@@ -33,7 +33,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
         .into_iter()
         .map(|line| line.replace('\\', "\\\\"))
         .collect();
-    let (type_name, parameters) = (spec.type_name(), declared(spec));
+    let (type_name, parameters) = (spec.type_name(), declared(spec, Language::Python));
     let mut public = vec!["Control", "Params", "Status", &type_name];
     public.extend((!frame.gains.is_empty()).then_some("Gains"));
     public.extend(frame.associated.then_some("Rate"));

@@ -29,12 +29,20 @@ pub(super) fn file(controller: &Controller<'_>) -> File {
     let functions = names.filter(|f| calls(f));
     let head = header::lines(controller, Language::Rust);
     let module = Module {
-        head: &head.iter().map(|line| format!("//! {line}\n")).collect::<String>(),
+        head: &documented(&head),
         real,
         functions: functions.map(|f| MathFunction::new(f, controller.spec().precision)).collect(),
         items: &items,
     };
     File { name: format!("{name}.rs"), text: tidy(&module.render().unwrap_or_default()) }
+}
+
+/// The head as rustdoc, its formulas as they stand.
+fn documented(head: &[String]) -> String {
+    let (first, rest) = head.split_first().map_or(("", head), |(first, rest)| (first, rest));
+    let lines = ["", "```text"].into_iter().chain(rest.iter().map(String::as_str).skip(1));
+    let lines = std::iter::once(first).chain(lines).chain(["```"]);
+    lines.map(|line| format!("//! {line}\n")).collect()
 }
 
 /// The items alone, on the types of the facade crate.
@@ -46,7 +54,7 @@ pub(super) fn items(controller: &Controller<'_>) -> String {
 fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
     let spec = controller.spec();
     let frame = Frame::new(controller, real(spec), &Rust::new(spec, runtime));
-    let (type_name, parameters) = (spec.type_name(), declared(spec));
+    let (type_name, parameters) = (spec.type_name(), declared(spec, Language::Rust));
     let hold = match spec.after {
         After::Hold => format!("{runtime}Status::Hold"),
         After::Zero | After::Extern => {

@@ -3,7 +3,7 @@
 use askama::Template;
 
 use super::frame::Frame;
-use super::{Controller, File, c, declared, tidy};
+use super::{Controller, File, Language, c, declared, tidy};
 use crate::program::number;
 use crate::reference::tolerance;
 use crate::selftest::{Call, SelfTest, Session, Unreachable};
@@ -121,7 +121,7 @@ impl Numbers<'_> {
     fn parameters(&self, values: &[f64]) -> String {
         let mut rest = values;
         let mut fields = Vec::new();
-        for field in declared(self.spec) {
+        for field in declared(self.spec, Language::C) {
             let (own, others) = rest.split_at(field.length.unwrap_or(1).min(rest.len()));
             rest = others;
             let list = self.list(own);

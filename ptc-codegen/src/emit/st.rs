@@ -129,7 +129,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
             .iter()
             .map(comment)
             .collect::<Vec<_>>(),
-        parameters: &declared(spec),
+        parameters: &declared(spec, Language::StructuredText),
         variables: &syntax
             .declared
             .take()

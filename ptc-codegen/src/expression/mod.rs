@@ -9,6 +9,7 @@ mod derivative;
 mod field;
 pub(crate) mod interval;
 pub(crate) mod leading;
+mod names;
 pub(crate) mod normal;
 mod print;
 mod pythagoras;
@@ -19,7 +20,8 @@ mod solve;
 #[cfg(test)]
 pub(crate) mod testing;
 
-pub use resolve::{Scope, Subject, resolve};
+pub use names::Subject;
+pub use resolve::{Scope, resolve};
 pub use solve::solve;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};

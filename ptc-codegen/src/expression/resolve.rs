@@ -1,90 +1,11 @@
 //! From a parsed value to an expression: what each name means, and what is wrong with it.
 
-use super::{Expression, Function, Variable};
+use super::names::{self, Found};
+use super::{Expression, Function, Subject, Variable};
 use crate::algebra::integer;
 use crate::diagnostic::{Diagnostics, Place, near_miss};
 use crate::mapping::{FAMILIES, FamilyInfo};
 use crate::spec::{Argument, Fixed, Name, Node, Operator, Parameter, Value, parse, shorten};
-
-/// What an expression is for, which decides the names it may use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
-    /// mu(t), t the stretched time since the start.
-    Mu,
-    /// kappa(dt), dt the elapsed time.
-    Kappa,
-    /// pi0(xi, t), t the stretched time.
-    Law,
-    /// g(x, t), t the time.
-    InputGain,
-    /// A family's own kappa, in time-to-go T.
-    Family,
-    /// f(x, u, t) of the plant, t the time.
-    Drift,
-    /// The plant's own g(x, t), where it differs from the controller's.
-    PlantGain,
-    /// A bound of an objective over the time of a run.
-    Bound,
-    /// h(x, u, t) of an objective.
-    Objective,
-}
-
-impl Subject {
-    /// Key of the spec.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Mu => "mu",
-            Self::Kappa | Self::Family => "kappa",
-            Self::Law => "pi0",
-            Self::InputGain => "g",
-            Self::Drift => "plant.f",
-            Self::PlantGain => "plant.g",
-            Self::Bound | Self::Objective => "objective",
-        }
-    }
-
-    /// The variables that it may use, in words.
-    fn legal(self) -> &'static str {
-        match self {
-            Self::Mu => "t (stretched time since the start), tau and parameters",
-            Self::Kappa => "dt (elapsed time), tau and parameters",
-            Self::Family => "T (time-to-go), tau and parameters",
-            Self::Law => {
-                "xi1..xin, t or t_kappa (stretched time), dt, tau, t0, the latched x1_0..xn_0 and xi1_0..xin_0, and parameters"
-            }
-            Self::Drift => {
-                "x1..xn, u, t (time), dt, tau, t0, the latched x1_0..xn_0, parameters and names of [plant]"
-            }
-            Self::PlantGain => {
-                "x1..xn, t (time), dt, tau, t0, the latched x1_0..xn_0, parameters and names of [plant]"
-            }
-            Self::Bound => "dt (elapsed time), T (time-to-go), t (time), tau, t0 and parameters",
-            Self::Objective => {
-                "x1..xn, u, t (time), dt, T (time-to-go), tau, t0, x1_0..xn_0 and parameters"
-            }
-            Self::InputGain => {
-                "x1..xn, t (time), dt, tau, t0, t_kappa, the latched x1_0..xn_0, and parameters"
-            }
-        }
-    }
-
-    fn admits(self, variable: Variable) -> bool {
-        let of_plant =
-            matches!(self, Self::InputGain | Self::Drift | Self::PlantGain | Self::Objective);
-        let of_run = matches!(self, Self::Bound | Self::Objective);
-        match variable {
-            Variable::SinceStart => self == Self::Mu,
-            Variable::TimeToGo => of_run || self == Self::Family,
-            Variable::Elapsed => of_plant || matches!(self, Self::Kappa | Self::Law | Self::Bound),
-            Variable::StretchedTime => matches!(self, Self::Law | Self::InputGain),
-            Variable::StateAtStart(_) => of_plant || self == Self::Law,
-            Variable::Xi(_) | Variable::XiAtStart(_) => self == Self::Law,
-            Variable::Time => of_plant || of_run,
-            Variable::State(_) => of_plant,
-            Variable::Control => matches!(self, Self::Drift | Self::Objective),
-        }
-    }
-}
 
 /// What names mean.
 #[derive(Clone, Copy)]
@@ -122,21 +43,6 @@ pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option
 struct Resolver<'a, 'b> {
     scope: Scope<'a>,
     found: &'b mut Diagnostics,
-}
-
-/// A variable with an index.
-type Indexed = fn(usize) -> Variable;
-
-/// What a name that is reserved means: x2, xi2, `x2_0`, `xi2_0`.
-fn indexed(name: &str) -> Option<(usize, Indexed)> {
-    let (stem, latched) = name.strip_suffix("_0").map_or((name, false), |stem| (stem, true));
-    let (digits, plain, start): (_, Indexed, Indexed) = match stem.strip_prefix("xi") {
-        Some(digits) => (digits, Variable::Xi, Variable::XiAtStart),
-        None => (stem.strip_prefix('x')?, Variable::State, Variable::StateAtStart),
-    };
-    let whole = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
-    let index = if whole { digits.parse().unwrap_or(usize::MAX) } else { return None };
-    Some((index, if latched { start } else { plain }))
 }
 
 impl Resolver<'_, '_> {
@@ -207,69 +113,34 @@ impl Resolver<'_, '_> {
 
     fn name(&mut self, name: &str, place: Place) -> Option<Expression> {
         let subject = self.scope.subject;
-        if let Some((index, variable)) = indexed(name) {
-            if !(1..=self.scope.n).contains(&index) {
-                let n = self.scope.n;
-                let message = format!("`{}` does not exist for order n = {n}", shorten(name));
-                return self.wrong(place, message, &format!("the indices are 1..={n}"));
-            }
-            return self.variable(variable(index), name, place);
+        match names::find(name, subject, self.scope.n) {
+            Found::Is(expression) => return Some(expression),
+            Found::Wrong { message, help } => return self.wrong(place, message, &help),
+            Found::Free => {}
         }
-        let variable = match (name, subject) {
-            ("t", Subject::Mu) => Some(Variable::SinceStart),
-            ("t", Subject::Law) | ("t_kappa", _) => Some(Variable::StretchedTime),
-            ("t", _) => Some(Variable::Time),
-            ("dt", _) => Some(Variable::Elapsed),
-            ("T", Subject::Family | Subject::Bound | Subject::Objective) => {
-                Some(Variable::TimeToGo)
-            }
-            ("u", Subject::Drift | Subject::PlantGain | Subject::Bound | Subject::Objective) => {
-                Some(Variable::Control)
-            }
-            _ => None,
-        };
-        if let Some(variable) = variable {
-            return self.variable(variable, name, place);
+        if let Some(parameter) = self.scope.known.iter().find(|p| p.spelling() == name) {
+            return Some(Expression::Parameter(*parameter));
         }
-        let known = self.scope.known.iter().find(|p| p.spelling() == name);
-        match (name, known) {
-            ("pi", _) => Some(Expression::Pi),
-            (_, Some(parameter)) => Some(Expression::Parameter(*parameter)),
-            _ if matches!(subject, Subject::Mu | Subject::Kappa)
-                && FAMILIES.iter().any(|info| info.name == name) =>
-            {
-                self.family(name, &[], place)
-            }
-            _ if Function::ALL.iter().any(|(function, _)| *function == name) => self.wrong(
+        if matches!(subject, Subject::Mu | Subject::Kappa)
+            && FAMILIES.iter().any(|info| info.name == name)
+        {
+            return self.family(name, &[], place);
+        }
+        if functions().any(|function| function == name) {
+            return self.wrong(
                 place,
                 format!("the function `{name}` has no argument"),
                 &format!("write {name}(...)"),
+            );
+        }
+        match Name::new(name) {
+            Some(name) => Some(Expression::Parameter(Parameter::Named(name))),
+            None => self.wrong(
+                place,
+                format!("`{}` cannot name a parameter", shorten(name)),
+                "it means something in C or Rust, or is longer than 48 letters: choose another name",
             ),
-            _ => match Name::new(name) {
-                Some(name) => Some(Expression::Parameter(Parameter::Named(name))),
-                None => self.wrong(
-                    place,
-                    format!("`{}` cannot name a parameter", shorten(name)),
-                    "it means something in C or Rust, or is longer than 48 letters: choose another name",
-                ),
-            },
         }
-    }
-
-    fn variable(&mut self, variable: Variable, name: &str, place: Place) -> Option<Expression> {
-        let subject = self.scope.subject;
-        if subject.admits(variable) {
-            return Some(variable.into());
-        }
-        let latched = matches!(variable, Variable::StateAtStart(_) | Variable::XiAtStart(_));
-        let message = format!("`{name}` is not known where {} is computed", subject.key());
-        let legal = subject.legal();
-        let help = if latched {
-            format!("`{name}` is latched by arm, after the mapping is fixed; legal: {legal}")
-        } else {
-            format!("legal: {legal}")
-        };
-        self.wrong(place, message, &help)
     }
 
     fn call(&mut self, name: &str, arguments: &[Argument], place: Place) -> Option<Expression> {
@@ -279,6 +150,13 @@ impl Resolver<'_, '_> {
         let function = Function::ALL.iter().find(|(function, _)| *function == name);
         if is_family && (named.is_some() || function.is_none()) {
             return self.family(name, arguments, place);
+        }
+        if !is_family
+            && function.is_none()
+            && let Found::Wrong { message, help } = names::find(name, self.scope.subject, 0)
+            && FAMILIES.iter().any(|info| info.name == name)
+        {
+            return self.wrong(place, message, &help);
         }
         if let Some((argument, place)) = named {
             let message = format!("the function `{}` takes no named argument", shorten(name));
@@ -314,15 +192,13 @@ impl Resolver<'_, '_> {
                 self.wrong(place, message, "min and max take two or more, mean one or more")
             }
             _ => {
-                let names = Function::ALL.iter().map(|(name, _)| *name);
-                let names = names.chain(["min", "max", "mean"]);
                 let meant = match name {
                     "log" => Some("ln"),
                     "sgn" => Some("sign"),
                     "arctan" => Some("atan"),
-                    _ => near_miss(name, names.clone()),
+                    _ => near_miss(name, functions()),
                 };
-                let all = names.collect::<Vec<_>>().join(", ");
+                let all = functions().collect::<Vec<_>>().join(", ");
                 let meant = meant.map(|m| format!("did you mean `{m}`? ")).unwrap_or_default();
                 let message = format!("unknown function `{}`", shorten(name));
                 self.wrong(place, message, &format!("{meant}the functions are {all}"))
@@ -360,6 +236,11 @@ impl Resolver<'_, '_> {
         }
         Some(form)
     }
+}
+
+/// The names of all functions.
+fn functions() -> impl Iterator<Item = &'static str> + Clone {
+    Function::ALL.iter().map(|(name, _)| *name).chain(["min", "max", "mean"])
 }
 
 fn named(key: &str) -> Option<Parameter> {

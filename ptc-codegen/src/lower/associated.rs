@@ -91,5 +91,8 @@ mod tests {
         let elapsed = 2.0 * (1.0 - (-0.525f64).exp());
         let found = rate(("mu", "exp"), ("pi0", "dt + xi2_0 + xi1*0"), 0.0, [2.0, -3.0]);
         assert!((found - (elapsed - 4.5)).abs() < 1e-14, "{found}");
+        // T is the plant's time-to-go, tau - mu(t - t0).
+        let found = rate(("mu", "exp"), ("pi0", "T + xi1*0"), 0.0, [2.0, -3.0]);
+        assert!((found - (2.0 - elapsed)).abs() < 1e-14, "{found}");
     }
 }

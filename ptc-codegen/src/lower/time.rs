@@ -32,7 +32,7 @@ impl Builder<'_> {
         let start_error = self.sub(start, virtual_start);
         let tau_error = self.sub(tau, virtual_tau);
         let low = self.add(start_error, tau_error);
-        let low = self.name(low, "correction", "what the rounding of t0 + tau left out");
+        let low = self.name(low, "correction", "low part of t0 + tau (compensated sum)");
         let time = self.push(Op::Input(Input::Time));
         let past = self.sub(time, high);
         let past = self.sub(past, low);

@@ -98,7 +98,7 @@ pub static FAMILIES: [FamilyInfo; 7] = [
         kappa: "-ln(E)/(2*a), E = T/(2*tau - T)",
         kappa_in_time_to_go: "-ln(T/(2*tau - T))/(2*a)",
         r: "2*tau*(-2*a)^k Li_{-k}(-E)",
-        atoms: "T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)",
+        atoms: "T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), L = 1/(1 + E)",
         decay_rate: "2*a",
         parameters: &["a"],
     },
@@ -255,7 +255,7 @@ fn tan() -> Mapping {
     }
 }
 
-/// With E = e^{-2 a t} and g = 1/(1 + E): T = 2 tau E g, r_1 = 2 a T g.
+/// With E = e^{-2 a t} and L = 1/(1 + E): T = 2 tau E g, r_1 = 2 a T g.
 fn tanh() -> Mapping {
     let r1 = term(2, &[(Kind::A, 1), (Kind::TimeToGo, 1), (Kind::Logistic, 1)]);
     Mapping {

@@ -19,11 +19,9 @@ pub struct Cost {
     pub calls: usize,
 }
 
-/// Cycles of one operation on a target, as its latency in a dependent chain.
+/// Cycles of one operation, as its latency in a dependent chain.
 #[derive(Clone, Copy, Debug)]
 pub struct Weights {
-    /// Name of the target.
-    pub target: &'static str,
     add: usize,
     mul: usize,
     div: usize,
@@ -31,12 +29,9 @@ pub struct Weights {
     calls: usize,
 }
 
-/// The cost model: double precision on x86-64 (Skylake latencies; a libm call is about 60
-/// instructions), single precision on Cortex-M4F (its FPU's issue cycles; a libm call about 150).
-pub static WEIGHTS: [Weights; 2] = [
-    Weights { target: "x86-64", add: 4, mul: 4, div: 14, sqrt: 18, calls: 60 },
-    Weights { target: "Cortex-M4F", add: 1, mul: 1, div: 14, sqrt: 14, calls: 150 },
-];
+/// The cost model: double precision on x86-64, with the latencies of Skylake and some 60
+/// instructions for a call of a library function.
+pub static X86_64: Weights = Weights { add: 4, mul: 4, div: 14, sqrt: 18, calls: 60 };
 
 impl Cost {
     /// Cycles in the model.

@@ -101,15 +101,33 @@ impl Parameter {
         }
     }
 
-    /// Unit. Gains k_i have the unit s^(i-n-1) of the linear law in stretched time.
+    /// Its symbol in the mathematics: `k_1`.
+    pub fn symbol(self) -> String {
+        match self {
+            Self::Gain(i) => format!("k_{i}"),
+            Self::Rate(i) => format!("a_{i}"),
+            parameter => parameter.key().to_owned(),
+        }
+    }
+
+    /// Unit, for every order n.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Tau | Self::StartTime | Self::Eps => "s",
             Self::UMax => "unit of u",
             Self::A | Self::Rate(_) => "1/s",
             Self::M => "1",
-            Self::Gain(_) => "s^(i-1-n)",
+            Self::Gain(_) => "1/s^(n+1-i)",
             Self::Named(_) => "as in its expression",
+        }
+    }
+
+    /// Unit in a controller of order `n`.
+    pub fn unit_for(self, n: usize) -> String {
+        match self {
+            Self::Gain(i) if i == n => "1/s".to_owned(),
+            Self::Gain(i) => format!("1/s^{}", n + 1 - i),
+            parameter => parameter.unit().to_owned(),
         }
     }
 

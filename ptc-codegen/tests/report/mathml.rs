@@ -158,7 +158,7 @@ fn cases() -> Vec<Case> {
         },
         Case {
             mu: "tanh(a=0.5)",
-            letters: vec![("E", e), ("g", 1.0 / (1.0 + e))],
+            letters: vec![("E", e), ("L", 1.0 / (1.0 + e))],
             // mu' = tau a (1 - s^2), and D s = a (1 - s^2).
             r: |k| {
                 let s = 1.0 - W;

@@ -2,12 +2,14 @@
 
 mod known;
 mod numbers;
+mod period;
 
 use std::collections::btree_map::Entry;
 
 pub(crate) use known::decay;
 use known::{Decay, Rate, fixed_gains, is_known};
 use numbers::Numbers;
+pub(crate) use period::held_period;
 
 use super::envelope::{Interval, scan};
 use super::growth::{self, Growth, Modes, growth, growth_between};

@@ -16,7 +16,7 @@ pub(super) struct Known {
     pub(super) name: String,
     pub(super) meaning: &'static str,
     pub(super) value: String,
-    pub(super) unit: &'static str,
+    pub(super) unit: String,
 }
 
 /// The design in a few lines.
@@ -75,13 +75,13 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         name: parameter.spelling(),
         meaning: parameter.meaning(),
         value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
-        unit: parameter.unit(),
+        unit: parameter.unit_for(spec.n),
     });
     let symbols = plant.symbols(spec).into_iter().map(|symbol| Known {
         name: symbol.spelling(),
         meaning: "symbol of the plant",
         value: told(plant.fixed.get(&symbol), plant.bounds.get(&symbol)),
-        unit: "as in its expression",
+        unit: "as in its expression".to_owned(),
     });
     own.chain(symbols).collect()
 }

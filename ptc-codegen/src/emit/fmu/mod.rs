@@ -117,7 +117,7 @@ fn with_token(
         starts: starts
             .map(|(local, p)| Start { place: local.value.clone(), value: real(p) })
             .collect(),
-        conditions: frame.domain.iter().filter_map(|r| Judged::of(r, &variables)).collect(),
+        conditions: frame.domain.iter().filter_map(|r| Judged::of(r, &variables, spec.n)).collect(),
         kept: variables.iter().filter_map(place).collect(),
         constants: constants.collect(),
         start_reference,
@@ -225,7 +225,7 @@ struct Judged {
 }
 
 impl Judged {
-    fn of(requirement: &Requirement, variables: &[Variable]) -> Option<Self> {
+    fn of(requirement: &Requirement, variables: &[Variable], n: usize) -> Option<Self> {
         let Requirement { test, parameter, legal, .. } = requirement;
         let place = format!("params.{parameter}");
         let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
@@ -234,7 +234,7 @@ impl Judged {
             name: variable.name.clone(),
             place,
             test: test.clone(),
-            legal: format!("{} [{}], {legal}", about.meaning(), about.unit()),
+            legal: format!("{} [{}], {legal}", about.meaning(), about.unit_for(n)),
         })
     }
 }

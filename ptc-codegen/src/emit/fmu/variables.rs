@@ -160,7 +160,7 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             description: format!(
                 "{} [{}], {}",
                 parameter.meaning(),
-                parameter.unit(),
+                parameter.unit_for(n),
                 domain.text()
             ),
             attributes,
@@ -177,7 +177,7 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             causality: "local",
             variability: "constant",
             initial: Some("exact"),
-            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit()),
+            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit_for(n)),
             attributes: vec![("start", example.literal(parameter))],
             parameter: Some(parameter),
             exponent: exponent(parameter, n),

@@ -14,9 +14,8 @@ pub(super) struct Setting {
     pub(super) c: String,
     /// Its value in Rust.
     pub(super) rust: String,
-    pub(super) meaning: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) domain: &'static str,
+    /// Meaning, unit and domain.
+    pub(super) about: String,
 }
 
 /// What the templates of a project are given.
@@ -102,7 +101,7 @@ fn settings(spec: &Spec, example: &Example, text: &dyn Fn(f64) -> String) -> Vec
         let own = parameters.iter().filter(|p| p.key() == name);
         own.map(|p| text(example.value(*p))).take(length.unwrap_or(1)).collect()
     };
-    declared(spec)
+    declared(spec, Language::C)
         .into_iter()
         .map(|parameter| {
             let values = of(parameter.name, parameter.length).join(", ");
@@ -111,9 +110,7 @@ fn settings(spec: &Spec, example: &Example, text: &dyn Fn(f64) -> String) -> Vec
                 name: parameter.name,
                 c: if array { format!("{{ {values} }}") } else { values.clone() },
                 rust: if array { format!("[{values}]") } else { values },
-                meaning: parameter.meaning,
-                unit: parameter.unit,
-                domain: parameter.domain,
+                about: parameter.about,
             }
         })
         .collect()

@@ -1,0 +1,176 @@
+//! The mathematics in the head of an emitted file: the mapping, its closed forms and the law.
+
+use std::collections::BTreeSet;
+
+use super::Controller;
+use super::declared::linear;
+use crate::algebra::{self, Poly, Symbol};
+use crate::expansion::{self, Expanded};
+use crate::expression::Subject;
+use crate::law::Form as LawForm;
+use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
+use crate::spec::{Feedback, Spec, TimeMapping};
+
+/// Order up to which the head shows the closed forms in full; beyond it they fill pages.
+const SHOWN: usize = 6;
+
+/// The polynomial in `row_j` and `xi_i`.
+const SERIES: &str =
+    "  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i";
+
+/// The time mapping and its closed forms.
+pub(super) fn mapping(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec();
+    let head = [
+        String::new(),
+        "Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is the stretched time since t0:".to_owned(),
+    ];
+    let own = match &spec.time_mapping {
+        TimeMapping::Family { family, rates } => {
+            closed_forms(spec, family.info(), &family.mapping(*rates))
+        }
+        TimeMapping::Custom(custom) => as_given(custom, spec.expanded.as_ref()),
+    };
+    head.into_iter().chain(own).collect()
+}
+
+/// A user-defined mapping.
+fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
+    let mut lines = Vec::new();
+    let given = if custom.subject == Subject::Mu { "mu(t) " } else { "kappa(dt)" };
+    lines.push(format!("  {given} = {}", custom.given));
+    match &custom.form {
+        Form::Complement(form) => {
+            lines.push(format!("  tau - mu(t) = {form}"));
+            lines
+                .push("  kappa = the root t of tau - mu(t) = T, by a bounded iteration".to_owned());
+        }
+        Form::Kappa(kappa) => {
+            lines.push(format!("  kappa = {}", kappa.form));
+            lines.push(format!("  r_1 = T*({})", kappa.rate));
+        }
+    }
+    match expanded {
+        Some(Expanded::Custom { engine, r }) => {
+            lines.push(format!(
+                "Derivatives r_k = mu^(k)(kappa(Dt)), expanded by the engine {engine}:"
+            ));
+            let shown = r.iter().take(SHOWN).enumerate();
+            lines.extend(shown.map(|(index, r)| format!("  r_{} = {r}", index + 1)));
+        }
+        _ => lines.push(
+            "r_k and BB_n are computed from the Taylor series of mu at each call.".to_owned(),
+        ),
+    }
+    lines
+}
+
+/// The closed forms of a family.
+fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
+    let shown = spec.n.min(SHOWN);
+    let mut lines = vec![
+        format!("  mu(t)     = {}", info.mu),
+        format!("  kappa(Dt) = {}", info.kappa),
+        format!("  in terms of {}", info.atoms),
+        "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
+        format!("  r_k = {}", info.r),
+    ];
+    let forms = spec.closed_forms();
+    let r = forms.map_or_else(|| expansion::r(ring, shown), |forms| forms.r[..shown].to_vec());
+    for (index, r) in r.iter().enumerate() {
+        lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));
+    }
+    lines.push(
+        "Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:"
+            .to_owned(),
+    );
+    let table = match forms {
+        Some(forms) => forms.bell[..=shown].to_vec(),
+        None if info.family.is_iterated() => expansion::bell::bell_table(shown),
+        None => expansion::table(ring, shown),
+    };
+    for (i, row) in table.iter().enumerate() {
+        let columns = if i == shown { &row[..i] } else { &row[..] };
+        for (j, entry) in columns.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+            lines.push(format!("  B_{{{i},{j}}} = {}", algebra::text(entry)));
+        }
+    }
+    if shown < spec.n {
+        lines.push(format!(
+            "  (to order {shown}; all of them: ptc-codegen show matrix --n {} --mu {})",
+            spec.n, info.name
+        ));
+    }
+    lines
+}
+
+/// The law pi0 in words.
+pub(super) fn pi0(spec: &Spec) -> String {
+    match &spec.feedback {
+        Feedback::Linear => linear(spec.n),
+        Feedback::Expression(law) => law.to_string(),
+        Feedback::Extern => "a user-defined function of xi and t_kappa".to_owned(),
+    }
+}
+
+/// Theorem 1, specialised.
+pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
+    let spec = controller.spec();
+    let over_gain = if spec.input_gain.is_some() { "/g" } else { "" };
+    let mut lines = vec![
+        String::new(),
+        "Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
+        format!("  u = kappa'^n (pi0(xi, t_kappa) - b_n^T x){over_gain}"),
+        format!("  pi0 = {}", pi0(spec)),
+    ];
+    if let Some(gain) = &spec.input_gain {
+        lines.push(format!("  g = {gain}"));
+    }
+    if spec.feedback == Feedback::Linear {
+        lines.push(match over_gain {
+            "" => "  u = sum_j gain_j x_j".to_owned(),
+            _ => "  u = (sum_j gain_j x_j)/g".to_owned(),
+        });
+    }
+    match &controller.law.form {
+        LawForm::Rows { base_inverse, rows } => {
+            let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
+            lines.push(format!("  gain_j = {base}row_j"));
+            let rate = algebra::text(&controller.law.rate);
+            let rate = if rate.contains(['*', '^', '/']) { format!("({rate})") } else { rate };
+            lines.push(format!("  K1, K2, ...: K_i = k_i/{rate}^(n+1-i)"));
+            for (j, row) in rows.iter().take(SHOWN).enumerate() {
+                lines.push(format!("  row_{} = {}", j + 1, algebra::text(row)));
+            }
+            lines.extend(definitions(*base_inverse, rows));
+            if rows.len() > SHOWN {
+                lines.push(format!(
+                    "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
+                    spec.n,
+                    spec.mapping_name()
+                ));
+            }
+        }
+        LawForm::Series => {
+            lines.push("  gain_j = r_1^-(n+1-j) row_j".to_owned());
+            lines.push(
+                "  row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1), with k_(n+1) = 1"
+                    .to_owned(),
+            );
+            lines.push(SERIES.to_owned());
+        }
+        LawForm::State => {
+            lines
+                .push("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j".to_owned());
+            lines.push(SERIES.to_owned());
+        }
+    }
+    lines
+}
+
+/// Definitions of the quantities in the rows that are no atoms.
+fn definitions(base_inverse: Option<Symbol>, rows: &[Poly]) -> Vec<String> {
+    let used: BTreeSet<Symbol> = rows.iter().flat_map(Poly::symbols).chain(base_inverse).collect();
+    let definition = |s: Symbol| Some(format!("  {} = {}", s.text(), s.definition()?));
+    used.into_iter().filter_map(definition).collect()
+}
