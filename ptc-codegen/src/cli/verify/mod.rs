@@ -1,6 +1,7 @@
 //! `verify`: objectives over all that is uncertain, by scenarios, a search and proofs.
 
 mod args;
+mod journal;
 mod page;
 mod parts;
 mod report;
@@ -11,9 +12,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 use ptc_codegen::verify::{self, Campaign, Scenario, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
+use journal::Journal;
+use parts::Rows;
 use report::Worst;
 pub(crate) use report::against;
 
+use super::output::{self, Outputs};
 use super::page as html;
 use super::report::{Failure, Notice};
 use super::simulate::no_plant;
@@ -22,7 +26,13 @@ use super::write;
 
 /// Runs `verify`.
 pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
-    let report = html::path(request.report.as_deref())?;
+    html::named(request.report.as_deref())?;
+    let mut outputs = Outputs::default();
+    request.design.design.iter().for_each(|path| outputs.reads("the design", path));
+    request.merge.iter().for_each(|path| outputs.reads("a part to merge", path));
+    let out = Rows::plan(&mut outputs, request.out.as_deref())?;
+    let worst_to = outputs.optional("--worst", request.worst.as_deref())?;
+    let report = outputs.optional("--report", request.report.as_deref())?;
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
@@ -33,22 +43,21 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         let scenario = campaign.scenario(index);
         return write::to_stdout(&report::csv(&campaign, &mut trial, &scenario)?);
     }
-    let tally = match &request.shard {
-        _ if !request.merge.is_empty() => {
-            parts::merge(&campaign, &request.merge, request.out.as_deref())?
-        }
+    let (tally, journal) = match &request.shard {
+        _ if !request.merge.is_empty() => parts::merge(&campaign, &request.merge, out.as_ref())?,
         shard => {
             let range = match shard {
                 Some(shard) => part(shard, campaign.scenarios)?,
                 None => 0..campaign.scenarios,
             };
-            parts::run(&campaign, &trial, range, request.out.as_deref())?
+            parts::run(&campaign, &trial, range, out.as_ref())?
         }
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
         let count = tally.scenarios;
-        let told = format!("wrote {}, part {shard} with {count} scenarios\n", out.display());
-        return write::to_stdout(&told);
+        outputs.tell(&format!("wrote {}, part {shard} with {count} scenarios\n", out.display()))?;
+        journal.into_iter().for_each(Journal::finish);
+        return Ok(());
     }
     let bar = progress("searching", searched(&campaign));
     let worst: Vec<_> = (0..campaign.objectives.len())
@@ -63,15 +72,17 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let proved = verify::bound::proved(&campaign);
     let verdict = report::verdict(&campaign, &mut trial, &tally, (&worst, &proved))?;
     let mut files = Vec::new();
-    if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&worst)) {
-        files.push((path.clone(), report::csv(&campaign, &mut trial, &worst.found.scenario)?));
+    if let (Some(place), Some(worst)) = (worst_to, report::foremost(&worst)) {
+        files.push((place, report::csv(&campaign, &mut trial, &worst.found.scenario)?));
     }
-    if let Some(path) = report {
-        files.push((path, page::text(request, &source, (&campaign, &mut trial), &verdict)?));
+    if let Some(place) = report {
+        files.push((place, page::text(request, &source, (&campaign, &mut trial), &verdict)?));
     }
-    let files: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-    write::paths(&files)?;
-    write::to_stdout(&verdict.text(&campaign))?;
+    let files: Vec<_> =
+        files.iter().map(|(place, text)| (place.clone(), text.as_bytes())).collect();
+    output::write(&files)?;
+    outputs.tell(&verdict.text(&campaign))?;
+    journal.into_iter().for_each(Journal::finish);
     if verdict.holds { Ok(()) } else { Err(Failure::refused(Vec::new())) }
 }
 
