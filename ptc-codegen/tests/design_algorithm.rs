@@ -261,7 +261,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             &["objective 1", "fails at t0 already"],
         ),
         (DRIVEN.to_owned(), &["--tries=0"], &["--tries", "0"]),
-        (DRIVEN.to_owned(), &["--out=."], &["--out . is a folder", "-o roll.toml"]),
+        (DRIVEN.to_owned(), &["--out=."], &["--out . is a folder", "`-` for the standard output"]),
     ] {
         let folder = folder("wrong", &wish);
         let (code, told, wrong) = run(&folder, &[&["design", "wish.toml"][..], arguments].concat());

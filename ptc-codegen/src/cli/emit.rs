@@ -1,6 +1,5 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
-use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
@@ -12,13 +11,24 @@ use ptc_codegen::{generate_measured, generate_selftest, generate_with_proof, pro
 
 use super::args::Emit;
 use super::fmu;
+use super::output::{self, Outputs};
 use super::project as folder;
+use super::read;
 use super::report::{Failure, Notice};
 use super::write;
 
 /// Runs `emit`.
 pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     beside_c(request)?;
+    let mut outputs = Outputs::default();
+    let inputs = [("the design", &request.design.design), ("the table of --cost", &request.cost)];
+    for (name, path) in inputs {
+        path.iter().for_each(|path| outputs.reads(name, path));
+    }
+    if let (Some(out), false) = (&request.out, request.check) {
+        // What can be no folder is found before the work.
+        outputs.folder("--out", out)?;
+    }
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let spec = request.engine.engine.prepare(given.read()?)?;
@@ -27,7 +37,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
     match request.project {
         Some(kind) => match project(&spec, kind) {
-            Ok(files) => make(request, &spec.name(), &files),
+            Ok(files) => make(request, &mut outputs, &spec.name(), &files),
             Err(found) => given.finish(None, found),
         },
         None => {
@@ -35,7 +45,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
             let language = request.lang.unwrap_or(Language::C);
             let measured = measured(request.cost.as_deref(), &spec)?;
             match sources(request, &spec, language, &measured) {
-                Ok(files) => place(request, &spec.name(), language, &files),
+                Ok(files) => place(request, &mut outputs, (&spec.name(), language), &files),
                 Err(found) => given.finish(None, found),
             }
         }
@@ -80,11 +90,13 @@ fn sources(
     Ok(files)
 }
 
+/// Most bytes of a table of costs.
+const MAX_TABLE: u64 = 1 << 24;
+
 /// What the table in `file` holds of the controller; nothing without a file.
 fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> {
     let Some(file) = file else { return Ok(Vec::new()) };
-    let text =
-        fs::read_to_string(file).map_err(|error| write::failed("cannot read", file, &error))?;
+    let text = read::text(file, MAX_TABLE)?;
     let mut table = Measured::table(&text).map_err(|wrong| {
         let help = "give a table as `cargo assure cost` writes it";
         Failure::because(format!("{} is no table of costs: {wrong}", file.display()), help)
@@ -101,30 +113,53 @@ fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> 
 }
 
 /// Prints, compares or writes the files of a language.
-fn place(request: &Emit, name: &str, language: Language, files: &[File]) -> Result<(), Failure> {
+fn place(
+    request: &Emit,
+    outputs: &mut Outputs,
+    (name, language): (&str, Language),
+    files: &[File],
+) -> Result<(), Failure> {
     let out = request.out.as_deref().unwrap_or(Path::new("."));
-    match (out.as_os_str() == "-", request.check, language.fmi()) {
-        (true, true, _) => Err(Failure::because(
-            "`--check` has no files to compare with where `--out` is `-`".to_owned(),
-            "give the folder that holds them, for example -o out",
-        )),
-        (true, false, Some(_)) => Err(unprintable("an FMU is an archive")),
-        (true, false, None) => write::to_stdout(&joined(files, language)),
-        (false, true, Some(_)) => fmu::check(out, name, files),
-        (false, true, None) => compare(out, files, &mut |name| fs::read(out.join(name))),
-        (false, false, Some(version)) => write::to_stdout(&fmu::write(out, name, version, files)?),
-        (false, false, None) => write::to_stdout(&write::files(out, files)?),
+    if request.check {
+        return match (out.as_os_str() == "-", language.fmi()) {
+            (true, _) => Err(Failure::because(
+                "`--check` has no files to compare with where `--out` is `-`".to_owned(),
+                "give the folder that holds them, for example -o out",
+            )),
+            (false, Some(_)) => fmu::check(out, name, files),
+            (false, None) => compare_folder(out, files),
+        };
     }
+    let place = outputs.folder("--out", out)?;
+    let told = match (place.is_stream(), language.fmi()) {
+        (true, Some(_)) => return Err(unprintable("an FMU is an archive")),
+        (true, None) => output::write(&[(place, joined(files, language).as_bytes())])?,
+        (false, Some(version)) => {
+            let (archive, content) = fmu::archive(name, version, files)?;
+            outputs.into_folder(out, &[(&archive, content)])?
+        }
+        (false, None) => {
+            let files: Vec<_> = files.iter().map(|f| (f.name.as_str(), &f.text)).collect();
+            outputs.into_folder(out, &files)?
+        }
+    };
+    write::to_stdout(told)
 }
 
 /// Compares or writes the files of a project.
-fn make(request: &Emit, name: &str, files: &[File]) -> Result<(), Failure> {
+fn make(request: &Emit, outputs: &mut Outputs, name: &str, files: &[File]) -> Result<(), Failure> {
     let out = request.out.as_deref().unwrap_or(Path::new(name));
-    match (out.as_os_str() == "-", request.check) {
-        (true, _) => Err(unprintable("a project is a folder")),
-        (false, true) => compare(out, files, &mut |name| fs::read(out.join(name))),
-        (false, false) => folder::write(out, files),
+    if out.as_os_str() == "-" {
+        return Err(unprintable("a project is a folder"));
     }
+    if request.check {
+        return compare_folder(out, files);
+    }
+    let place = outputs.folder("--out", out)?;
+    if place.is_stream() {
+        return Err(unprintable("a project is a folder"));
+    }
+    folder::write(&place, files)
 }
 
 fn unprintable(what: &str) -> Failure {
@@ -145,17 +180,24 @@ fn joined(files: &[File], language: Language) -> String {
     }
 }
 
-/// Compares the files with what `read` gives for their names, which is in `folder`.
+/// Compares the files with those in `folder`.
+fn compare_folder(folder: &Path, files: &[File]) -> Result<(), Failure> {
+    // Of what is longer the first line that differs is shown.
+    let most = |file: &File| file.text.len() as u64 + 4096;
+    compare(folder, files, &mut |file| read::start(&folder.join(&file.name), most(file)))
+}
+
+/// Compares the files with what `read` gives for them, which is in `folder`.
 pub(super) fn compare(
     folder: &Path,
     files: &[File],
-    read: &mut dyn FnMut(&str) -> io::Result<Vec<u8>>,
+    read: &mut dyn FnMut(&File) -> io::Result<Vec<u8>>,
 ) -> Result<(), Failure> {
     let mut notices = Vec::new();
     let mut same = String::new();
     for file in files {
         let path = folder.join(&file.name);
-        match read(&file.name) {
+        match read(file) {
             Ok(there) if there == file.text.as_bytes() => {
                 same.push_str(&format!("up to date: {}\n", path.display()));
             }

@@ -3,7 +3,7 @@
 use std::env;
 use std::fs;
 use std::io::{self, Cursor, ErrorKind, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use ptc_codegen::emit::File;
@@ -12,17 +12,18 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 use super::emit::compare;
+use super::output::TemporaryFolder;
+use super::read;
 use super::report::{self, Failure, Notice};
 use super::write;
 
-/// Writes `NAME.fmu` into `folder`. Without a C compiler it has sources only, which is told on the
-/// standard error.
-pub(crate) fn write(
-    folder: &Path,
+/// `NAME.fmu` and its bytes. Without a C compiler it has sources only, which is told on the standard
+/// error.
+pub(crate) fn archive(
     name: &str,
     version: Version,
     files: &[File],
-) -> Result<String, Failure> {
+) -> Result<(String, Vec<u8>), Failure> {
     let mut entries: Vec<_> =
         files.iter().map(|file| (file.name.clone(), file.text.clone().into_bytes())).collect();
     match library(name, version, files) {
@@ -37,13 +38,16 @@ pub(crate) fn write(
     entries.sort();
     let archive = pack(&entries)
         .map_err(|error| write::failed("cannot pack", Path::new(&file_name(name)), &error))?;
-    write::bytes(folder, &[(&file_name(name), &archive)])
+    Ok((file_name(name), archive))
 }
+
+/// Most bytes that are read of an archive; one with the library of each platform has a few millions.
+const MAX_ARCHIVE: u64 = 1 << 28;
 
 /// Compares the text in `NAME.fmu` with `files`; its library is a compiler's, and not compared.
 pub(crate) fn check(folder: &Path, name: &str, files: &[File]) -> Result<(), Failure> {
     let path = folder.join(file_name(name));
-    let bytes = match fs::read(&path) {
+    let bytes = match read::start(&path, MAX_ARCHIVE) {
         Err(error) if error.kind() != ErrorKind::NotFound => {
             return Err(write::failed("cannot read", &path, &error));
         }
@@ -52,9 +56,9 @@ pub(crate) fn check(folder: &Path, name: &str, files: &[File]) -> Result<(), Fai
     let archive = bytes.map(|bytes| ZipArchive::new(Cursor::new(bytes))).transpose();
     let mut archive =
         archive.map_err(|error| write::failed("cannot read", &path, &error.into()))?;
-    compare(&path, files, &mut |name| {
+    compare(&path, files, &mut |file| {
         let missing = || io::Error::from(ErrorKind::NotFound);
-        let mut entry = archive.as_mut().ok_or_else(missing)?.by_name(name)?;
+        let mut entry = archive.as_mut().ok_or_else(missing)?.by_name(&file.name)?;
         let mut bytes = Vec::new();
         entry.read_to_end(&mut bytes)?;
         Ok(bytes)
@@ -103,17 +107,18 @@ fn library(name: &str, version: Version, files: &[File]) -> Result<(String, Vec<
         help: "install a C compiler, or name one in the environment variable CC; an importer that \
                compiles sources can use the FMU as it is",
     };
-    let home = Scratch::new(name).map_err(|error| failed("no folder to run", &error))?;
+    let home = TemporaryFolder::new(&env::temp_dir());
+    let home = home.map_err(|error| failed("no folder to run", &error))?;
     let sources = files.iter().filter_map(|file| {
         Some(File { name: file.name.strip_prefix("sources/")?.to_owned(), text: file.text.clone() })
     });
     for file in sources.chain(version.headers()) {
-        fs::write(home.0.join(&file.name), &file.text)
+        fs::write(home.path().join(&file.name), &file.text)
             .map_err(|error| failed("no folder to run", &error))?;
     }
     // Its paths are relative, so that none of this machine gets into the library.
     let output = Command::new(&compiler)
-        .current_dir(&home.0)
+        .current_dir(home.path())
         .args(["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden", "-shared"])
         .args(["-I.", "-o", "library"])
         .args([format!("{name}.c"), format!("{name}_fmu.c")])
@@ -129,7 +134,7 @@ fn library(name: &str, version: Version, files: &[File]) -> Result<(String, Vec<
         });
     }
     let library =
-        fs::read(home.0.join("library")).map_err(|error| failed("no library from", &error))?;
+        fs::read(home.path().join("library")).map_err(|error| failed("no library from", &error))?;
     Ok((format!("binaries/{folder}/{name}.{suffix}"), library))
 }
 
@@ -153,22 +158,4 @@ fn platform(version: Version) -> Option<(String, &'static str)> {
         _ => return None,
     };
     Some((folder, suffix))
-}
-
-/// A folder of this process's own, removed when dropped.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> io::Result<Self> {
-        let path = env::temp_dir().join(format!("ptc-codegen-{name}-{}", std::process::id()));
-        fs::create_dir(&path)?;
-        Ok(Self(path))
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // Where it cannot be removed nothing better is to be done.
-        let _ = fs::remove_dir_all(&self.0);
-    }
 }

@@ -13,9 +13,11 @@ mod list;
 #[cfg(feature = "simulation")]
 mod mathml;
 mod new;
+mod output;
 #[cfg(feature = "simulation")]
 mod page;
 mod project;
+mod read;
 mod report;
 mod show;
 #[cfg(feature = "simulation")]

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::emit::File;
 use ptc_codegen::spec;
 
 use super::args::New;
+use super::output::{self, Outputs};
 use super::report::Failure;
 use super::write;
 
@@ -25,19 +25,24 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
     }
     // A file may be called what a controller may not; its design then leaves the name out.
     let text = design::template(name.map(|_| stem).filter(|stem| names_a_controller(stem)));
-    if request.name.as_deref() == Some("-") || request.out.as_os_str() == "-" {
-        return write::to_stdout(&text);
+    let mut outputs = Outputs::default();
+    if request.name.as_deref() == Some("-") {
+        return write::to_stdout(text);
+    }
+    let out = outputs.folder("--out", &request.out)?;
+    if out.is_stream() {
+        return write::to_stdout(output::write(&[(out, text.as_bytes())])?);
     }
     let folder = request.out.join(path.parent().unwrap_or(Path::new("")));
-    let file = File { name: format!("{stem}.toml"), text };
-    let there = folder.join(&file.name);
+    let file = format!("{stem}.toml");
+    let there = folder.join(&file);
     if there.symlink_metadata().is_ok() {
         return Err(Failure::because(
             format!("{} is there already, and is left as it is", there.display()),
             "give another name, or `-` to print the file",
         ));
     }
-    write::to_stdout(&write::files(&folder, &[file])?)
+    write::to_stdout(outputs.into_folder(&folder, &[(&file, text)])?)
 }
 
 fn names_a_controller(name: &str) -> bool {

@@ -1,10 +1,13 @@
 //! One row a scenario, as Parquet: the same rows are the same bytes.
 //!
 //! Columns are `index` (unsigned) and the doubles of [`Campaign::columns`]; the text of the campaign
-//! stands in the metadata, so that parts of different campaigns are told apart.
+//! stands in the metadata, so that parts of different campaigns are told apart, with the version that
+//! wrote it and a checksum of all bytes.
 
-use std::fs::File;
-use std::io::Write;
+mod seal;
+
+use std::fs::{self, File};
+use std::io::{Read, Seek, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -18,6 +21,8 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{PrimitiveTypeBuilder, Type};
+
+pub use seal::hash;
 
 use super::Campaign;
 
@@ -36,27 +41,40 @@ const GROUP: usize = 1 << 16;
 /// The key of the campaign's text.
 const CAMPAIGN: &str = "ptc.campaign";
 
-/// What writes is told by name and not by version, which would change the bytes.
-const CREATED_BY: &str = "ptc-codegen verify";
+/// The key of the hash of that text.
+const DESIGN: &str = "ptc.design";
+
+/// The key of the version of this crate, on which the rows depend.
+const VERSION: &str = "ptc.version";
+
+/// What writes.
+pub const PROGRAM: &str = "ptc-codegen verify";
 
 /// A file of rows under way.
-pub struct Writer<W: Write + Send> {
+pub struct Writer<W: Read + Write + Seek + Send> {
     file: SerializedFileWriter<W>,
     rows: Vec<Row>,
     columns: usize,
 }
 
-impl<W: Write + Send> Writer<W> {
+impl<W: Read + Write + Seek + Send> Writer<W> {
     /// Begins a file.
     ///
     /// # Errors
     /// It cannot be written.
     pub fn new(to: W, campaign: &Campaign) -> Result<Self> {
         let columns = campaign.columns();
-        let text = KeyValue::new(CAMPAIGN.to_owned(), campaign.text());
+        let text = campaign.text();
+        let pair = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
+        let pairs = vec![
+            pair(VERSION, env!("CARGO_PKG_VERSION").to_owned()),
+            pair(DESIGN, hash(text.as_bytes())),
+            pair(CAMPAIGN, text),
+            pair(seal::KEY, seal::OPEN.to_owned()),
+        ];
         let properties = WriterProperties::builder()
-            .set_created_by(CREATED_BY.to_owned())
-            .set_key_value_metadata(Some(vec![text]))
+            .set_created_by(PROGRAM.to_owned())
+            .set_key_value_metadata(Some(pairs))
             .set_dictionary_enabled(false)
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .build();
@@ -88,7 +106,9 @@ impl<W: Write + Send> Writer<W> {
         if !self.rows.is_empty() {
             self.group()?;
         }
-        self.file.into_inner()
+        let mut file = self.file.into_inner()?;
+        seal::close(&mut file)?;
+        Ok(file)
     }
 
     fn group(&mut self) -> Result<()> {
@@ -122,7 +142,7 @@ fn required(name: &str, physical: Physical) -> PrimitiveTypeBuilder<'_> {
 /// The indices that a file holds; the file is one of `campaign`.
 ///
 /// # Errors
-/// It cannot be read, or is no such file.
+/// It cannot be read, is no such file, or is damaged.
 pub fn extent(path: &Path, campaign: &Campaign) -> Result<Range<u64>> {
     let file = open(path, campaign)?;
     if file.num_row_groups() == 0 {
@@ -140,24 +160,38 @@ pub fn extent(path: &Path, campaign: &Campaign) -> Result<Range<u64>> {
 }
 
 fn open(path: &Path, campaign: &Campaign) -> Result<SerializedFileReader<File>> {
-    let file = SerializedFileReader::new(File::open(path)?)?;
+    let wrong = |what: String| Err(ParquetError::General(what));
+    if !fs::metadata(path)?.is_file() {
+        return wrong("it is no regular file".to_owned());
+    }
+    let mut file = File::open(path)?;
+    if !seal::holds(&mut file)? {
+        return wrong(
+            "it is no file of `verify`, or was damaged since: its checksum is wrong".to_owned(),
+        );
+    }
+    let file = SerializedFileReader::new(file)?;
     let pairs = file.metadata().file_metadata().key_value_metadata();
     let pairs = pairs.map(Vec::as_slice).unwrap_or_default();
-    let text = pairs.iter().find(|pair| pair.key == CAMPAIGN).and_then(|pair| pair.value.as_ref());
-    match text {
-        Some(text) if *text == campaign.text() => Ok(file),
-        Some(text) => {
-            let differing = differing(text, &campaign.text());
-            Err(ParquetError::General(format!("it is of another campaign: {differing}")))
-        }
-        None => Err(ParquetError::General("it is no file of `verify`".to_owned())),
+    let value = |key: &str| {
+        let pair = pairs.iter().find(|pair| pair.key == key);
+        pair.and_then(|pair| pair.value.as_deref()).unwrap_or_default()
+    };
+    if value(VERSION) != env!("CARGO_PKG_VERSION") {
+        let (there, here) = (value(VERSION), env!("CARGO_PKG_VERSION"));
+        return wrong(format!("it is of version {there} of ptc-codegen, and this is {here}"));
     }
+    if value(CAMPAIGN) != campaign.text() {
+        let differing = differing(value(CAMPAIGN), &campaign.text());
+        return wrong(format!("it is of another campaign: {differing}"));
+    }
+    Ok(file)
 }
 
 /// Hands over the rows of a file in their order; the file is one of `campaign`.
 ///
 /// # Errors
-/// It cannot be read, is no such file, or what `visit` says.
+/// It cannot be read, is no such file, is damaged, or what `visit` says.
 pub fn read(
     path: &Path,
     campaign: &Campaign,
@@ -195,8 +229,8 @@ pub fn read(
     Ok(())
 }
 
-/// The first line in which two texts differ.
-fn differing(there: &str, here: &str) -> String {
+/// The first line in which two texts of campaigns differ.
+pub fn differing(there: &str, here: &str) -> String {
     let mut lines = there.lines().zip(here.lines());
     match lines.find(|(there, here)| there != here) {
         Some((there, here)) => format!("`{there}` there, `{here}` here"),

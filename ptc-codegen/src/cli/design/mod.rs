@@ -5,12 +5,12 @@ mod report;
 
 use std::path::Path;
 
-use ptc_codegen::design;
 use ptc_codegen::synthesis::{self, Outcome, Wish, file};
 use ptc_codegen::verify::Trial;
 
 pub(crate) use args::{EXAMPLES, Request};
 
+use super::output::{self, Outputs};
 use super::report::Failure;
 use super::source::Source;
 use super::verify::{progress, starts};
@@ -18,13 +18,9 @@ use super::write;
 
 /// Runs `design`.
 pub(crate) fn design(request: &Request) -> Result<(), Failure> {
-    let prints = request.out.as_os_str() == "-";
-    if !prints && request.out.is_dir() {
-        return Err(Failure::because(
-            format!("--out {} is a folder", request.out.display()),
-            "give a file, for example -o roll.toml, or `-o -` for the standard output",
-        ));
-    }
+    let mut outputs = Outputs::default();
+    outputs.reads("the design", &request.design);
+    let out = outputs.file("--out", &request.out)?;
     let source = Source::default().with_design(Some(&request.design))?;
     let parsed = source.parse();
     let wish = match Wish::read(&parsed.entries) {
@@ -45,15 +41,15 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         return Err(report::blocked(&wish, &outcome));
     };
     let told = report::met(best, found, *tries);
-    let text = design::load(&request.design)
-        .map_err(|wrong| Failure::because(wrong.message, &wrong.help))?;
-    let text = file::complete(&text, &best.choice, &head(&request.design, &told))
-        .map_err(|error| Failure::because(format!("no TOML: {error}"), "mend the design file"))?;
-    if prints {
-        return write::to_stdout(&text);
-    }
-    let written = write::paths(&[(request.out.clone(), text.as_bytes())])?;
-    write::to_stdout(&format!("{told}{written}"))
+    let text = file::complete(
+        source.text().unwrap_or_default(),
+        &best.choice,
+        &head(&request.design, &told),
+    )
+    .map_err(|error| Failure::because(format!("no TOML: {error}"), "mend the design file"))?;
+    let printed = out.is_standard_output();
+    let written = output::write(&[(out, text.as_bytes())])?;
+    if printed { Ok(()) } else { write::to_stdout(format!("{told}{written}")) }
 }
 
 /// The comment above a design that was completed.

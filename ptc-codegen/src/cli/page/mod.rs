@@ -3,7 +3,7 @@
 mod design;
 mod formulas;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use askama::Template;
 use askama::filters::HtmlSafe;
@@ -115,14 +115,14 @@ fn colour(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The file of a report.
+/// The file of a report, if there is one, is named as such.
 ///
 /// # Errors
 /// A path that does not end in .html.
-pub(crate) fn path(asked: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
-    let Some(path) = asked else { return Ok(None) };
+pub(crate) fn named(asked: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = asked.filter(|path| path.as_os_str() != "-") else { return Ok(()) };
     match path.extension().map(std::ffi::OsStr::to_ascii_lowercase) {
-        Some(extension) if extension == "html" => Ok(Some(path.to_owned())),
+        Some(extension) if extension == "html" => Ok(()),
         _ => Err(Failure::because(
             format!("`{}` is no name of a report", path.display()),
             "a report is a page of HTML: give a file that ends in .html, for example --report run.html",

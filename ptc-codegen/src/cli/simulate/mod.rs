@@ -14,6 +14,7 @@ pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
 use run::{Run, continuous, sampled};
 
+use super::output::{self, Outputs};
 use super::page as html;
 use super::report::{Failure, Notice, note};
 use super::write;
@@ -21,7 +22,14 @@ use super::write;
 /// Runs `simulate`.
 pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let kind = request.plot.as_deref().map(Kind::of).transpose()?;
-    let report = html::path(request.report.as_deref())?;
+    html::named(request.report.as_deref())?;
+    let mut outputs = Outputs::default();
+    if let Some(design) = &request.design.design {
+        outputs.reads("the design", design);
+    }
+    let out = outputs.file("--out", &request.out)?;
+    let report = outputs.optional("--report", request.report.as_deref())?;
+    let plot = outputs.optional("--plot", request.plot.as_deref())?;
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let mut runs = Vec::new();
@@ -53,19 +61,17 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         (Some(kind), Some((spec, _))) => kind.file(spec, &runs)?,
         _ => Vec::new(),
     };
-    let printed = request.out.as_os_str() == "-";
-    if !printed {
-        files.push((request.out.clone(), csv.as_bytes()));
-    }
     let told = match (&report, &drawn) {
         (Some(_), Some((spec, plant))) => page::text(request, &source, (spec, plant), &runs)?,
         _ => String::new(),
     };
-    files.extend(report.iter().map(|path| (path.clone(), told.as_bytes())));
-    files.extend(request.plot.iter().map(|path| (path.clone(), picture.as_slice())));
-    let told = write::paths(&files)?;
-    // What is printed is the CSV alone, for whatever reads it.
-    write::to_stdout(if printed { &csv } else { &told })
+    files.push((out, csv.as_bytes()));
+    files.extend(report.map(|place| (place, told.as_bytes())));
+    files.extend(plot.map(|place| (place, picture.as_slice())));
+    // What is printed is the CSV or the page alone, for whatever reads it.
+    let printed = files.iter().any(|(place, _)| place.is_standard_output());
+    let told = output::write(&files)?;
+    if printed { Ok(()) } else { write::to_stdout(told) }
 }
 
 /// A design without `[plant]`.

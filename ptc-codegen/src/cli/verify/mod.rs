@@ -1,6 +1,7 @@
 //! `verify`: objectives over all that is uncertain, by scenarios, a search and proofs.
 
 mod args;
+mod journal;
 mod page;
 mod parts;
 mod report;
@@ -12,9 +13,12 @@ use ptc_codegen::simulate::{self, Cause};
 use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
+use journal::Journal;
+use parts::Rows;
 use report::End;
 pub(crate) use report::against;
 
+use super::output::{self, Outputs};
 use super::page as html;
 use super::report::{Failure, Notice};
 use super::simulate::no_plant;
@@ -23,7 +27,13 @@ use super::write;
 
 /// Runs `verify`.
 pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
-    let report = html::path(request.report.as_deref())?;
+    html::named(request.report.as_deref())?;
+    let mut outputs = Outputs::default();
+    request.design.design.iter().for_each(|path| outputs.reads("the design", path));
+    request.merge.iter().for_each(|path| outputs.reads("a part to merge", path));
+    let out = Rows::plan(&mut outputs, request.out.as_deref())?;
+    let worst_to = outputs.optional("--worst", request.worst.as_deref())?;
+    let report = outputs.optional("--report", request.report.as_deref())?;
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
@@ -32,22 +42,21 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     if let Some(text) = &request.scenario {
         return replay(&campaign, &mut trial, text);
     }
-    let drawn = match &request.shard {
-        _ if !request.merge.is_empty() => {
-            parts::merge(&campaign, &request.merge, request.out.as_deref())?
-        }
+    let (drawn, journal) = match &request.shard {
+        _ if !request.merge.is_empty() => parts::merge(&campaign, &request.merge, out.as_ref())?,
         shard => {
             let range = match shard {
                 Some(shard) => part(shard, campaign.scenarios)?,
                 None => 0..campaign.scenarios,
             };
-            parts::run(&campaign, &trial, range, request.out.as_deref())?
+            parts::run(&campaign, &trial, range, out.as_ref())?
         }
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
         let count = drawn.scenarios;
-        let told = format!("wrote {}, part {shard} with {count} scenarios\n", out.display());
-        return write::to_stdout(&told);
+        outputs.tell(&format!("wrote {}, part {shard} with {count} scenarios\n", out.display()))?;
+        journal.into_iter().for_each(Journal::finish);
+        return Ok(());
     }
     let bar = progress("searching", searched(&campaign));
     let corners = Corners::run(&campaign, &trial, &|| bar.inc(1));
@@ -63,16 +72,18 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let all = report::Known { drawn: &drawn, corners: &corners, found: &found, proofs: &proofs };
     let summary = report::summary(&campaign, &mut trial, &all)?;
     let mut files = Vec::new();
-    if let (Some(path), Some(worst)) = (&request.worst, report::foremost(&found)) {
+    if let (Some(place), Some(worst)) = (worst_to, report::foremost(&found)) {
         let (csv, _) = report::csv(&campaign, &mut trial, &worst.scenario);
-        files.push((path.clone(), csv));
+        files.push((place, csv));
     }
-    if let Some(path) = report {
-        files.push((path, page::text(request, &source, (&campaign, &mut trial), &summary)?));
+    if let Some(place) = report {
+        files.push((place, page::text(request, &source, (&campaign, &mut trial), &summary)?));
     }
-    let files: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-    write::paths(&files)?;
-    write::to_stdout(&summary.text(&campaign))?;
+    let files: Vec<_> =
+        files.iter().map(|(place, text)| (place.clone(), text.as_bytes())).collect();
+    output::write(&files)?;
+    outputs.tell(&summary.text(&campaign))?;
+    journal.into_iter().for_each(Journal::finish);
     match summary.end() {
         End::Holds => Ok(()),
         End::Fails => Err(Failure::refused(Vec::new())),

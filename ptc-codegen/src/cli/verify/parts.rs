@@ -1,70 +1,106 @@
 //! Running a range of scenarios so that it can be interrupted, and putting parts together.
 
-use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fmt::Display;
+use std::fs::File;
+use std::io::{self, Seek};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
 use ptc_codegen::verify::record::{self, Row, Writer};
 use ptc_codegen::verify::{Campaign, Tally, Trial, chunks, sample};
 
+use super::journal::{Journal, SUFFIX};
 use super::{Notice, progress, unwritable};
+use crate::cli::output::{Kind, Outputs, Place, commit, open_beside, through, with_suffix};
 use crate::cli::report::Failure;
-use crate::cli::write;
 
-/// Runs the scenarios of `range`. With `out` every chunk that is done is kept beside it, and is not
-/// run again.
+/// Where the rows go.
+pub(super) struct Rows {
+    out: Place,
+    /// The journal's file; none where `out` is no file that stays.
+    journal: Option<PathBuf>,
+}
+
+impl Rows {
+    /// Plans the file of the rows, and the one that is there until the verdict is.
+    pub(super) fn plan(
+        outputs: &mut Outputs,
+        path: Option<&Path>,
+    ) -> Result<Option<Self>, Failure> {
+        let Some(path) = path else { return Ok(None) };
+        let out = outputs.file("--out", path)?;
+        if out.is_stream() {
+            return Ok(Some(Self { out, journal: None }));
+        }
+        // Beside the file itself, where it is given by a link.
+        let is_link = path.symlink_metadata().is_ok_and(|there| there.is_symlink());
+        let journal = with_suffix(if is_link { &out.path } else { path }, SUFFIX);
+        outputs.reserve("the rows under way", &journal)?;
+        Ok(Some(Self { out, journal: Some(journal) }))
+    }
+
+    fn open(&self, campaign: &Campaign, range: &Range<u64>) -> Result<Journal, Failure> {
+        let Some(path) = &self.journal else {
+            let nameless = Journal::nameless(campaign, range);
+            return nameless.map_err(|error| write_failed(&self.out.shown, &error));
+        };
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| write_failed(path, &error))?;
+        }
+        Journal::open(path, campaign, range)
+    }
+}
+
+/// Runs the scenarios of `range`. With `out` every chunk that is done is kept in a journal, which the
+/// caller ends once the verdict is told, and is not run again.
 pub(super) fn run(
     campaign: &Campaign,
     trial: &Trial,
     range: Range<u64>,
-    out: Option<&Path>,
-) -> Result<Tally, Failure> {
+    out: Option<&Rows>,
+) -> Result<(Tally, Option<Journal>), Failure> {
+    let journal = out.map(|rows| rows.open(campaign, &range)).transpose()?;
+    let all = chunks(range.clone());
+    let is_done = |chunk: &Range<u64>| journal.as_ref().is_some_and(|journal| journal.has(chunk));
+    let left: Vec<_> = all.iter().filter(|chunk| !is_done(chunk)).cloned().collect();
     let bar = progress("running", range.end - range.start);
-    let kept = out.map(|out| Kept::open(out, campaign)).transpose()?;
-    let mut left = chunks(range.clone());
-    if let Some(kept) = &kept {
-        for chunk in std::mem::take(&mut left) {
-            if kept.has(&chunk)? {
-                bar.inc(chunk.end - chunk.start);
-            } else {
-                left.push(chunk);
-            }
-        }
-    }
+    let length = |chunks: &[Range<u64>]| chunks.iter().map(|c| c.end - c.start).sum::<u64>();
+    bar.inc(length(&all) - length(&left));
     let total = Mutex::new(Tally::new(campaign));
     sample(campaign, trial, &left, &|chunk, rows| {
         bar.inc(chunk.end - chunk.start);
-        if let Some(kept) = &kept {
-            return kept.keep(chunk, rows);
+        if let (Some(journal), Some(out)) = (&journal, out) {
+            let path = out.journal.as_ref().unwrap_or(&out.out.shown);
+            return journal.keep(chunk, &rows).map_err(|error| write_failed(path, &error));
         }
         let mut tally = Tally::new(campaign);
         rows.iter().for_each(|row| tally.add(row));
-        let mut total = total.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
         *total = total.clone().merge(&tally);
         Ok(())
     })?;
     bar.finish_and_clear();
-    match (kept, out) {
-        (Some(kept), Some(out)) => {
-            let parts: Vec<_> =
-                chunks(range.clone()).iter().map(|chunk| kept.path(chunk)).collect();
-            let tally = concatenate(campaign, (&parts, range), Some((out, &kept.folder)))?;
-            // It holds nothing any more that `out` does not.
-            let _ = fs::remove_dir_all(&kept.folder);
-            Ok(tally)
+    let (Some(journal), Some(out)) = (journal, out) else {
+        return Ok((total.into_inner().unwrap_or_else(PoisonError::into_inner), None));
+    };
+    let tally = write(campaign, Some(out), &mut |put| {
+        for chunk in &all {
+            let path = out.journal.as_ref().unwrap_or(&out.out.shown);
+            let rows = journal.rows(chunk).map_err(|error| unread(path, &error))?;
+            rows.into_iter().try_for_each(&mut *put).map_err(|error| unread(path, &error))?;
         }
-        _ => Ok(total.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)),
-    }
+        Ok(())
+    })?;
+    Ok((tally, Some(journal)))
 }
 
 /// Puts the parts of a run together, in whatever order they are given.
 pub(super) fn merge(
     campaign: &Campaign,
     parts: &[PathBuf],
-    out: Option<&Path>,
-) -> Result<Tally, Failure> {
+    out: Option<&Rows>,
+) -> Result<(Tally, Option<Journal>), Failure> {
     let mut found = Vec::new();
     for path in parts {
         let extent = record::extent(path, campaign).map_err(|error| unread(path, &error))?;
@@ -93,13 +129,24 @@ pub(super) fn merge(
     if next < campaign.scenarios {
         return Err(missing(next..campaign.scenarios));
     }
-    let paths: Vec<_> = found.into_iter().map(|(_, path)| path.clone()).collect();
-    let all = 0..campaign.scenarios;
-    let Some(out) = out else { return concatenate(campaign, (&paths, all), None) };
-    let kept = Kept::open(out, campaign)?;
-    let tally = concatenate(campaign, (&paths, all), Some((out, &kept.folder)))?;
-    let _ = fs::remove_dir_all(&kept.folder);
-    Ok(tally)
+    // No other run writes to the same file meanwhile.
+    let journal = out.map(|out| out.open(campaign, &(0..campaign.scenarios))).transpose()?;
+    let tally = write(campaign, out, &mut |put| {
+        let mut next = 0;
+        for (_, path) in &found {
+            let done = record::read(path, campaign, &mut |row| {
+                if row.index != next {
+                    let message = format!("scenario {} stands where {next} should", row.index);
+                    return Err(parquet::errors::ParquetError::General(message));
+                }
+                next += 1;
+                put(row)
+            });
+            done.map_err(|error| unread(path, &error))?;
+        }
+        Ok(())
+    })?;
+    Ok((tally, journal))
 }
 
 fn missing(range: Range<u64>) -> Failure {
@@ -109,93 +156,58 @@ fn missing(range: Range<u64>) -> Failure {
     )
 }
 
-/// Reads `parts` as they follow each other, tallies their rows, and writes them to `to`, by way of a
-/// file in a folder beside it.
-fn concatenate(
+/// Takes a row.
+type Put<'a> = dyn FnMut(Row) -> parquet::errors::Result<()> + 'a;
+
+/// Tallies the rows that `give` hands over in their order, and writes them to `to`: a file is in its
+/// place as a whole.
+fn write(
     campaign: &Campaign,
-    (parts, range): (&[PathBuf], Range<u64>),
-    to: Option<(&Path, &Path)>,
+    to: Option<&Rows>,
+    give: &mut dyn FnMut(&mut Put<'_>) -> Result<(), Failure>,
 ) -> Result<Tally, Failure> {
     let mut tally = Tally::new(campaign);
-    let failed = |path: &Path, error: &dyn std::fmt::Display| write_failed(path, error);
-    let temporary = to.map(|(_, folder)| folder.join("whole.parquet"));
-    let mut writer = match &temporary {
-        Some(path) => {
-            let file = File::create(path).map_err(|error| failed(path, &error))?;
-            Some(Writer::new(file, campaign).map_err(|error| failed(path, &error))?)
-        }
-        None => None,
-    };
-    let mut next = range.start;
-    for path in parts {
-        let done = record::read(path, campaign, &mut |row| {
-            if row.index != next {
-                let message = format!("scenario {} stands where {next} should", row.index);
-                return Err(parquet::errors::ParquetError::General(message));
-            }
-            next += 1;
+    let Some(Rows { out, .. }) = to else {
+        give(&mut |row| {
             tally.add(&row);
-            writer.as_mut().map_or(Ok(()), |writer| writer.push(row))
-        });
-        done.map_err(|error| unread(path, &error))?;
-    }
-    if let (Some(writer), Some(path), Some((out, _))) = (writer, temporary, to) {
-        writer.finish().map_err(|error| failed(&path, &error))?;
-        fs::rename(&path, out).map_err(|error| failed(out, &error))?;
+            Ok(())
+        })?;
+        return Ok(tally);
+    };
+    let failed = |error: &dyn Display| write_failed(&out.shown, error);
+    let mut into = |file: &File, tally: &mut Tally| -> Result<(), Failure> {
+        let mut writer = Writer::new(file, campaign).map_err(|error| failed(&error))?;
+        give(&mut |row| {
+            tally.add(&row);
+            writer.push(row)
+        })?;
+        writer.finish().map(|_| ()).map_err(|error| failed(&error))
+    };
+    // What is there now counts, not what was there when it was planned.
+    let place = Place::of(&out.shown).map_err(|error| failed(&error))?;
+    match place.kind {
+        Kind::Missing | Kind::Regular(_) => {
+            let temporary = open_beside(&place).map_err(|error| failed(&error))?;
+            let file = temporary.file().map_err(|error| failed(&error))?;
+            into(file, &mut tally)?;
+            // The journal, which goes after it, is all that there is besides.
+            file.sync_all().map_err(|error| failed(&error))?;
+            commit(vec![(temporary, place.path)]).map_err(|(_, error)| failed(&error))?;
+        }
+        _ if place.is_stream() => {
+            let mut file = tempfile::tempfile().map_err(|error| failed(&error))?;
+            into(&file, &mut tally)?;
+            let copied = file.rewind().and_then(|()| through(&place, &mut file));
+            copied.map_err(|error| failed(&error))?;
+        }
+        _ => return Err(failed(&io::Error::from(io::ErrorKind::IsADirectory))),
     }
     Ok(tally)
 }
 
-/// The chunks that are done, one file each in a folder beside what they become.
-struct Kept<'a> {
-    folder: PathBuf,
-    campaign: &'a Campaign,
-}
-
-impl<'a> Kept<'a> {
-    fn open(out: &Path, campaign: &'a Campaign) -> Result<Self, Failure> {
-        let mut name = OsString::from(out.file_name().unwrap_or_default());
-        if out.is_dir() || name.is_empty() {
-            let message = format!("--out {} is no name of a file", out.display());
-            return Err(Failure::because(message, "give one that ends in .parquet"));
-        }
-        name.push(".chunks");
-        let folder = out.with_file_name(name);
-        fs::create_dir_all(&folder).map_err(|error| write_failed(&folder, &error))?;
-        Ok(Self { folder, campaign })
-    }
-
-    fn path(&self, chunk: &Range<u64>) -> PathBuf {
-        self.folder.join(format!("{}-{}.parquet", chunk.start, chunk.end))
-    }
-
-    /// Whether a chunk is done.
-    fn has(&self, chunk: &Range<u64>) -> Result<bool, Failure> {
-        let path = self.path(chunk);
-        if !path.exists() {
-            return Ok(false);
-        }
-        match record::extent(&path, self.campaign) {
-            Ok(extent) => Ok(extent == *chunk),
-            Err(error) => Err(Failure::because(
-                format!("{} holds what another run left: {error}", self.folder.display()),
-                "remove this folder, or give another --out",
-            )),
-        }
-    }
-
-    fn keep(&self, chunk: &Range<u64>, rows: Vec<Row>) -> Result<(), Failure> {
-        let path = self.path(chunk);
-        let mut writer =
-            Writer::new(Vec::new(), self.campaign).map_err(|error| write_failed(&path, &error))?;
-        let pushed = rows.into_iter().try_for_each(|row| writer.push(row));
-        let bytes = pushed.and_then(|()| writer.finish());
-        let bytes = bytes.map_err(|error| write_failed(&path, &error))?;
-        write::paths(&[(path, &bytes)]).map(|_| ())
-    }
-}
-
-fn unread(path: &Path, error: &dyn std::fmt::Display) -> Failure {
+fn unread(path: &Path, error: &dyn Display) -> Failure {
+    let error = error.to_string();
+    let error = error.strip_prefix("Parquet error: ").unwrap_or(&error);
     unwritable(Notice {
         help: Some(
             "give files that `verify --out` wrote for this design, scenarios and seed".to_owned(),
@@ -204,7 +216,7 @@ fn unread(path: &Path, error: &dyn std::fmt::Display) -> Failure {
     })
 }
 
-fn write_failed(path: &Path, error: &dyn std::fmt::Display) -> Failure {
+fn write_failed(path: &Path, error: &dyn Display) -> Failure {
     unwritable(Notice {
         help: Some("give a file in a folder that can be written with --out".to_owned()),
         ..Notice::of(format!("cannot write {}: {error}", path.display()))
