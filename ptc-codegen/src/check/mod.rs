@@ -12,6 +12,7 @@ pub mod growth;
 pub mod membership;
 pub mod poles;
 pub mod polynomial;
+pub mod sampled;
 pub mod sampling;
 pub mod stability;
 

@@ -12,7 +12,7 @@ mod clock;
 mod flow;
 mod forced;
 mod margin;
-mod range;
+pub(crate) mod range;
 mod series;
 
 use num_traits::Signed;
