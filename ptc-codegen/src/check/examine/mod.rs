@@ -43,15 +43,8 @@ impl Report {
     /// The outcomes for which the design is refused: those that fail and are not allowed to.
     pub fn refusals(&self) -> impl Iterator<Item = &Outcome> {
         let allowed = &self.spec.promises.allow;
-        // The limit of ever shorter periods says nothing where the loop itself is decided.
-        let decided = self.outcomes.iter().any(|outcome| {
-            outcome.name == sampled::NAME
-                && matches!(outcome.verdict, Verdict::Sound | Verdict::Refuted)
-        });
-        let superseded = move |name: &str| decided && matches!(name, "sampling" | "deadline");
         self.outcomes.iter().filter(move |outcome| {
             matches!(outcome.verdict, Verdict::Unsound | Verdict::Refuted)
-                && !superseded(outcome.name)
                 && !allowed.iter().any(|name| name == outcome.name)
         })
     }
@@ -94,11 +87,24 @@ pub fn examine(spec: &Spec) -> Report {
         Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
         None => sampled::outcome(&spec),
     };
+    let decided =
+        matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
+    let [sampling, deadline] = [sampling, deadline].map(|outcome| superseded(outcome, decided));
     let envelope = envelope(&spec);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
     let outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     Report { spec, outcomes, greatest, worst }
+}
+
+/// A statement of the limit for short periods without noise, which decides nothing where the loop
+/// itself is decided.
+fn superseded(outcome: Outcome, decided: bool) -> Outcome {
+    if !decided || outcome.verdict == Verdict::NotChecked {
+        return outcome;
+    }
+    let summary = format!("`loop` decides; without noise and for short periods {}", outcome.summary);
+    Outcome { verdict: Verdict::NotChecked, summary, fix: None, ..outcome }
 }
 
 /// Where eps is open and something disturbs the loop, the eps whose worst final error is least.

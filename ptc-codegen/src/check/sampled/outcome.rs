@@ -27,7 +27,9 @@ pub(crate) fn outcome(spec: &Spec) -> (Outcome, Option<Worst>) {
 
 fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
-    let at_least: Vec<_> = worst.states.iter().map(|bound| bound.attained()).collect();
+    let nominal: Vec<_> = worst.states.iter().map(|bound| bound.attained()).collect();
+    let proved = worst.states.iter().map(|bound| bound.attained() - bound.rounding);
+    let proved: Vec<_> = proved.collect();
     let wanted = closed.errors();
     let given = !spec.promises.error.is_empty();
     let (limit, clipped) = clipping(spec, worst);
@@ -45,9 +47,13 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
             format!("u may be clipped, and the bounds hold only without: {}", told(state)),
         ),
         () if most <= 1.0 => (Verdict::Sound, all),
-        () if share(&at_least).1 > 1.0 => (
+        () if share(&proved).1 > 1.0 => (
             Verdict::Refuted,
             format!("{}, above error = {}", told(state), digits(wanted[state])),
+        ),
+        () if share(&nominal).1 > 1.0 => (
+            Verdict::Unsound,
+            format!("in doubles {}, above error = {}", told(state), digits(wanted[state])),
         ),
         () => (Verdict::Undecided, format!("{}, next to error", told(state))),
     };
@@ -55,7 +61,8 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(worst, i)));
     details.extend(on_the_way(worst));
     details.extend(limit);
-    let fix = (verdict == Verdict::Refuted).then(|| fix(spec, worst, closed, state));
+    let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
+    let fix = fails.then(|| fix(spec, worst, closed, state));
     Outcome { name: NAME, verdict, summary, details, fix }
 }
 
