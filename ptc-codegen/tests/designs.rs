@@ -54,7 +54,7 @@ fn misses(folder: &Path, file: &str) -> Vec<String> {
     expect(wanted.len() > 1 && wanted[0].starts_with("exit "), "an exit code and more is told");
     expect(code == json_code && stderr == json_stderr, "text and JSON agree");
     // A file that is wrong has no outcomes, and any other one has all of them.
-    expect(told.len() == if code == Some(2) { 0 } else { 5 }, "five checks");
+    expect(told.len() == if code == Some(2) { 0 } else { 6 }, "six checks");
     if let Some(found) = &found {
         expect(found["accepted"] == (code != Some(1)), "accepted");
         let open = found["undecided"].as_array().expect("names");

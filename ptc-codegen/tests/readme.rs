@@ -152,7 +152,7 @@ fn pages_show_what_is_printed() {
             assert_eq!(printed(line, &folder), shown, "docs/{name}: {line}");
         }
     }
-    for check in ["membership", "growth", "sampling", "deadline", "envelope"] {
+    for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
         let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
         let shown = blocks_of(page.expect("a page").1, "console").concat();
         assert!(shown.contains(&format!("refused: {check}")), "{check} shows no refusal");

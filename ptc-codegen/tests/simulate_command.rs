@@ -104,7 +104,7 @@ fn the_sampled_loop_reports_its_samples() {
         "--eps=0.05",
         "--noise=1e-3",
         "--seed=3",
-        "--delay",
+        "--delay=1",
         "--u-step=0.5",
     ];
     let csv = stdout(&folder, &asked);
@@ -144,12 +144,12 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "--at=0.5,1"], &["outside [0, 1)", "| --at \"0.5,1\""]),
         (&["stage.toml", "--x0=1,0", "--at=-0.5"], &["outside [0, 1)"]),
         (
-            &["stage.toml", "--x0=1,0", "--at=0.5", "--delay", "--sample-time=1e-2"],
+            &["stage.toml", "--x0=1,0", "--at=0.5", "--delay=1", "--sample-time=1e-2"],
             &["between the samples"],
         ),
         (
-            &["stage.toml", "--x0=1,0", "--delay"],
-            &["--delay is of the sampled loop", "give --sample-time"],
+            &["stage.toml", "--x0=1,0", "--delay=1"],
+            &["`delay` is of the sampled loop", "give --sample-time"],
         ),
         (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
         (

@@ -12,13 +12,15 @@ pub mod growth;
 pub mod membership;
 pub mod poles;
 pub mod polynomial;
+pub mod sampled;
 pub mod sampling;
 pub mod stability;
 
 mod eigenvalues;
 
 /// The names of the checks, in the order in which they are run.
-pub const CHECKS: [&str; 5] = ["membership", "growth", "sampling", "deadline", "envelope"];
+pub const CHECKS: [&str; 6] =
+    ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
 
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

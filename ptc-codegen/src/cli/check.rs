@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use ptc_codegen::check::Outcome;
 use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::check::sampled::{Bound, Worst};
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
 use serde_json::json;
@@ -62,18 +63,42 @@ fn text(report: &Report, refused: bool) -> String {
     out
 }
 
+/// The check of the sampled loop.
+const LOOP: &str = "loop";
+
+/// The worst case of each state at the deadline, by cause, and of x and u on the way. `final` is the
+/// sum of its causes; by `from_rounding` the true one may be more.
+fn worst_case(worst: &Worst) -> serde_json::Value {
+    let each = |part: &dyn Fn(&Bound) -> f64| worst.states.iter().map(part).collect::<Vec<_>>();
+    json!({
+        "samples": worst.samples,
+        "final": each(&|bound| bound.attained()),
+        "from_x0": each(&|bound| bound.x0),
+        "from_noise": each(&|bound| bound.noise.iter().sum()),
+        "from_noise_of": worst.states.iter().map(|bound| &bound.noise).collect::<Vec<_>>(),
+        "from_u_step": each(&|bound| bound.actuator),
+        "from_rounding": each(&|bound| bound.rounding),
+        "u": worst.way.as_ref().map(|way| way.u),
+        "x": worst.way.as_ref().map(|way| &way.x),
+    })
+}
+
 fn json(report: &Report, refused: bool) -> String {
     let checks: Vec<_> = report
         .outcomes
         .iter()
         .map(|outcome| {
-            json!({
+            let mut entry = json!({
                 "name": outcome.name,
                 "verdict": outcome.verdict.text(),
                 "summary": outcome.summary,
                 "details": outcome.details,
                 "fix": outcome.fix,
-            })
+            });
+            if let (LOOP, Some(worst)) = (outcome.name, &report.worst) {
+                entry["worst"] = worst_case(worst);
+            }
+            entry
         })
         .collect();
     let design = json!({

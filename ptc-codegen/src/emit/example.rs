@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
-use crate::check::Verdict;
-use crate::check::examine::{Report, decay, examine};
+use crate::check::examine::{Report, decay, guarded};
+use crate::check::{Outcome, Verdict};
 use crate::check::poles::{Pole, gains};
 use crate::program::number;
 use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
@@ -127,7 +127,7 @@ fn sample(spec: &Spec, tau: f64) -> Spec {
     let placed: Vec<_> = [0, n, 2 * n, 4 * n].iter().filter_map(|l| with_poles(spec, *l)).collect();
     let designs = if placed.is_empty() { vec![spec.clone()] } else { placed };
     let promises = &spec.promises;
-    let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_none();
+    let free = !spec.fixed.contains_key(&Parameter::Eps) && promises.error.is_empty();
     let halves = if promises.sample_time.is_some() { 1 } else { 12 };
     let try_all = |ends: bool, wanted: &[Verdict]| {
         let period = |halves: i32| tau / 1000.0 / f64::from(1 << halves);
@@ -148,11 +148,10 @@ fn borne(spec: &Spec, period: f64, ends: bool, wanted: &[Verdict]) -> Option<Spe
         spec.promises.sample_time = fixed(&format!("{period}"));
     }
     if ends {
-        spec.promises.error = fixed(ERROR);
+        spec.promises.error = fixed(ERROR).into_iter().collect();
         spec.promises.x0_max = vec![1.into(); spec.n];
     }
-    let report = examine(&spec);
-    let of = |name: &str| report.outcomes.iter().find(|o| o.name == name).map(|o| o.verdict);
-    let good = |verdict: Option<Verdict>| verdict.is_some_and(|v| wanted.contains(&v));
-    (good(of("sampling")) && (!ends || good(of("deadline")))).then_some(report.spec)
+    let (spec, sampling, deadline) = guarded(&spec);
+    let good = |outcome: &Outcome| wanted.contains(&outcome.verdict);
+    (good(&sampling) && (!ends || good(&deadline))).then_some(spec)
 }

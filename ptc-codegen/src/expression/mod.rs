@@ -13,6 +13,7 @@ mod names;
 pub(crate) mod normal;
 mod print;
 mod pythagoras;
+pub(crate) mod range;
 mod ratio;
 mod resolve;
 pub(crate) mod sign;

@@ -19,6 +19,8 @@ pub struct Loop {
     pub u_step: f64,
     /// Bounds of the noise on each measured state, drawn evenly from -bound to bound; empty for none.
     pub noise: Vec<f64>,
+    /// Steps in which each state is measured; empty for none.
+    pub sensor_step: Vec<f64>,
     /// Seed of the noise: the same seed gives the same noise, on any machine.
     pub seed: u64,
     /// Samples by which u acts late.
@@ -29,8 +31,9 @@ pub struct Loop {
 
 impl Default for Loop {
     fn default() -> Self {
-        let noise = Vec::new();
-        Self { period: f64::NAN, u_step: 0.0, noise, seed: 0, delay: 0, end: 1.0 }
+        let none = Vec::new;
+        let (noise, sensor_step) = (none(), none());
+        Self { period: f64::NAN, u_step: 0.0, noise, sensor_step, seed: 0, delay: 0, end: 1.0 }
     }
 }
 
@@ -84,7 +87,8 @@ impl Sampled {
             let t = t0 + since;
             for (j, own) in measured.iter_mut().enumerate() {
                 let bound = around.noise.get(j).copied().unwrap_or(0.0);
-                *own = x[j] + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+                let noisy = x[j] + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+                *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
             }
             let (u, status) = self.controller.step(t, &measured);
             late.push_back(quantised(u, around.u_step));
@@ -168,9 +172,9 @@ impl Piecewise for Between<'_> {
     }
 }
 
-/// The multiple of `step` that is nearest to u.
-fn quantised(u: f64, step: f64) -> f64 {
-    if step > 0.0 { (u / step).round() * step } else { u }
+/// The multiple of `step` that is nearest to a value; the value itself where there is no step.
+fn quantised(value: f64, step: f64) -> f64 {
+    if step > 0.0 { (value / step).round() * step } else { value }
 }
 
 /// A number drawn evenly from -1 to 1.

@@ -90,11 +90,19 @@ impl Spec {
     fn promise_words(&self) -> Vec<String> {
         let promises = &self.promises;
         let mut words = Vec::new();
-        let single = [("--sample-time", &promises.sample_time), ("--error", &promises.error)];
+        let single = [("--sample-time", &promises.sample_time), ("--u-step", &promises.u_step)];
         for (flag, value) in single {
             words.extend(value.iter().map(|value| format!("{flag}={value}")));
         }
-        for (flag, values) in [("--x0-max", &promises.x0_max), ("--x-max", &promises.x_max)] {
+        let lists = [
+            ("--error", &promises.error),
+            ("--noise", &promises.noise),
+            ("--sensor-step", &promises.sensor_step),
+            ("--x0-max", &promises.x0_max),
+            ("--x-max", &promises.x_max),
+        ];
+        words.extend(promises.delay.map(|delay| format!("--delay={delay}")));
+        for (flag, values) in lists {
             words.extend(list(values.iter()).map(|values| format!("{flag}={values}")));
         }
         if !promises.allow.is_empty() {

@@ -14,7 +14,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order in which they are told.
-pub static KEYS: [KeyInfo; 21] = [
+pub static KEYS: [KeyInfo; 25] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -115,8 +115,32 @@ pub static KEYS: [KeyInfo; 21] = [
     KeyInfo {
         key: "error",
         meaning: "wanted bound of |x_i| at the deadline, in units of x_i; sets eps",
-        legal: "a number > 0, with x0_max",
+        legal: "a number > 0, or one for each state, with x0_max",
         example: "1e-3",
+    },
+    KeyInfo {
+        key: "noise",
+        meaning: "bounds of the noise of each measured state, in units of x_i",
+        legal: "a number >= 0, or one for each state",
+        example: "1e-4,1e-3",
+    },
+    KeyInfo {
+        key: "sensor_step",
+        meaning: "steps in which each state is measured, in units of x_i",
+        legal: "a number >= 0, or one for each state",
+        example: "1e-6,1e-3",
+    },
+    KeyInfo {
+        key: "u_step",
+        meaning: "step of the actuator: what acts is the nearest multiple of it",
+        legal: "a number >= 0",
+        example: "0.01",
+    },
+    KeyInfo {
+        key: "delay",
+        meaning: "samples between a measurement and the input that follows from it",
+        legal: "an integer 0..=16",
+        example: "1",
     },
     KeyInfo {
         key: "x0_max",
@@ -133,7 +157,7 @@ pub static KEYS: [KeyInfo; 21] = [
     KeyInfo {
         key: "allow",
         meaning: "checks that may fail without refusing the design",
-        legal: "names of checks: membership, growth, sampling, deadline, envelope",
+        legal: "names of checks: membership, growth, sampling, deadline, loop, envelope",
         example: "growth",
     },
 ];

@@ -113,8 +113,16 @@ pub enum What {
 pub struct Promises {
     /// Sample period of the loop, s.
     pub sample_time: Option<Fixed>,
-    /// Wanted bound of |x_i| at the deadline.
-    pub error: Option<Fixed>,
+    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given.
+    pub error: Vec<Fixed>,
+    /// Bounds of the noise of each measured state, or one for all; empty for none.
+    pub noise: Vec<Fixed>,
+    /// Steps in which each state is measured, or one for all; empty for none.
+    pub sensor_step: Vec<Fixed>,
+    /// Step of the actuator.
+    pub u_step: Option<Fixed>,
+    /// Samples by which u acts late.
+    pub delay: Option<usize>,
     /// Bounds of |x_i| at the start; empty where they are not given.
     pub x0_max: Vec<Fixed>,
     /// Bounds of |x_i| at all times; empty where they are not given.

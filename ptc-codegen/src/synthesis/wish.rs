@@ -126,7 +126,7 @@ impl<'a> Wish<'a> {
     pub(super) fn choice(&self, candidate: &Candidate, speed: f64) -> Choice {
         let mut choice = candidate.at(self.spec.n, speed);
         let promises = &self.spec.promises;
-        let asked = promises.sample_time.is_some() || promises.error.is_some();
+        let asked = promises.sample_time.is_some() || !promises.error.is_empty();
         if asked && !self.spec.fixed.contains_key(&Parameter::Eps) {
             let set = self.examined(&choice).map(|report| report.spec.fixed);
             let eps = set.as_ref().and_then(|fixed| fixed.get(&Parameter::Eps)?.number()?.to_f64());

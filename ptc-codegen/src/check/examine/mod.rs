@@ -8,12 +8,13 @@ use std::collections::btree_map::Entry;
 
 pub(crate) use known::decay;
 use known::{Decay, Rate, fixed_gains, is_known};
-use numbers::Numbers;
+pub(crate) use numbers::Numbers;
 pub(crate) use period::held_period;
 
 use super::envelope::{Interval, scan};
 use super::growth::{self, Growth, Modes, growth, growth_between};
 use super::membership::prove;
+use super::sampled::{self, Loop, Worst};
 use super::sampling::sampling;
 use super::{Outcome, Verdict};
 use crate::check::deadline::{ClosedLoop, deadline};
@@ -28,7 +29,7 @@ use crate::spec::{Feedback, Fixed, Parameter, Spec, What};
 const PIECES: f64 = 20.0;
 
 /// What the checks found.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The design, with eps where a check has set it.
     pub spec: Spec,
@@ -36,6 +37,8 @@ pub struct Report {
     pub outcomes: Vec<Outcome>,
     /// The greatest value of a run-time parameter with which the checks hold: `init` refuses more.
     pub greatest: Option<(Parameter, Fixed)>,
+    /// The worst case of the sampled loop, where it is known.
+    pub worst: Option<Worst>,
 }
 
 impl Report {
@@ -77,16 +80,58 @@ impl Report {
     }
 }
 
+/// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
+pub(crate) fn guarded(spec: &Spec) -> (Spec, Outcome, Outcome) {
+    let mut spec = spec.clone();
+    let (sampling, deadline) = guard(&mut spec);
+    (spec, sampling, deadline)
+}
+
 /// Runs every check on `spec`. What lacks a value is not checked, and says which value.
 pub fn examine(spec: &Spec) -> Report {
     let mut spec = spec.clone();
     let membership = membership(&spec);
     let (growth, greatest) = check_growth(&spec);
+    choose_eps(&mut spec);
     let (sampling, deadline) = guard(&mut spec);
+    let (looped, worst) = match known::lacking(&spec) {
+        Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
+        None => sampled::outcome(&spec),
+    };
+    let decided =
+        matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
+    let [sampling, deadline] = [sampling, deadline].map(|outcome| superseded(outcome, decided));
     let envelope = envelope(&spec);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
-    Report { spec, outcomes: vec![membership, growth, sampling, deadline, envelope], greatest }
+    let outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
+    Report { spec, outcomes, greatest, worst }
+}
+
+/// A statement of the limit for short periods without noise, which decides nothing where the loop
+/// itself is decided.
+fn superseded(outcome: Outcome, decided: bool) -> Outcome {
+    if !decided || outcome.verdict == Verdict::NotChecked {
+        return outcome;
+    }
+    let summary = format!("`loop` decides; without noise and for short periods {}", outcome.summary);
+    Outcome { verdict: Verdict::NotChecked, summary, fix: None, ..outcome }
+}
+
+/// Where eps is open and something disturbs the loop, the eps whose worst final error is least.
+fn choose_eps(spec: &mut Spec) {
+    let promises = &spec.promises;
+    let disturbed = !promises.noise.is_empty()
+        || !promises.sensor_step.is_empty()
+        || promises.u_step.is_some();
+    let open = !spec.fixed.contains_key(&Parameter::Eps);
+    if !disturbed || !open || known::lacking(spec).is_some() {
+        return;
+    }
+    let best = Loop::new(spec).ok().and_then(|closed| closed.best_eps(&Numbers::new(spec)));
+    if let Some(eps) = best.and_then(known::rounded_down) {
+        spec.fixed.insert(Parameter::Eps, eps);
+    }
 }
 
 fn membership(spec: &Spec) -> Outcome {
@@ -168,7 +213,10 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
 /// What the sample period and the wanted error ask of eps; sets it where the design leaves it open.
 fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
     let number = |value: &Option<Fixed>| value.as_ref().and_then(known::to_f64);
-    let (period, error) = (number(&spec.promises.sample_time), number(&spec.promises.error));
+    let period = number(&spec.promises.sample_time);
+    // The smallest one bounds every state.
+    let errors = spec.promises.error.iter().filter_map(known::to_f64);
+    let error = errors.reduce(f64::min);
     let unasked = |name, key: &str| Outcome::not_checked(name, format!("`{key}` is not given"));
     let lacking = known::lacking(spec);
     let lacks = |name| {

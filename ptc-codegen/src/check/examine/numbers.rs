@@ -10,9 +10,9 @@ use crate::program::{Input, Program, passes};
 use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
 
 /// A linear design with all its numbers.
-pub(super) struct Numbers<'a> {
+pub(crate) struct Numbers<'a> {
     spec: &'a Spec,
-    pub(super) tau: f64,
+    pub(crate) tau: f64,
     linear: Program,
     /// The same mapping under a law that only looks at xi and stretched time.
     observer: Program,
@@ -20,7 +20,7 @@ pub(super) struct Numbers<'a> {
 
 impl<'a> Numbers<'a> {
     /// The numbers of a spec that lacks none.
-    pub(super) fn new(spec: &'a Spec) -> Self {
+    pub(crate) fn new(spec: &'a Spec) -> Self {
         let mut linear = Spec {
             precision: Precision::F64,
             guard: Guard::None,
@@ -50,7 +50,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// Feedback gains of u = sum gain_j x_j.
-    pub(super) fn gains(&self, time_to_go: f64) -> Vec<f64> {
+    pub(crate) fn gains(&self, time_to_go: f64) -> Vec<f64> {
         let input = |input| self.input(input, time_to_go, &|_| 0.0);
         let mut interpreter = Interpreter::new(&self.linear, &input);
         self.linear.gains.iter().map(|gain| interpreter.value(*gain)).collect()

@@ -15,8 +15,9 @@ What the design leaves to run time needs a value here: --tau, --eps, --t0 (0 unl
 --u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
 
 Without a sample period the law acts at every instant, and time-to-go falls to 1e-9 tau. With
---sample-time, --u-step, --noise or --delay the emitted controller itself is in the loop, bit for
-bit, and u is held in between; every sample is reported.
+--sample-time, --noise, --sensor-step, --u-step or --delay (the last four also as keys of the
+design) the emitted controller itself is in the loop, bit for bit, and u is held in between; every
+sample is reported. Noise is drawn evenly from within its bounds.
 
 CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers read back as they were.
 
@@ -53,16 +54,7 @@ pub(crate) struct Simulate {
     /// Report of design, formulas, checks, runs and code, as one page of HTML that needs nothing else
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
-    /// Sampled loop: step of the actuator; what acts is a multiple of it
-    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
-    pub(crate) u_step: Option<String>,
-    /// Sampled loop: bound of the noise on each measured state, or one for all
-    #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
-    pub(crate) noise: Option<String>,
     /// Sampled loop: seed of the noise
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
-    /// Sampled loop: u acts one sample late
-    #[arg(long)]
-    pub(crate) delay: bool,
 }

@@ -66,23 +66,18 @@ fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
 
 /// The sampled loop, if any of its flags is given.
 fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
-    let by_flag = request.spec.0.gives("sample_time");
-    let flags = [
-        (request.u_step.is_some(), "--u-step"),
-        (request.noise.is_some(), "--noise"),
-        (request.delay, "--delay"),
+    let promises = &spec.promises;
+    let disturbed = [
+        (!promises.noise.is_empty(), "noise"),
+        (!promises.sensor_step.is_empty(), "sensor_step"),
+        (promises.u_step.is_some(), "u_step"),
+        (promises.delay.is_some(), "delay"),
+        (request.spec.0.gives("sample_time"), "sample_time"),
     ];
-    let Some(asked) = flags
-        .iter()
-        .find(|(given, _)| *given)
-        .map(|(_, flag)| *flag)
-        .or(by_flag.then_some("--sample-time"))
-    else {
-        return Ok(None);
-    };
+    let Some((_, asked)) = disturbed.iter().find(|(given, _)| *given) else { return Ok(None) };
     let Some(period) = spec.promises.sample_time.as_ref().and_then(to_f64) else {
         return Err(Failure::because(
-            format!("{asked} is of the sampled loop, which has no sample period"),
+            format!("`{asked}` is of the sampled loop, which has no sample period"),
             "give --sample-time, or sample_time in the design",
         ));
     };
@@ -95,48 +90,19 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
             "give a longer --sample-time",
         ));
     }
-    let mut around =
-        Loop { period, seed: request.seed, delay: usize::from(request.delay), ..Loop::default() };
-    if let Some(text) = &request.u_step {
-        let step = List::new("--u-step", text)?;
-        let [(value, _)] = &step.items[..] else {
-            return Err(step.wrong(
-                None,
-                "--u-step is one number".to_owned(),
-                "give the step of the actuator, for example --u-step 0.01",
-            ));
-        };
-        if !value.is_positive() {
-            return Err(step.wrong(
-                None,
-                "a step of the actuator that is not > 0".to_owned(),
-                "leave --u-step out for an actuator without steps",
-            ));
-        }
-        around.u_step = step.doubles()?[0];
-    }
-    if let Some(text) = &request.noise {
-        let noise = List::new("--noise", text)?;
-        let count = noise.items.len();
-        if count != 1 && count != spec.n {
-            let message = format!("--noise has {count} bounds for {} states", spec.n);
-            return Err(noise.wrong(
-                None,
-                message,
-                "give one bound for all states, or one for each",
-            ));
-        }
-        if let Some((_, range)) = noise.items.iter().find(|(value, _)| value.is_negative()) {
-            let message = "a bound of the noise below 0".to_owned();
-            return Err(noise.wrong(
-                Some(range),
-                message,
-                "noise is drawn evenly from -bound to bound",
-            ));
-        }
-        let bounds = noise.doubles()?;
-        around.noise = (0..spec.n).map(|j| bounds[if count == 1 { 0 } else { j }]).collect();
-    }
+    let each = |bounds: &[Fixed]| -> Vec<f64> {
+        let one = |j: usize| bounds.get(if bounds.len() == 1 { 0 } else { j }).and_then(to_f64);
+        (0..spec.n).filter_map(one).collect()
+    };
+    let around = Loop {
+        period,
+        u_step: promises.u_step.as_ref().and_then(to_f64).unwrap_or(0.0),
+        noise: each(&promises.noise),
+        sensor_step: each(&promises.sensor_step),
+        seed: request.seed,
+        delay: promises.delay.unwrap_or(0),
+        ..Loop::default()
+    };
     Ok(Some(around))
 }
 

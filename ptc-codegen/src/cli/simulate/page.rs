@@ -1,7 +1,7 @@
 //! The report of the runs.
 
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::spec::{Fixed, Parameter, Spec};
 
 use super::Simulate;
 use super::picture::figure;
@@ -29,10 +29,7 @@ pub(super) fn text(
     let flags = [
         ("--x0", Some(request.x0.clone())),
         ("--at", request.at.clone()),
-        ("--u-step", request.u_step.clone()),
-        ("--noise", request.noise.clone()),
         ("--seed", seed),
-        ("--delay", request.delay.then(String::new)),
     ];
     let content = Content {
         spec: &spec,
@@ -77,13 +74,17 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
 fn around(request: &Simulate, spec: &Spec) -> Option<String> {
     let period = spec.promises.sample_time.as_ref()?;
     let mut parts = vec![format!("The sample period is {period} s")];
-    parts.extend(request.noise.as_ref().map(|noise| {
-        format!("each measured state is off by up to {noise}, drawn by seed {}", request.seed)
-    }));
-    parts.extend(
-        request.u_step.as_ref().map(|step| format!("the actuator takes multiples of {step}")),
-    );
-    parts.extend(request.delay.then(|| "u acts one sample late".to_owned()));
+    let list = |bounds: &[Fixed]| bounds.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let promises = &spec.promises;
+    if !promises.noise.is_empty() {
+        let bounds = list(&promises.noise);
+        parts.push(format!("measurement noise: uniform, +-{bounds} (seed {})", request.seed));
+    }
+    if !promises.sensor_step.is_empty() {
+        parts.push(format!("sensor steps: {}", list(&promises.sensor_step)));
+    }
+    parts.extend(promises.u_step.as_ref().map(|step| format!("actuator step: {step}")));
+    parts.extend(promises.delay.map(|delay| format!("delay: {delay} samples")));
     Some(format!("{}.", parts.join(", ")))
 }
 

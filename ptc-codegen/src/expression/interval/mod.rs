@@ -172,7 +172,6 @@ impl Interval {
     }
 
     /// From one double to another, either of which may be infinite.
-    #[cfg(feature = "campaign")]
     pub(crate) fn of_doubles(low: f64, high: f64) -> Self {
         Self::new(BigFloat::from_f64(low, BITS), BigFloat::from_f64(high, BITS))
     }
@@ -191,7 +190,6 @@ impl Interval {
     }
 
     /// Its ends, each rounded to a neighbouring double.
-    #[cfg(feature = "campaign")]
     pub(crate) fn about(&self) -> [f64; 2] {
         [&self.low, &self.high].map(|end| match (end.mantissa_digits(), end.exponent()) {
             _ if end.is_inf() => {

@@ -16,6 +16,7 @@ use super::{
     After, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises, Spec,
     TimeMapping, Value, What, reserved::is_reserved, shorten,
 };
+use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
 use crate::lower::has_associated;
 
@@ -24,6 +25,9 @@ pub(crate) const MAX_EXPONENT: i32 = 400;
 
 /// The checks that may be allowed to fail.
 pub(super) use crate::check::CHECKS;
+
+/// Most samples of delay.
+const MAX_DELAY: usize = 16;
 
 /// One key with its value, as a front end found it. A key of a table of a design file is written
 /// `params.a` or `envelope.x_max`.
@@ -181,7 +185,11 @@ impl<'a> Reader<'a> {
     fn promises(&mut self, n: Option<usize>) -> Promises {
         Promises {
             sample_time: self.positive("sample_time"),
-            error: self.positive("error"),
+            error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
+            noise: self.one_or_each("noise", n, not_negative, "finite and >= 0"),
+            sensor_step: self.one_or_each("sensor_step", n, not_negative, "finite and >= 0"),
+            u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
+            delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             x0_max: self.bounds("x0_max", n),
             x_max: self.bounds("x_max", n),
             allow: self.allowed(),
@@ -197,6 +205,57 @@ impl<'a> Reader<'a> {
             self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
         }
         value
+    }
+
+    fn u_step(&mut self, node: &Node) -> Option<Fixed> {
+        let value = not_negative(node);
+        if value.is_none() {
+            let message = format!("u_step = {} is no finite number >= 0", shown(&node.value));
+            let help = "give the step of the actuator, 0 for none".to_owned();
+            self.wrong("u_step", Some(node.place), message, help);
+        }
+        value
+    }
+
+    fn delay(&mut self, node: &Node) -> Option<usize> {
+        let value = constant::real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
+        if value.is_none() {
+            let message = format!("delay = {} is no number of samples", shown(&node.value));
+            let help = format!("delay is an integer 0..={MAX_DELAY}");
+            self.wrong("delay", Some(node.place), message, help);
+        }
+        value
+    }
+
+    /// One number for all states, or one for each.
+    fn one_or_each(
+        &mut self,
+        key: &'static str,
+        n: Option<usize>,
+        legal: fn(&Node) -> Option<Fixed>,
+        told: &str,
+    ) -> Vec<Fixed> {
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let items = items(node);
+        if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
+            let n = n.unwrap_or_default();
+            let message = format!("{key}: {} numbers for {n} states", items.len());
+            let help = format!("give one number for all states, or one for each of x1..x{n}");
+            self.wrong(key, Some(node.place), message, help);
+            return Vec::new();
+        }
+        let mut numbers = Vec::with_capacity(items.len());
+        for item in items {
+            match legal(item) {
+                Some(value) => numbers.push(value),
+                None => {
+                    let message = format!("{key} = {} is not {told}", shown(&item.value));
+                    let help = KeyInfo::find(key).map_or("", |info| info.legal);
+                    self.wrong(key, Some(item.place), message, format!("{key} is {help}"));
+                }
+            }
+        }
+        numbers
     }
 
     fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
@@ -326,6 +385,16 @@ fn items(node: &Node) -> &[Node] {
 
 fn finite_positive(node: &Node) -> Option<Fixed> {
     constant::real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
+}
+
+fn not_negative(node: &Node) -> Option<Fixed> {
+    constant::real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
+}
+
+/// An integer from 0 to `most`.
+fn whole(value: &BigRational, most: usize) -> Option<usize> {
+    let count = value.is_integer().then(|| value.to_usize()).flatten()?;
+    (count <= most).then_some(count)
 }
 
 fn suggestion(meant: Option<&str>, legal: &str) -> String {

@@ -76,14 +76,14 @@ impl Reader<'_> {
             let message = format!("`{name}` is what the code calls a parameter of the design");
             self.wrong("name", place, message, "choose another name".to_owned());
         }
-        let nonlinear = spec.feedback != Feedback::Linear && spec.promises.error.is_some();
+        let nonlinear = spec.feedback != Feedback::Linear && !spec.promises.error.is_empty();
         if nonlinear {
             let place = self.keys.get("error").map(|node| node.place);
             let message = "`error` needs a linear law".to_owned();
             let help = "eps is computed from the gains: give gains or poles, or eps itself";
             self.wrong("error", place, message, help.to_owned());
         }
-        if spec.promises.error.is_some() && !self.keys.contains_key("x0_max") {
+        if !spec.promises.error.is_empty() && !self.keys.contains_key("x0_max") {
             let place = self.keys.get("error").map(|node| node.place);
             let message = "`error` needs `x0_max`".to_owned();
             let help = "the error at the deadline is bounded from the bounds of |x_i| at the start";

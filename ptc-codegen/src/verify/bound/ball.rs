@@ -2,7 +2,7 @@
 
 use num_traits::{Signed, Zero};
 
-use super::range::Range;
+use crate::expression::range::Range;
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::interval::Interval;
 

@@ -10,7 +10,7 @@ use std::rc::Rc;
 use super::clock::Clock;
 use super::flow::{Flow, Rows, dot};
 use super::forced::{Response, Source};
-use super::range::Range;
+use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 

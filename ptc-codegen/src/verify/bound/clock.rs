@@ -6,7 +6,7 @@ use std::ops::Add;
 use super::Campaign;
 use super::flow::Rows;
 use super::form::Values;
-use super::range::Range;
+use crate::expression::range::Range;
 use super::series::{Arithmetic, Series, product};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::membership::enclosure::{Evaluator, Names};

@@ -6,7 +6,7 @@ use std::ops::Add;
 use num_traits::{One, ToPrimitive};
 
 use super::ball::Ball;
-use super::range::Range;
+use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 

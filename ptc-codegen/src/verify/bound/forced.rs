@@ -8,7 +8,7 @@
 
 use super::cell::Loop;
 use super::flow::Rows;
-use super::range::Range;
+use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 

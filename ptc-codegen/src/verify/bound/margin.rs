@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 use super::cell::Cell;
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
-use super::range::Range;
+use crate::expression::range::Range;
 use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
 use crate::check::membership::enclosure::{Evaluator, Names};

@@ -14,7 +14,6 @@ mod flow;
 mod forced;
 mod form;
 mod margin;
-mod range;
 mod rounding;
 mod series;
 
@@ -26,7 +25,6 @@ use emitted::Emitted;
 use flow::Flow;
 use form::Values;
 use margin::{Aim, Bounds, Why};
-use range::Range;
 
 use super::{Campaign, Kind, Objective, existence};
 use crate::algebra::{BigInt, BigRational, integer};
@@ -34,6 +32,7 @@ use crate::check::digits;
 use crate::expression::Expression;
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
+use crate::expression::range::Range;
 use crate::spec::{Feedback, Fixed, Parameter};
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.

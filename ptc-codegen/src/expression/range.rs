@@ -7,7 +7,7 @@ use crate::expression::interval::Interval;
 
 /// The numbers from `low` to `high`, either of which may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Range {
+pub(crate) struct Range {
     low: f64,
     high: f64,
 }
@@ -33,7 +33,7 @@ impl From<f64> for Range {
 }
 
 impl Range {
-    pub(super) const WHOLE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
+    pub(crate) const WHOLE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
     /// An interval with these ends once they are rounded outwards; all numbers where one is none.
     fn new(low: f64, high: f64) -> Self {
@@ -43,68 +43,72 @@ impl Range {
         Self { low: low.next_down(), high: high.next_up() }
     }
 
-    pub(super) fn high(self) -> f64 {
+    pub(crate) fn low(self) -> f64 {
+        self.low
+    }
+
+    pub(crate) fn high(self) -> f64 {
         self.high
     }
 
-    pub(super) fn low(self) -> f64 {
+    pub(crate) fn low(self) -> f64 {
         self.low
     }
 
     /// A number in the middle, about.
-    pub(super) fn middle(self) -> f64 {
+    pub(crate) fn middle(self) -> f64 {
         0.5 * self.low + 0.5 * self.high
     }
 
-    pub(super) fn is_positive(self) -> bool {
+    pub(crate) fn is_positive(self) -> bool {
         self.low > 0.0
     }
 
-    pub(super) fn is_bounded(self) -> bool {
+    pub(crate) fn is_bounded(self) -> bool {
         self.low.is_finite() && self.high.is_finite()
     }
 
     /// Whether all of it is below all of `other`.
-    pub(super) fn is_below(self, other: Self) -> bool {
+    pub(crate) fn is_below(self, other: Self) -> bool {
         self.high < other.low
     }
 
     /// The numbers that both hold, of which there is one at least.
-    pub(super) fn common(self, other: Self) -> Self {
+    pub(crate) fn common(self, other: Self) -> Self {
         Self { low: self.low.max(other.low), high: self.high.min(other.high) }
     }
 
     /// The least interval that holds both.
-    pub(super) fn hull(self, other: Self) -> Self {
+    pub(crate) fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The greater one.
-    pub(super) fn most(self, other: Self) -> Self {
+    pub(crate) fn most(self, other: Self) -> Self {
         Self { low: self.low.max(other.low), high: self.high.max(other.high) }
     }
 
     /// |a|.
-    pub(super) fn size(self) -> Self {
+    pub(crate) fn size(self) -> Self {
         let low = if self.low > 0.0 { self.low } else { (-self.high).max(0.0) };
         Self { low, high: self.high.max(-self.low) }
     }
 
     /// From -size to size, for the greatest size in it.
-    pub(super) fn both_signs(self) -> Self {
+    pub(crate) fn both_signs(self) -> Self {
         let high = self.size().high;
         Self { low: -high, high }
     }
 
     /// a^2.
-    pub(super) fn square(self) -> Self {
+    pub(crate) fn square(self) -> Self {
         let size = self.size();
         let square = size * size;
         Self { low: square.low.max(0.0), high: square.high }
     }
 
     /// Whole power; the whole line for one below 0 of what may be 0.
-    pub(super) fn power(self, k: i32) -> Self {
+    pub(crate) fn power(self, k: i32) -> Self {
         let base = if k < 0 { Self::from(1.0) / self } else { self };
         (0..k.unsigned_abs()).fold(Self::from(1.0), |power, _| power * base)
     }

@@ -1,0 +1,246 @@
+//! The worst case of the loop of a design, with what it lacks to be known.
+
+// Counts become numbers and polynomials small orders here.
+#![allow(clippy::cast_precision_loss)]
+
+use num_traits::{Signed, ToPrimitive};
+
+use super::chain::{Chain, Gains};
+use super::gains::gains;
+use super::worst::{Bound, Output, Sampled};
+use crate::algebra::BigRational;
+use crate::check::examine::Numbers;
+use crate::expression::interval::Interval;
+use crate::spec::{Fixed, Parameter, Spec};
+use crate::expression::range::Range;
+
+/// Numbers that the matrices of all samples may hold together: some 300 MB.
+const ENTRIES: f64 = 2e7;
+
+/// Operations that the way to the deadline may take: seconds.
+const OPERATIONS: f64 = 2e9;
+
+/// The worst case of a sampled loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// Of each state at the deadline.
+    pub states: Vec<Bound>,
+    /// Samples from t0 to the deadline.
+    pub samples: usize,
+    /// On the way; none where there are too many samples to look at all of them.
+    pub way: Option<Way>,
+}
+
+/// Bounds that hold from t0 to the deadline, between the samples too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// Of each |x_i|.
+    pub x: Vec<f64>,
+    /// Of |u|.
+    pub u: f64,
+    /// What |u| reaches at least.
+    pub u_attained: f64,
+}
+
+/// The loop of a design in numbers.
+pub(crate) struct Loop<'a> {
+    spec: &'a Spec,
+    period: Range,
+    samples: usize,
+    chain: Chain,
+}
+
+impl<'a> Loop<'a> {
+    /// The sampled loop of `spec`, whose gains and tau are known.
+    ///
+    /// # Errors
+    /// What it lacks, or why it is not looked at.
+    pub(crate) fn new(spec: &'a Spec) -> Result<Self, String> {
+        let promises = &spec.promises;
+        let h = exact(promises.sample_time.as_ref()).ok_or("`sample_time` is not given")?;
+        let tau = exact(spec.fixed.get(&Parameter::Tau)).ok_or("`tau` is left to run time")?;
+        if promises.x0_max.is_empty() {
+            return Err("`x0_max` is not given".to_owned());
+        }
+        let gain = match &spec.input_gain {
+            None => BigRational::from_integer(1.into()),
+            Some(g) => g.number().cloned().ok_or("the input gain g is no number")?,
+        };
+        let count = &tau / &h;
+        let samples = count.round();
+        let near = (&count - &samples).abs() * BigRational::from_integer(1_000_000_000.into());
+        if near > samples {
+            return Err(format!(
+                "tau is no multiple of the sample period: it is {} periods",
+                count.to_f64().unwrap_or(f64::NAN)
+            ));
+        }
+        let delay = promises.delay.unwrap_or(0);
+        let size = (spec.n + delay) as f64;
+        let samples = samples.to_usize().filter(|count| *count as f64 * size * size <= ENTRIES);
+        let Some(samples) = samples.filter(|count| *count > 0) else {
+            return Err(format!(
+                "{} samples are more than it looks at",
+                crate::check::digits(count.to_f64().unwrap_or(f64::INFINITY))
+            ));
+        };
+        let range = |value: &BigRational| Range::from(&Interval::exact(value));
+        let period = range(&h);
+        let chain = Chain::new(spec.n, period, range(&gain), delay);
+        Ok(Self { spec, period, samples, chain })
+    }
+
+    /// The loop with what disturbs it.
+    fn disturbed(&self, rows: Vec<Gains>) -> Sampled {
+        let promises = &self.spec.promises;
+        let mut sampled = Sampled::new(self.chain.clone(), rows);
+        sampled.x0 = promises.x0_max.iter().map(double).collect();
+        let each = |bounds: &[Fixed], j: usize| {
+            bounds.get(if bounds.len() == 1 { 0 } else { j }).map_or(0.0, double)
+        };
+        let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
+        sampled.noise = (0..self.spec.n).map(noise).collect();
+        sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
+        sampled
+    }
+
+    /// The worst case with the eps of the design.
+    ///
+    /// # Errors
+    /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
+    pub(crate) fn worst(&self) -> Result<Worst, String> {
+        let rows = gains(self.spec, self.period, self.samples)
+            .ok_or("the gains of this mapping are not enclosed")?;
+        let sampled = self.disturbed(rows);
+        let state = |i: usize| {
+            let output = sampled.state(i);
+            let fading = sampled.fading(Some(&output), self.samples);
+            fading.map(|fading| sampled.bound(&output, self.samples, Some(&fading)))
+        };
+        let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
+        let states = states.ok_or("an error of one sample may grow without a bound that is found")?;
+        Ok(Worst { states, samples: self.samples, way: self.way(&sampled) })
+    }
+
+    /// The bounds on the way, over all samples and the polynomials between them.
+    fn way(&self, sampled: &Sampled) -> Option<Way> {
+        let (n, size) = (self.spec.n, self.chain.size());
+        let outputs = n + 1 + n * (n - 1) / 2;
+        let count = self.samples as f64;
+        if 0.5 * count * count * (outputs * (size * size + 4 * size)) as f64 > OPERATIONS {
+            return None;
+        }
+        let fading = sampled.fading(None, self.samples)?;
+        let mut way = Way { x: sampled.x0.clone(), u: 0.0, u_attained: 0.0 };
+        let control = Output { row: vec![0.0; size], direct: 1.0 };
+        for k in 0..=self.samples {
+            if k < self.samples {
+                let mut bound = sampled.bound(&control, k, Some(&fading));
+                // The command, before the actuator rounds it.
+                bound.actuator -= sampled.actuator;
+                way.u = way.u.max(bound.total());
+                way.u_attained = way.u_attained.max(bound.attained());
+            }
+            for i in 0..n {
+                let mut take = |output: &Output| {
+                    let bound = sampled.bound(output, k, Some(&fading));
+                    way.x[i] = way.x[i].max(bound.total());
+                };
+                take(&sampled.state(i + 1));
+                if k < self.samples {
+                    self.between(i).iter().for_each(take);
+                }
+            }
+        }
+        let finite = way.u.is_finite() && way.x.iter().all(|x| x.is_finite());
+        finite.then_some(way)
+    }
+
+    /// The inner control points of x_{i+1} between two samples in Bernstein's form, of which it is a
+    /// convex combination together with its values at the samples.
+    fn between(&self, i: usize) -> Vec<Output> {
+        let (n, size) = (self.spec.n, self.chain.size());
+        let degree = n - i;
+        let choose = |n: usize, k: usize| {
+            (0..k).fold(1.0, |product, j| product * (n - j) as f64 / (j + 1) as f64)
+        };
+        let point = |r: usize| {
+            let mut output = Output { row: vec![0.0; size], direct: 0.0 };
+            for l in 0..=r {
+                let weight = choose(r, l) / choose(degree, l) * self.chain.shares[l];
+                if i + l < n {
+                    output.row[i + l] += weight;
+                } else if self.chain.delay == 0 {
+                    output.direct += weight * self.chain.gain;
+                } else {
+                    output.row[n] += weight * self.chain.gain;
+                }
+            }
+            output
+        };
+        (1..degree).map(point).collect()
+    }
+
+    /// The eps whose worst final error is least, in parts of `error` where that is given.
+    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<f64> {
+        let h = 0.5 * (self.period.low() + self.period.high());
+        let tau = numbers.tau;
+        let free: Vec<_> =
+            (0..self.samples).map(|k| numbers.gains((self.samples - k) as f64 * h)).collect();
+        let errors = self.errors();
+        let cost = |eps: f64| {
+            let held = numbers.gains(eps);
+            let row = |k: usize| {
+                let go = (self.samples - k) as f64 * h;
+                let values = if go > eps { free[k].clone() } else { held.clone() };
+                Gains { errors: vec![0.0; values.len()], values }
+            };
+            let sampled = self.disturbed((0..self.samples).map(row).collect());
+            let share = |i: usize| {
+                let bound = sampled.bound(&sampled.state(i + 1), self.samples, None);
+                bound.attained() / errors[i]
+            };
+            (0..self.spec.n).map(share).fold(0.0, f64::max)
+        };
+        let (low, high) = (h.ln(), (0.9 * tau).ln());
+        if low >= high {
+            return None;
+        }
+        let at = |share: f64| low + share * (high - low);
+        let costs: Vec<_> = (0..=POINTS).map(|i| cost(at(f64::from(i) / f64::from(POINTS)).exp())).collect();
+        let (best, _) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+        let step = 1.0 / f64::from(POINTS);
+        let (mut left, mut right) =
+            (at((best as f64 - 1.0) * step).max(low), at((best as f64 + 1.0) * step).min(high));
+        for _ in 0..ROUNDS {
+            let (a, b) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
+            if cost(a.exp()) <= cost(b.exp()) {
+                right = b;
+            } else {
+                left = a;
+            }
+        }
+        Some((0.5 * (left + right)).exp())
+    }
+
+    /// The wanted bound of each state; 1 where it is not given.
+    pub(super) fn errors(&self) -> Vec<f64> {
+        let errors = &self.spec.promises.error;
+        let one = |i: usize| errors.get(if errors.len() == 1 { 0 } else { i });
+        (0..self.spec.n).map(|i| one(i).map_or(1.0, double)).collect()
+    }
+}
+
+/// Points at which eps is tried first, on a logarithmic scale.
+const POINTS: u32 = 32;
+
+/// Rounds of the search between two of them.
+const ROUNDS: u32 = 10;
+
+fn exact(value: Option<&Fixed>) -> Option<BigRational> {
+    value.and_then(Fixed::number).cloned()
+}
+
+fn double(value: &Fixed) -> f64 {
+    value.number().and_then(ToPrimitive::to_f64).unwrap_or(f64::INFINITY)
+}

@@ -1,0 +1,144 @@
+//! What a reader is told of the sampled loop.
+
+use num_traits::ToPrimitive;
+
+use super::judge::{Loop, Worst};
+use crate::check::examine::Numbers;
+use crate::check::{Outcome, Verdict, digits, list};
+use crate::spec::{Fixed, Parameter, Spec};
+
+/// Name of the check.
+pub(crate) const NAME: &str = "loop";
+
+/// The check of a design whose loop is known, and its worst case.
+pub(crate) fn outcome(spec: &Spec) -> (Outcome, Option<Worst>) {
+    let eps = spec.fixed.contains_key(&Parameter::Eps);
+    let found = Loop::new(spec).and_then(|closed| {
+        if !eps {
+            return Err("`eps` is left to run time".to_owned());
+        }
+        Ok((closed.worst()?, closed))
+    });
+    match found {
+        Ok((worst, closed)) => (judged(spec, &worst, &closed), Some(worst)),
+        Err(reason) => (Outcome::not_checked(NAME, reason), None),
+    }
+}
+
+fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
+    let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
+    let nominal: Vec<_> = worst.states.iter().map(|bound| bound.attained()).collect();
+    let proved = worst.states.iter().map(|bound| bound.attained() - bound.rounding);
+    let proved: Vec<_> = proved.collect();
+    let wanted = closed.errors();
+    let given = !spec.promises.error.is_empty();
+    let (limit, clipped) = clipping(spec, worst);
+    let share = |values: &[f64]| {
+        let shares = values.iter().zip(&wanted).map(|(value, error)| value / error);
+        shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
+    };
+    let (state, most) = share(&totals);
+    let told = |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
+    let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
+    let (verdict, summary) = match () {
+        () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
+        () if clipped => (
+            Verdict::Undecided,
+            format!("u may be clipped, and the bounds hold only without: {}", told(state)),
+        ),
+        () if most <= 1.0 => (Verdict::Sound, all),
+        () if share(&proved).1 > 1.0 => (
+            Verdict::Refuted,
+            format!("{}, above error = {}", told(state), digits(wanted[state])),
+        ),
+        () if share(&nominal).1 > 1.0 => (
+            Verdict::Unsound,
+            format!("in doubles {}, above error = {}", told(state), digits(wanted[state])),
+        ),
+        () => (Verdict::Undecided, format!("{}, next to error", told(state))),
+    };
+    let mut details = vec![assumed(spec, worst.samples)];
+    details.extend(worst.states.iter().enumerate().map(|(i, _)| split(worst, i)));
+    details.extend(on_the_way(worst));
+    details.extend(limit);
+    let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
+    let fix = fails.then(|| fix(spec, worst, closed, state));
+    Outcome { name: NAME, verdict, summary, details, fix }
+}
+
+/// Whether u may be clipped, and what is known of it.
+fn clipping(spec: &Spec, worst: &Worst) -> (Option<String>, bool) {
+    let limit = match spec.fixed.get(&Parameter::UMax) {
+        None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
+        Some(Fixed::Infinite) => return (None, false),
+        Some(limit) => limit.number().and_then(ToPrimitive::to_f64).unwrap_or(f64::INFINITY),
+    };
+    match &worst.way {
+        Some(way) if way.u < limit => {
+            (Some(format!("u is never clipped: |u| < u_max = {}", digits(limit))), false)
+        }
+        Some(way) => {
+            (Some(format!("|u| may reach {}, and u_max = {}", digits(way.u), digits(limit))), true)
+        }
+        None => (Some("there are too many samples to decide whether u is clipped".to_owned()), true),
+    }
+}
+
+/// What the bounds are about, and what was left out.
+fn assumed(spec: &Spec, samples: usize) -> String {
+    let promises = &spec.promises;
+    let mut absent = Vec::new();
+    if promises.noise.is_empty() {
+        absent.push("noise");
+    }
+    if promises.sensor_step.is_empty() {
+        absent.push("steps of the sensors");
+    }
+    if promises.u_step.is_none() {
+        absent.push("steps of the actuator");
+    }
+    if promises.delay.is_none() {
+        absent.push("delay");
+    }
+    let absent = match absent.as_slice() {
+        [] => String::new(),
+        absent => format!("; without {}, not given", absent.join(", ")),
+    };
+    format!("the chain of integrators over {samples} samples, f = 0{absent}")
+}
+
+/// Where the worst case of a state comes from.
+fn split(worst: &Worst, i: usize) -> String {
+    let bound = &worst.states[i];
+    let noise = bound.noise.iter().zip(1..).filter(|(part, _)| **part > 0.0);
+    let noise = noise.map(|(part, j)| format!("{} noise of x{j}", digits(*part)));
+    let mut parts = vec![format!("{} x0", digits(bound.x0))];
+    parts.extend(noise);
+    if bound.actuator > 0.0 {
+        parts.push(format!("{} steps of the actuator", digits(bound.actuator)));
+    }
+    parts.push(format!("{} rounding", digits(bound.rounding)));
+    format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
+}
+
+fn on_the_way(worst: &Worst) -> Option<String> {
+    let way = worst.way.as_ref()?;
+    let x = list(way.x.iter().copied());
+    Some(format!("on the way, between samples too, |x| <= {x} and |u| <= {}", digits(way.u)))
+}
+
+/// What accounts for most of an error that is too large, and the eps that makes it least.
+fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
+    let bound = &worst.states[state];
+    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, format!("noise of x{j}")));
+    let others = [(bound.x0, "x0".to_owned()), (bound.actuator, "u_step".to_owned())];
+    let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
+    let largest = largest.map(|(part, cause)| {
+        let percent = digits((100.0 * part / bound.attained()).round());
+        format!("{cause} accounts for {percent} % of it")
+    });
+    let eps = closed.best_eps(&Numbers::new(spec)).map(|eps| {
+        format!("the worst case is least with eps near {} s", digits(eps))
+    });
+    largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
+}

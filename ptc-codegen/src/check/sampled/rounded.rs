@@ -1,0 +1,194 @@
+//! The emitted arithmetic, enclosed: each value in exact arithmetic, and how far rounding takes it.
+//!
+//! An operation in floating point returns (a op b)(1 + d), |d| <= u, the unit roundoff, as long as
+//! nothing underflows. The error of a sum is charged with u(|a| + |b|), not u|a + b|: the bound is
+//! then linear in the magnitudes of the states, so that the errors found for the unit vectors bound
+//! that of every state, |u_emitted - sum_j gain_j x_j| <= sum_j error_j |x_j|.
+
+use astro_float_num::Consts;
+
+use crate::expression::interval::Interval;
+use crate::program::{Input, Op, Program, Stage, Value, number};
+use crate::spec::Precision;
+use crate::expression::range::Range;
+
+/// A value of the program.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rounded {
+    /// Encloses the value in exact arithmetic.
+    pub(super) exact: Range,
+    /// Bound of |emitted - exact|.
+    pub(super) error: f64,
+}
+
+/// Units in the last place by which a function of the mathematical library may be off.
+const LIBRARY: f64 = 2.0;
+
+impl Rounded {
+    /// A number that the emitted code has exactly.
+    pub(super) fn of(exact: Range) -> Self {
+        Self { exact, error: 0.0 }
+    }
+
+    fn size(self) -> f64 {
+        self.exact.size().high()
+    }
+
+    /// Encloses the emitted value too.
+    fn emitted(self) -> Range {
+        self.exact + Range::from(self.error).both_signs()
+    }
+}
+
+/// Rounds a bound up, after an operation that may have rounded it down.
+fn up(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.next_up() }
+}
+
+/// The largest relative error of one operation in `precision`.
+pub(super) fn unit_roundoff(precision: Precision) -> f64 {
+    match precision {
+        Precision::F32 => 2f64.powi(-24),
+        Precision::F64 => 2f64.powi(-53),
+    }
+}
+
+/// Values of a program, computed stage by stage.
+pub(super) struct Enclosure<'a> {
+    program: &'a Program,
+    unit: f64,
+    /// By value; none where it is not computed, or no enclosure is known.
+    values: Vec<Option<Rounded>>,
+    due: [Vec<Value>; 5],
+    cache: Consts,
+}
+
+impl<'a> Enclosure<'a> {
+    /// For the values of `program` that `outputs` need; none where memory for constants is lacking.
+    pub(super) fn new(program: &'a Program, outputs: &[Value]) -> Option<Self> {
+        let mut due: [Vec<Value>; 5] = Default::default();
+        for value in program.needed(outputs) {
+            due[program.get(value).stage as usize].push(value);
+        }
+        let unit = unit_roundoff(program.precision);
+        let values = vec![None; program.values.len()];
+        Some(Self { program, unit, values, due, cache: Consts::new().ok()? })
+    }
+
+    /// Computes the values of a stage; those of earlier stages are known.
+    pub(super) fn run(&mut self, stage: Stage, input: &dyn Fn(Input) -> Option<Rounded>) {
+        for value in std::mem::take(&mut self.due[stage as usize]) {
+            self.values[value.0] = self.compute(value, input);
+            self.due[stage as usize].push(value);
+        }
+    }
+
+    /// A value that was computed.
+    pub(super) fn get(&self, value: Value) -> Option<Rounded> {
+        self.values[value.0].filter(|found| found.exact.is_bounded() && found.error.is_finite())
+    }
+
+    fn compute(
+        &mut self,
+        value: Value,
+        input: &dyn Fn(Input) -> Option<Rounded>,
+    ) -> Option<Rounded> {
+        let unit = self.unit;
+        let program = self.program;
+        let at = |value: Value| self.values[value.0];
+        match &program.get(value).op {
+            Op::Number(exact) => {
+                let near = number::round(exact, program.precision);
+                let range = Range::from(&Interval::exact(exact));
+                let kept = number::exact(near).is_some_and(|near| near == *exact);
+                let error = if kept { 0.0 } else { up(unit * range.size().high()) };
+                Some(Rounded { exact: range, error })
+            }
+            Op::Input(asked) => input(*asked),
+            Op::Neg(a) => at(*a).map(|a| Rounded { exact: -a.exact, ..a }),
+            Op::Add(a, b) => Some(sum(at(*a)?, at(*b)?, unit)),
+            Op::Sub(a, b) => {
+                let (a, b) = (at(*a)?, at(*b)?);
+                // Exact for the values at hand, which says nothing of other states.
+                let exactly = program.get(value).stage < Stage::Step && is_exact(a, b);
+                let unit = if exactly { 0.0 } else { unit };
+                Some(sum(a, Rounded { exact: -b.exact, ..b }, unit))
+            }
+            Op::Mul(a, b) => Some(product(at(*a)?, at(*b)?, unit)),
+            Op::Div(a, b) | Op::Quotient(a, b) => quotient(at(*a)?, at(*b)?, unit),
+            Op::Power(a, k) => {
+                let a = at(*a)?;
+                Some((1..*k).fold(a, |power, _| product(power, a, unit)))
+            }
+            Op::Max(a, b) => {
+                let (a, b) = (at(*a)?, at(*b)?);
+                Some(Rounded { exact: a.exact.most(b.exact), error: a.error.max(b.error) })
+            }
+            Op::Min(a, b) => {
+                let (a, b) = (at(*a)?, at(*b)?);
+                let exact = -((-a.exact).most(-b.exact));
+                Some(Rounded { exact, error: a.error.max(b.error) })
+            }
+            Op::Call(function, a) => {
+                let (function, a) = (*function, at(*a)?);
+                let on = |range: Range, cache: &mut Consts| {
+                    Range::from(&Interval::from(range).call(function, cache))
+                };
+                let cache = &mut self.cache;
+                Some(called(on(a.exact, cache), on(a.emitted(), cache), unit))
+            }
+            Op::Pow(a, b) => {
+                let (a, b) = (at(*a)?, at(*b)?);
+                if !a.emitted().is_positive() {
+                    return None;
+                }
+                let on = |a: Range, b: Range, cache: &mut Consts| {
+                    Range::from(&Interval::from(a).power(&Interval::from(b), cache))
+                };
+                let cache = &mut self.cache;
+                Some(called(on(a.exact, b.exact, cache), on(a.emitted(), b.emitted(), cache), unit))
+            }
+            Op::Law(_) | Op::Rows { .. } | Op::Element(..) | Op::Unknown | Op::Root(_) => None,
+        }
+    }
+}
+
+fn sum(a: Rounded, b: Rounded, unit: f64) -> Rounded {
+    let inherited = up(a.error + b.error);
+    let size = up(up(a.size() + b.size()) + inherited);
+    Rounded { exact: a.exact + b.exact, error: up(inherited + up(unit * size)) }
+}
+
+/// Whether a - b is a number of the precision, by Sterbenz: b/2 <= a <= 2 b.
+fn is_exact(a: Rounded, b: Rounded) -> bool {
+    let two = Range::from(2.0);
+    let (a, b) = (a.emitted(), b.emitted());
+    let within = |a: Range, b: Range| a.is_below(two * b) && b.is_below(two * a);
+    within(a, b) || within(-a, -b)
+}
+
+fn product(a: Rounded, b: Rounded, unit: f64) -> Rounded {
+    let exact = a.exact * b.exact;
+    let inherited = up(up(a.error * up(b.size() + b.error)) + up(a.size() * b.error));
+    let size = up(exact.size().high() + inherited);
+    Rounded { exact, error: up(inherited + up(unit * size)) }
+}
+
+fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
+    let exact = a.exact / b.exact;
+    let least = -((-b.emitted().size()).high());
+    if least <= 0.0 || !exact.is_bounded() {
+        return None;
+    }
+    // (a + da)/(b + db) - a/b = (da - (a/b) db)/(b + db).
+    let moved = up(a.error + up(exact.size().high() * b.error));
+    let inherited = up(moved / least);
+    let size = up(exact.size().high() + inherited);
+    Some(Rounded { exact, error: up(inherited + up(unit * size)) })
+}
+
+/// A library function: `exact` for the exact operand, `near` for all operands the code may have.
+fn called(exact: Range, near: Range, unit: f64) -> Rounded {
+    let width = (near - near).high();
+    Rounded { exact, error: up(width + up(2.0 * LIBRARY * unit * near.size().high())) }
+}

@@ -1,0 +1,84 @@
+//! Worst cases against independent values in long arithmetic.
+
+use super::chain::Chain;
+use super::gains::gains;
+use super::worst::{Sampled, Signals};
+use crate::expression::interval::Interval;
+use crate::mapping::Family;
+use crate::spec::{Fixed, Parameter, Spec, number};
+use crate::expression::range::Range;
+
+/// Loops in 50-digit arithmetic: `tests/data/sampled_loops.json`.
+const LOOPS: &str = include_str!("../../../../tests/data/sampled_loops.json");
+
+fn range(value: &Fixed) -> Range {
+    Range::from(&Interval::exact(value.number().expect("a number")))
+}
+
+fn text(value: &serde_json::Value) -> Fixed {
+    number(value.as_str().expect("text")).expect("a number")
+}
+
+fn numbers(value: &serde_json::Value) -> Vec<f64> {
+    let one = |v: &serde_json::Value| v.as_str().and_then(|v| v.parse().ok()).expect("a number");
+    value.as_array().expect("a list").iter().map(one).collect()
+}
+
+#[test]
+fn final_errors_are_those_of_the_reference() {
+    let loops: serde_json::Value = serde_json::from_str(LOOPS).expect("JSON");
+    for case in loops.as_array().expect("a list") {
+        let n = case["n"].as_u64().expect("n") as usize;
+        let mut spec = Spec::new(n, Family::Exp);
+        spec.fixed.insert(Parameter::A, number("1").expect("1"));
+        for (key, parameter) in [("tau", Parameter::Tau), ("eps", Parameter::Eps)] {
+            spec.fixed.insert(parameter, text(&case[key]));
+        }
+        for (i, gain) in (1..).zip(case["gains"].as_array().expect("gains")) {
+            spec.fixed.insert(Parameter::Gain(i), text(gain));
+        }
+        spec.fixed.insert(Parameter::UMax, Fixed::Infinite);
+        let samples = case["samples"].as_u64().expect("samples") as usize;
+        let h = range(&text(&case["tau"])) / Range::from(samples as f64);
+        let delay = case["delay"].as_u64().expect("delay") as usize;
+        let rows = gains(&spec, h, samples).expect("gains");
+        let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), rows);
+        sampled.x0 = numbers(&case["x0_max"]);
+        sampled.noise = numbers(&case["noise"]);
+        sampled.actuator = case["u_step"].as_str().unwrap().parse::<f64>().unwrap() / 2.0;
+        for i in 1..=n {
+            let output = sampled.state(i);
+            let fading = sampled.fading(Some(&output), samples);
+            let bound = sampled.bound(&output, samples, fading.as_ref());
+            let expected = |key: &str| numbers(&case[key])[i - 1];
+            let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * b, "{a} {b}");
+            near(bound.x0, expected("final_from_x0"));
+            near(bound.noise.iter().sum(), expected("final_from_noise"));
+            near(bound.actuator, expected("final_from_quantum"));
+            assert!(bound.rounding <= 1e-8 * bound.attained(), "n = {n}, x{i}: {bound:?}");
+            let reached = run(&sampled, &sampled.signals(&output, samples), samples)[i - 1];
+            near(reached, bound.attained());
+        }
+    }
+}
+
+/// The state at sample `at` under the given signals, from the chain's own definition.
+fn run(sampled: &Sampled, signals: &Signals, at: usize) -> Vec<f64> {
+    let (n, delay) = (sampled.chain.n, sampled.chain.delay);
+    let shares = &sampled.chain.shares;
+    let mut x = signals.x0.clone();
+    let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
+    for k in 0..at {
+        let gains = &sampled.gains(k).values;
+        let measured = x.iter().zip(&signals.noise[k]).map(|(x, v)| x + v);
+        let u: f64 = gains.iter().zip(measured).map(|(gain, x)| gain * x).sum();
+        late.push_back(u + signals.actuator[k]);
+        let u = late.pop_front().expect("an input");
+        let next = |i: usize| {
+            let chain: f64 = (i..n).map(|j| shares[j - i] * x[j]).sum();
+            chain + shares[n - i] * sampled.chain.gain * u
+        };
+        x = (0..n).map(next).collect();
+    }
+    x
+}

@@ -1,0 +1,249 @@
+//! The worst case of a sampled loop, to the sign of each signal.
+//!
+//! What a row q sees at sample K is linear in the state at the start and in all that disturbs the
+//! loop on the way: q s_K = p_0 s_0 + sum_k p_{k+1} B (gain_k v_k + a_k), p_K = q, p_k = p_{k+1} M_k.
+//! Its largest size over bounded s_0, v_k and a_k is the sum of the sizes of the coefficients times the
+//! bounds, attained by their signs. The rows are computed in doubles; by how much rounding, here and
+//! in the emitted program, may change the sum is bounded with [`growth`](super::transition::growth).
+
+use super::chain::{Chain, Gains, Matrix};
+use super::transition::growth;
+
+/// A linear loop with the bounds of what disturbs it.
+#[derive(Clone, Debug)]
+pub(super) struct Sampled {
+    pub(super) chain: Chain,
+    /// Gains of sample 0, 1, ...; the last ones are held.
+    gains: Vec<Gains>,
+    /// M_0, M_1, ... of these.
+    steps: Vec<Matrix>,
+    /// Bounds of |x_j| at the start.
+    pub(super) x0: Vec<f64>,
+    /// Bounds of the error of each measured state.
+    pub(super) noise: Vec<f64>,
+    /// Bound of the error of the actuator: half its step.
+    pub(super) actuator: f64,
+}
+
+/// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds).
+#[derive(Clone, Debug)]
+pub(super) struct Output {
+    pub(super) row: Vec<f64>,
+    pub(super) direct: f64,
+}
+
+/// The largest size of an output, by cause.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bound {
+    /// From the state at the start.
+    pub x0: f64,
+    /// From the error of each measured state.
+    pub noise: Vec<f64>,
+    /// From the steps of the actuator.
+    pub actuator: f64,
+    /// From rounding in the emitted program, and the room that the proof takes.
+    pub rounding: f64,
+}
+
+impl Bound {
+    /// All causes together.
+    pub fn total(&self) -> f64 {
+        self.attained() + self.rounding
+    }
+
+    /// What the worst signals reach at least.
+    pub fn attained(&self) -> f64 {
+        self.x0 + self.noise.iter().sum::<f64>() + self.actuator
+    }
+}
+
+/// The signals that attain a bound.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Signals {
+    /// State at the start.
+    pub x0: Vec<f64>,
+    /// Error of each measured state at each sample.
+    pub noise: Vec<Vec<f64>>,
+    /// Error of the actuator at each sample.
+    pub actuator: Vec<f64>,
+}
+
+/// How fast an error fades, for the proof: a scaling of the state at each sample, and the bound of
+/// the transitions in it.
+pub(super) struct Fading {
+    scales: Vec<Vec<f64>>,
+    growth: f64,
+    errors: Vec<f64>,
+}
+
+impl Sampled {
+    /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
+    pub(super) fn new(chain: Chain, gains: Vec<Gains>) -> Self {
+        let steps = gains.iter().map(|gains| chain.step(gains)).collect();
+        let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.n]);
+        Self { chain, gains, steps, x0, noise, actuator: 0.0 }
+    }
+
+    /// Gains of sample `k`.
+    pub(super) fn gains(&self, k: usize) -> &Gains {
+        &self.gains[k.min(self.gains.len() - 1)]
+    }
+
+    /// M_k.
+    fn step(&self, k: usize) -> &Matrix {
+        &self.steps[k.min(self.steps.len() - 1)]
+    }
+
+    /// x_i, from 1, at a sample.
+    pub(super) fn state(&self, i: usize) -> Output {
+        let mut row = vec![0.0; self.chain.size()];
+        row[i - 1] = 1.0;
+        Output { row, direct: 0.0 }
+    }
+
+    /// The row of an output on s_K, with u_K written out.
+    fn row(&self, output: &Output, at: usize) -> Vec<f64> {
+        let mut row = output.row.clone();
+        if output.direct != 0.0 {
+            let gains = &self.gains(at).values;
+            row.iter_mut().zip(gains).for_each(|(sum, gain)| *sum += output.direct * gain);
+        }
+        row
+    }
+
+    /// The scaling of s at sample `k` in which all states are alike: x_j in units of u times a power
+    /// of the time scale of the gains.
+    fn units(&self, k: usize) -> Vec<f64> {
+        let n = self.chain.n;
+        let power = |j: usize| i32::try_from(n - j).unwrap_or(i32::MAX);
+        let gains = &self.gains(k).values;
+        let pace = gains.iter().enumerate().map(|(j, gain)| {
+            (gain * self.chain.gain).abs().powf(1.0 / f64::from(power(j)))
+        });
+        let time = 1.0 / pace.fold(1.0 / (1e6 * self.chain.shares[1]), f64::max);
+        let time = time.max(self.chain.shares[1]);
+        let state = (0..n).map(|j| 1.0 / (time.powi(power(j)) * self.chain.gain.abs()));
+        state.chain(std::iter::repeat_n(1.0, self.chain.delay)).collect()
+    }
+
+    /// The bound of the transitions up to sample `at`, where what the output sees counts alike at
+    /// every sample; with `None` all instants are seen alike.
+    pub(super) fn fading(&self, output: Option<&Output>, at: usize) -> Option<Fading> {
+        let mut scales: Vec<_> = (0..=at).map(|k| self.units(k)).collect();
+        if let Some(output) = output {
+            let mut row = self.row(output, at);
+            let mut before = Vec::new();
+            for k in (0..=at).rev() {
+                let seen: f64 = row.iter().zip(&scales[k]).map(|(p, d)| (p / d).abs()).sum();
+                let seen = seen.max(f64::MIN_POSITIVE * 1e30);
+                scales[k].iter_mut().for_each(|d| *d *= seen);
+                if k > 0 {
+                    self.step(k - 1).after(&row, &mut before);
+                    std::mem::swap(&mut row, &mut before);
+                }
+            }
+        }
+        let growth = growth(at, &|k| self.step(k).clone(), &|k| scales[k].clone())?;
+        let errors = (0..at).map(|k| self.step(k).error_norm(&scales[k + 1], &scales[k]));
+        Some(Fading { errors: errors.collect(), scales, growth })
+    }
+
+    /// The worst case of an output at sample `at`; its rounding is infinite without a `fading`.
+    pub(super) fn bound(&self, output: &Output, at: usize, fading: Option<&Fading>) -> Bound {
+        let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
+        let size = |row: &[f64], k: usize| -> f64 {
+            let scale = &fading.map_or(&[][..], |fading| &fading.scales[k]);
+            row.iter().zip(*scale).map(|(p, d)| (p / d).abs()).sum()
+        };
+        let mut row = self.row(output, at);
+        // Bound of the error of the row, in its scaling.
+        let mut off = 0.0;
+        let mut rounding = 0.0;
+        if output.direct != 0.0 {
+            let own = self.gains(at);
+            self.add(&mut bound, output.direct.abs(), at);
+            let errors = own.errors.iter().zip(&own.values);
+            let unit = 4.0 * f64::EPSILON;
+            let errors = errors.map(|(error, gain)| error + unit * gain.abs());
+            if let Some(fading) = fading {
+                let scale = &fading.scales[at];
+                off += output.direct.abs() * errors.zip(scale).map(|(e, d)| e / d).sum::<f64>();
+            }
+            rounding += output.direct.abs() * self.off(own);
+        }
+        let column = self.chain.column();
+        let mut before = Vec::new();
+        for k in (0..at).rev() {
+            let seen: f64 = row.iter().zip(&column).map(|(p, (b, _))| p * b).sum();
+            self.add(&mut bound, seen.abs(), k);
+            if let Some(fading) = fading {
+                let scale = &fading.scales[k + 1];
+                let reach = column.iter().zip(scale);
+                let reach = reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
+                let inexact: f64 = row.iter().zip(&column).map(|(p, (_, e))| (p * e).abs()).sum();
+                let own = self.gains(k);
+                let all = own.values.iter().zip(&own.errors).zip(&self.noise);
+                let all: f64 = all.map(|((gain, error), v)| (gain.abs() + error) * v).sum();
+                rounding += (off * fading.growth * reach + inexact) * (all + self.actuator);
+                rounding += seen.abs() * self.off(own);
+                off += fading.errors[k] * size(&row, k + 1);
+            }
+            self.step(k).after(&row, &mut before);
+            std::mem::swap(&mut row, &mut before);
+        }
+        bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
+        if let Some(fading) = fading {
+            let scale = fading.scales[0].iter().zip(&self.x0);
+            rounding += off * fading.growth * scale.map(|(d, x0)| d * x0).fold(0.0, f64::max);
+        }
+        // The sums of this function round too.
+        let slack = 1e-12 * (bound.attained() + rounding);
+        bound.rounding = if fading.is_some() { rounding + slack } else { f64::INFINITY };
+        bound
+    }
+
+    /// What acts at sample `k` adds, where u_k is seen with a weight.
+    fn add(&self, bound: &mut Bound, weight: f64, k: usize) {
+        let gains = &self.gains(k).values;
+        for ((sum, gain), v) in bound.noise.iter_mut().zip(gains).zip(&self.noise) {
+            *sum += weight * gain.abs() * v;
+        }
+        bound.actuator += weight * self.actuator;
+    }
+
+    /// What the errors of the gains make of the errors of the measurement.
+    fn off(&self, gains: &Gains) -> f64 {
+        gains.errors.iter().zip(&self.noise).map(|(error, v)| error * v).sum()
+    }
+
+    /// The signals that attain [`Self::bound`].
+    pub(super) fn signals(&self, output: &Output, at: usize) -> Signals {
+        let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
+        let count = if output.direct == 0.0 { at } else { at + 1 };
+        let mut signals = Signals {
+            x0: Vec::new(),
+            noise: vec![Vec::new(); count],
+            actuator: vec![0.0; count],
+        };
+        let mut row = self.row(output, at);
+        let column = self.chain.column();
+        let mut before = Vec::new();
+        for k in (0..count).rev() {
+            let seen = if k == at {
+                output.direct
+            } else {
+                row.iter().zip(&column).map(|(p, (b, _))| p * b).sum()
+            };
+            let gains = &self.gains(k).values;
+            let noise = gains.iter().zip(&self.noise).map(|(gain, v)| sign(seen * gain) * v);
+            signals.noise[k] = noise.collect();
+            signals.actuator[k] = sign(seen) * self.actuator;
+            if k < at {
+                self.step(k).after(&row, &mut before);
+                std::mem::swap(&mut row, &mut before);
+            }
+        }
+        signals.x0 = row.iter().zip(&self.x0).map(|(p, x0)| sign(*p) * x0).collect();
+        signals
+    }
+}
