@@ -19,8 +19,7 @@ pub mod stability;
 mod eigenvalues;
 
 /// The names of the checks, in the order in which they are run.
-pub const CHECKS: [&str; 6] =
-    ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
+pub const CHECKS: [&str; 6] = ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
 
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -7,8 +7,8 @@ use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
 use crate::check::examine::{Report, decay, guarded};
-use crate::check::{Outcome, Verdict};
 use crate::check::poles::{Pole, gains};
+use crate::check::{Outcome, Verdict};
 use crate::program::number;
 use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
 

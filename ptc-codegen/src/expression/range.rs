@@ -43,10 +43,6 @@ impl Range {
         Self { low: low.next_down(), high: high.next_up() }
     }
 
-    pub(crate) fn low(self) -> f64 {
-        self.low
-    }
-
     pub(crate) fn high(self) -> f64 {
         self.high
     }

@@ -4,7 +4,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
-use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::check::membership::enclosure::{Evaluator, Existence, Names};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable, leading};
 use crate::mapping::{Family, Form};
@@ -132,7 +132,7 @@ fn rate_of(spec: &Spec, rate: &Expression) -> Rate {
         return Rate::Open;
     };
     let value = Evaluator::new().value(rate, &names);
-    let defined = value.filter(|value| !value.is_undefined && !value.may_divide_by_zero);
+    let defined = value.filter(|value| value.existence == Existence::Certain);
     match defined.and_then(|value| value.interval.ends()) {
         Some((low, high)) => {
             let spelling = names.is_empty().then(|| rate.to_string());

@@ -98,8 +98,7 @@ pub fn examine(spec: &Spec) -> Report {
         Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
         None => sampled::outcome(&spec),
     };
-    let decided =
-        matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
+    let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let [sampling, deadline] = [sampling, deadline].map(|outcome| superseded(outcome, decided));
     let envelope = envelope(&spec);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
@@ -114,16 +113,16 @@ fn superseded(outcome: Outcome, decided: bool) -> Outcome {
     if !decided || outcome.verdict == Verdict::NotChecked {
         return outcome;
     }
-    let summary = format!("`loop` decides; without noise and for short periods {}", outcome.summary);
+    let summary =
+        format!("`loop` decides; without noise and for short periods {}", outcome.summary);
     Outcome { verdict: Verdict::NotChecked, summary, fix: None, ..outcome }
 }
 
 /// Where eps is open and something disturbs the loop, the eps whose worst final error is least.
 fn choose_eps(spec: &mut Spec) {
     let promises = &spec.promises;
-    let disturbed = !promises.noise.is_empty()
-        || !promises.sensor_step.is_empty()
-        || promises.u_step.is_some();
+    let disturbed =
+        !promises.noise.is_empty() || !promises.sensor_step.is_empty() || promises.u_step.is_some();
     let open = !spec.fixed.contains_key(&Parameter::Eps);
     if !disturbed || !open || known::lacking(spec).is_some() {
         return;

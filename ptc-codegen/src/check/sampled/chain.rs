@@ -5,8 +5,8 @@
 //! v the error of the measurement and q that of the actuator.
 
 use super::rounded::{Rounded, unit_roundoff};
-use crate::spec::Precision;
 use crate::expression::range::Range;
+use crate::spec::Precision;
 
 /// A matrix with bounds of the distance of each entry from the true one, by rows.
 #[derive(Clone, Debug)]
@@ -61,8 +61,7 @@ impl Chain {
             #[allow(clippy::cast_precision_loss)]
             shares.push(shares[j - 1] * h / Range::from(j as f64));
         }
-        let mut motion =
-            Matrix { size: n, entries: vec![0.0; n * n], errors: vec![0.0; n * n] };
+        let mut motion = Matrix { size: n, entries: vec![0.0; n * n], errors: vec![0.0; n * n] };
         for i in 0..n {
             for j in i..n {
                 let (value, error) = if i == j { (1.0, 0.0) } else { centre(shares[j - i], 0.0) };

@@ -3,11 +3,11 @@
 use super::chain::Gains;
 use super::rounded::{Enclosure, Rounded, unit_roundoff};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::program::{Input, Program, Stage, number, passes};
 use crate::spec::{After, Parameter, Spec};
-use crate::expression::range::Range;
 
 /// The rows of gains of samples 0..=`last` with period `h`, the last ones held from there on; none
 /// where a value of the program is not enclosed.
@@ -55,9 +55,7 @@ impl<'a> Acting<'a> {
         let mut row = Vec::new();
         for j in 1..=self.spec.n {
             let state = |input: Input| match input {
-                Input::State(i) if i == j => {
-                    Some(Rounded { exact: Range::from(1.0), error: unit })
-                }
+                Input::State(i) if i == j => Some(Rounded { exact: Range::from(1.0), error: unit }),
                 Input::State(_) => Some(Rounded::of(Range::from(0.0))),
                 _ => None,
             };

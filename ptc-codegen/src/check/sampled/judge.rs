@@ -11,8 +11,8 @@ use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::expression::interval::Interval;
-use crate::spec::{Fixed, Parameter, Spec};
 use crate::expression::range::Range;
+use crate::spec::{Fixed, Parameter, Spec};
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
@@ -118,7 +118,8 @@ impl<'a> Loop<'a> {
             fading.map(|fading| sampled.bound(&output, self.samples, Some(&fading)))
         };
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
-        let states = states.ok_or("an error of one sample may grow without a bound that is found")?;
+        let states =
+            states.ok_or("an error of one sample may grow without a bound that is found")?;
         Ok(Worst { states, samples: self.samples, way: self.way(&sampled) })
     }
 
@@ -207,7 +208,8 @@ impl<'a> Loop<'a> {
             return None;
         }
         let at = |share: f64| low + share * (high - low);
-        let costs: Vec<_> = (0..=POINTS).map(|i| cost(at(f64::from(i) / f64::from(POINTS)).exp())).collect();
+        let costs: Vec<_> =
+            (0..=POINTS).map(|i| cost(at(f64::from(i) / f64::from(POINTS)).exp())).collect();
         let (best, _) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
         let step = 1.0 / f64::from(POINTS);
         let (mut left, mut right) =

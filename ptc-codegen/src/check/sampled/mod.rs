@@ -14,8 +14,8 @@ mod rounded;
 mod transition;
 mod worst;
 
-pub use judge::{Way, Worst};
 pub(crate) use judge::Loop;
+pub use judge::{Way, Worst};
 pub(crate) use outcome::{NAME, outcome};
 pub use worst::Bound;
 

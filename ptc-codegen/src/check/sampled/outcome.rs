@@ -38,7 +38,8 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
     };
     let (state, most) = share(&totals);
-    let told = |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
+    let told =
+        |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
     let (verdict, summary) = match () {
         () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
@@ -47,10 +48,9 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
             format!("u may be clipped, and the bounds hold only without: {}", told(state)),
         ),
         () if most <= 1.0 => (Verdict::Sound, all),
-        () if share(&proved).1 > 1.0 => (
-            Verdict::Refuted,
-            format!("{}, above error = {}", told(state), digits(wanted[state])),
-        ),
+        () if share(&proved).1 > 1.0 => {
+            (Verdict::Refuted, format!("{}, above error = {}", told(state), digits(wanted[state])))
+        }
         () if share(&nominal).1 > 1.0 => (
             Verdict::Unsound,
             format!("in doubles {}, above error = {}", told(state), digits(wanted[state])),
@@ -80,7 +80,9 @@ fn clipping(spec: &Spec, worst: &Worst) -> (Option<String>, bool) {
         Some(way) => {
             (Some(format!("|u| may reach {}, and u_max = {}", digits(way.u), digits(limit))), true)
         }
-        None => (Some("there are too many samples to decide whether u is clipped".to_owned()), true),
+        None => {
+            (Some("there are too many samples to decide whether u is clipped".to_owned()), true)
+        }
     }
 }
 
@@ -137,8 +139,8 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / bound.attained()).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    let eps = closed.best_eps(&Numbers::new(spec)).map(|eps| {
-        format!("the worst case is least with eps near {} s", digits(eps))
-    });
+    let eps = closed
+        .best_eps(&Numbers::new(spec))
+        .map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

@@ -4,9 +4,9 @@ use super::chain::Chain;
 use super::gains::gains;
 use super::worst::{Sampled, Signals};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 use crate::mapping::Family;
 use crate::spec::{Fixed, Parameter, Spec, number};
-use crate::expression::range::Range;
 
 /// Loops in 50-digit arithmetic: `tests/data/sampled_loops.json`.
 const LOOPS: &str = include_str!("../../../../tests/data/sampled_loops.json");

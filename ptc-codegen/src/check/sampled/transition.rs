@@ -54,7 +54,8 @@ impl Blocks {
             let later = scale(k + 1);
             let matrix = step(k);
             blocks.size = matrix.size;
-            let (norm, error) = (matrix.norm(&later, &earlier), matrix.error_norm(&later, &earlier));
+            let (norm, error) =
+                (matrix.norm(&later, &earlier), matrix.error_norm(&later, &earlier));
             let scaled = scaled(&matrix, &later, &earlier);
             if !norm.is_finite() {
                 return None;

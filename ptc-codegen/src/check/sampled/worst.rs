@@ -58,14 +58,14 @@ impl Bound {
 }
 
 /// The signals that attain a bound.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Signals {
+#[cfg(test)]
+pub(super) struct Signals {
     /// State at the start.
-    pub x0: Vec<f64>,
+    pub(super) x0: Vec<f64>,
     /// Error of each measured state at each sample.
-    pub noise: Vec<Vec<f64>>,
+    pub(super) noise: Vec<Vec<f64>>,
     /// Error of the actuator at each sample.
-    pub actuator: Vec<f64>,
+    pub(super) actuator: Vec<f64>,
 }
 
 /// How fast an error fades, for the proof: a scaling of the state at each sample, and the bound of
@@ -117,9 +117,10 @@ impl Sampled {
         let n = self.chain.n;
         let power = |j: usize| i32::try_from(n - j).unwrap_or(i32::MAX);
         let gains = &self.gains(k).values;
-        let pace = gains.iter().enumerate().map(|(j, gain)| {
-            (gain * self.chain.gain).abs().powf(1.0 / f64::from(power(j)))
-        });
+        let pace = gains
+            .iter()
+            .enumerate()
+            .map(|(j, gain)| (gain * self.chain.gain).abs().powf(1.0 / f64::from(power(j))));
         let time = 1.0 / pace.fold(1.0 / (1e6 * self.chain.shares[1]), f64::max);
         let time = time.max(self.chain.shares[1]);
         let state = (0..n).map(|j| 1.0 / (time.powi(power(j)) * self.chain.gain.abs()));
@@ -217,14 +218,12 @@ impl Sampled {
     }
 
     /// The signals that attain [`Self::bound`].
+    #[cfg(test)]
     pub(super) fn signals(&self, output: &Output, at: usize) -> Signals {
         let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
         let count = if output.direct == 0.0 { at } else { at + 1 };
-        let mut signals = Signals {
-            x0: Vec::new(),
-            noise: vec![Vec::new(); count],
-            actuator: vec![0.0; count],
-        };
+        let mut signals =
+            Signals { x0: Vec::new(), noise: vec![Vec::new(); count], actuator: vec![0.0; count] };
         let mut row = self.row(output, at);
         let column = self.chain.column();
         let mut before = Vec::new();

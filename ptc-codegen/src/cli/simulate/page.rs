@@ -26,11 +26,8 @@ pub(super) fn text(
         spec.fixed.remove(&Parameter::Tau);
     }
     let seed = (request.seed != 0).then(|| request.seed.to_string());
-    let flags = [
-        ("--x0", Some(request.x0.clone())),
-        ("--at", request.at.clone()),
-        ("--seed", seed),
-    ];
+    let flags =
+        [("--x0", Some(request.x0.clone())), ("--at", request.at.clone()), ("--seed", seed)];
     let content = Content {
         spec: &spec,
         plant,
@@ -74,7 +71,8 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
 fn around(request: &Simulate, spec: &Spec) -> Option<String> {
     let period = spec.promises.sample_time.as_ref()?;
     let mut parts = vec![format!("The sample period is {period} s")];
-    let list = |bounds: &[Fixed]| bounds.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let list =
+        |bounds: &[Fixed]| bounds.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let promises = &spec.promises;
     if !promises.noise.is_empty() {
         let bounds = list(&promises.noise);

@@ -14,7 +14,7 @@ use self::series::{Series, Term};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
-use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::check::membership::enclosure::{Evaluator, Existence, Names};
 
 /// Most work of one search, in operations on small coefficients.
 const MAX_WORK: usize = 4000;
@@ -62,7 +62,7 @@ pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
     }
     // A constant such as ln 3 - 1.
     let value = Evaluator::new().value(expression, &Names::new())?;
-    let known = !value.is_undefined && !value.may_divide_by_zero;
+    let known = value.existence == Existence::Certain;
     match (known, value.interval.is_positive(), value.interval.is_negative()) {
         (true, true, _) => Some(Ordering::Greater),
         (true, _, true) => Some(Ordering::Less),

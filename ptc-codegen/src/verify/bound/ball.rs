@@ -2,9 +2,9 @@
 
 use num_traits::{Signed, Zero};
 
-use crate::expression::range::Range;
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 
 /// Binary digits after the point. Each squaring of an exponential may cost as many as the condition
 /// of its modes has, and the entries of BB_n at the end of a run as many as (T/tau)^-2n has.

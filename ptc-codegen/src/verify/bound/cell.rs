@@ -10,9 +10,9 @@ use std::rc::Rc;
 use super::clock::Clock;
 use super::flow::{Flow, Rows, dot};
 use super::forced::{Response, Source};
-use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 
 /// Derivatives of x_1 beyond that of g u: cells are as wide as a Taylor series of as many allows.
 pub(super) const BEYOND: usize = 6;

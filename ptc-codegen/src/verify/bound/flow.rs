@@ -6,9 +6,9 @@ use std::ops::Add;
 use num_traits::{One, ToPrimitive};
 
 use super::ball::Ball;
-use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 
 /// Rows of a matrix.
 pub(super) type Rows = Vec<Vec<Range>>;

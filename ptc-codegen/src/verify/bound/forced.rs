@@ -8,9 +8,9 @@
 
 use super::cell::Loop;
 use super::flow::Rows;
-use crate::expression::range::Range;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 
 /// Sources of a run.
 const MOST: usize = 1000;

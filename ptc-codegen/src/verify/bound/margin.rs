@@ -7,11 +7,11 @@ use num_traits::ToPrimitive;
 use super::cell::Cell;
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
-use crate::expression::range::Range;
 use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
 use crate::check::membership::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
+use crate::expression::range::Range;
 use crate::expression::{Expression, Variable};
 use crate::spec::Parameter;
 
