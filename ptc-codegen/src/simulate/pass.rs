@@ -199,29 +199,27 @@ impl Pass<'_> {
                     values[which]
                 };
                 let share = root((low, table_at(&table, which, low)), high, &mut at_root);
-                let slope = (table_at(&table, which, high) - table_at(&table, which, low))
-                    / ((high - low) * length);
                 let mut goal = at + share * length;
-                // By steps of the method itself: its dense output is less exact.
-                for _ in 0..3 {
+                // By steps of the method itself, as its dense output is less exact.
+                for _ in 0..6 {
                     if goal - at <= 1e-14 * at.abs().max(1.0) {
                         (change.restart)(method, at, &state, length).map_err(wrong)?;
                         return Ok(Some(which));
                     }
                     self.land(method, system, change, (at, state), goal)?;
-                    values.clear();
-                    monitor(method.t(), method.y(), &mut values);
-                    let off = -values[which] / slope;
-                    if !off.is_finite() || off.abs() <= 4e-16 * goal.abs().max(1.0) {
+                    let off = distance(method, monitor, which).map_err(wrong)?;
+                    if off.abs() <= 1e-13 * goal.abs().max(1.0) {
+                        return Ok(Some(which));
+                    }
+                    if !(off.abs() <= 0.5 * (goal - at)) || goal + off > to {
                         break;
                     }
-                    let better = (goal + off).clamp(at, to);
-                    if (better - goal).abs() > 1e-3 * length {
-                        break;
-                    }
-                    goal = better;
+                    goal += off;
                 }
-                Ok(Some(which))
+                // Over a shorter step it is.
+                self.longest = 0.5 * (goal - at).min(length);
+                (change.restart)(method, at, &state, self.longest).map_err(wrong)?;
+                Ok(None)
             }
         }
     }
@@ -252,6 +250,26 @@ impl Pass<'_> {
             }
             method.step(system).map_err(|error| wrong(failure(&error)))?;
         }
+    }
+}
+
+/// How far the root of a function is from the end of a step, by its slope there; NaN where it rises.
+fn distance<M: Method>(method: &mut M, monitor: Monitor<'_>, which: usize) -> Result<f64, Failure> {
+    let mut values = Vec::new();
+    let (to, before) = (method.t(), method.t_prev());
+    monitor(to, method.y(), &mut values);
+    let here = values[which];
+    let near = to - 0.02 * (to - before);
+    let y = method.interpolate(near).map_err(|error| failure(&error))?;
+    values.clear();
+    monitor(near, &y, &mut values);
+    let slope = (here - values[which]) / (to - near);
+    if here == 0.0 {
+        Ok(0.0)
+    } else if slope < 0.0 {
+        Ok(-here / slope)
+    } else {
+        Ok(f64::NAN)
     }
 }
 
