@@ -7,7 +7,7 @@ use crate::lower;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
 use crate::simulate::{Failure, Values};
-use crate::spec::{Parameter, Precision, Spec};
+use crate::spec::{Precision, Spec};
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,13 +59,17 @@ impl Kind {
         }
     }
 
-    /// The expressions in it, in the order of their values.
-    fn expressions(&self) -> Vec<&Expression> {
+    /// The expressions in it with their keys, in the order of their values.
+    pub(super) fn expressions(&self) -> Vec<(&'static str, &Expression)> {
         match self {
-            Self::State { zeta, .. } => vec![zeta],
-            Self::Input { upsilon } => vec![upsilon],
+            Self::State { zeta, .. } => vec![("zeta", zeta)],
+            Self::Input { upsilon } => vec![("upsilon", upsilon)],
             Self::Attractive { .. } => Vec::new(),
-            Self::Within { h, low, high } => std::iter::once(h).chain(low).chain(high).collect(),
+            Self::Within { h, low, high } => {
+                let bounds = [("low", low), ("high", high)];
+                let bounds = bounds.into_iter().filter_map(|(key, e)| Some((key, e.as_ref()?)));
+                std::iter::once(("h", h)).chain(bounds).collect()
+            }
         }
     }
 }
@@ -79,11 +83,6 @@ impl Objective {
             Kind::Within { h, .. } => !h.any(&|e| *e == control),
             Kind::Input { .. } | Kind::Attractive { .. } => false,
         }
-    }
-
-    /// The parameters that its expressions name.
-    pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
-        self.kind.expressions().into_iter().flat_map(Expression::parameters)
     }
 }
 
@@ -129,7 +128,8 @@ impl Observer {
     pub(super) fn new(spec: &Spec, objectives: &[Objective]) -> Self {
         let spec = Spec { precision: Precision::F64, ..spec.clone() };
         let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
-        let expressions: Vec<_> = kinds.iter().flat_map(Kind::expressions).collect();
+        let expressions = kinds.iter().flat_map(Kind::expressions);
+        let expressions: Vec<_> = expressions.map(|(_, expression)| expression).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
         let machine = Machine::new(&program, &program.watched);
         Self {
