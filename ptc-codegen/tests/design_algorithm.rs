@@ -34,6 +34,10 @@ fn is_taken(folder: &Path) {
     let (code, told, wrong) = run(folder, &["verify", "roll.toml"]);
     assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
     assert!(told.ends_with("every objective holds\n"), "{told}");
+    // Nor is it refuted by draws of another seed.
+    let fresh = ["verify", "roll.toml", "--seed=9281", "--scenarios=300"];
+    let (code, told, wrong) = run(folder, &fresh);
+    assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
     let (code, told, wrong) = run(folder, &["check", "roll.toml"]);
     assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
     let (code, _, wrong) = run(folder, &["emit", "roll.toml", "--lang", "c", "-o", "out"]);
@@ -166,6 +170,33 @@ fn a_bounded_disturbance_asks_for_faster_poles() {
     // Slower ones do not do.
     assert!(p > 5.9 && told.contains("holds, "), "{told}");
     is_taken(&folder);
+}
+
+/// A disturbance of any kind, a gain that is not known, an f that is not linear.
+const UNCERTAIN: &str = "n = 2\n[plant]\nf = \"gust - damping*sin(x2) + slip*u\"\ndamping = [0, 0.5]\n\
+                         slip = [-0.1, 0.1]\ngust = [-0.2, 0.2]\n[disturbance]\ngust = \"any\"\n\
+                         [verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\ntau = 1\nuntil = 0.01\n\
+                         scenarios = 40\nsearch = 60\nseed = 3\n[[objective]]\nbound = \"within\"\n\
+                         h = \"x1\"\nlow = -1.6\nhigh = 1.6\n[[objective]]\nbound = \"attractive\"\n\
+                         error = 1e-2\n";
+
+#[test]
+#[ignore = "72,000 scenarios: cargo test --release --test design_algorithm -- --ignored"]
+fn no_fresh_verification_refutes_a_design() {
+    let stage = include_str!("../../docs/design.md");
+    let stage = stage.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
+    for (name, wish) in
+        [("stage", stage.expect("a wish")), ("uncertain", UNCERTAIN), ("driven", DRIVEN)]
+    {
+        let folder = folder(&format!("fresh_{name}"), wish);
+        designed(&folder);
+        for seed in 101..=106 {
+            let seed = format!("--seed={seed}");
+            let fresh = ["verify", "roll.toml", &seed, "--scenarios=4000"];
+            let (code, told, wrong) = run(&folder, &fresh);
+            assert_eq!((code, wrong.as_str()), (Some(0), ""), "{name}: {told}");
+        }
+    }
 }
 
 #[test]

@@ -238,6 +238,126 @@ fn a_scenario_can_be_run_again() {
 }
 
 #[test]
+fn the_verdict_by_sampling_says_what_it_is_worth() {
+    let folder = folder("worth", UNCERTAIN);
+    let (code, told, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
+    // tau, x1, damping, b and gust; x1 = 0 with the corners of the others.
+    assert!(told.contains("130 draws of seed 11, 48 corners and "), "{told}");
+    let draws = "draws: tau, x1, b and damping uniform in their intervals; gust one of constant, sine, square, random and worst, each as likely\n";
+    assert!(told.contains(draws), "{told}");
+    let most = 1000f64.ln() / 130.0;
+    let worth = format!(
+        "130 independent draws without a failure: the probability of failure under the stated distribution is at most ln(1/0.001)/130 = {most:.2e} with confidence 0.999"
+    );
+    assert_eq!(told.matches(&worth).count(), 2, "{told}");
+    let (_, few, _) = run(&folder, &["stage.toml", "--scenarios=3"]);
+    assert!(few.contains("3 independent draws without a failure: too few to bound"), "{few}");
+}
+
+#[test]
+fn a_worst_scenario_is_run_again_as_it_is_printed() {
+    let within = "bound = \"within\"\nh = \"x1\"\nhigh = 0.2501";
+    let folder = folder("replayed", &format!("{DRIVEN}{}", objective(within)));
+    let (_, told, wrong) = run(&folder, &["stage.toml", "--worst", "worst.csv"]);
+    let line = told.lines().find_map(|line| line.strip_prefix("worst trajectory, "));
+    let scenario = line.unwrap_or_else(|| panic!("{told}{wrong}"));
+    let (code, csv, wrong) = run(&folder, &["stage.toml", "--scenario", scenario]);
+    assert_eq!((code, wrong.as_str()), (Some(0), ""));
+    assert_eq!(fs::read_to_string(folder.join("worst.csv")).expect("a trajectory"), csv);
+    let (code, csv, wrong) = run(&folder, &["stage.toml", "--scenario", "x1 = 0, d = 2"]);
+    assert_eq!((code, csv.as_str()), (Some(2), ""), "{wrong}");
+    assert!(wrong.contains("no legal d") && wrong.contains("in [-1, 1]"), "{wrong}");
+}
+
+#[test]
+fn a_run_that_cannot_be_finished_is_undecided() {
+    // x1 falls below 0.5, where f has no value.
+    let stuck = STAGE.replace("f = 0", "f = \"sqrt(x1 - 0.5)\"");
+    let input = objective("bound = \"input\"\nupsilon = 100");
+    let open = folder("undecided", &format!("{stuck}{input}"));
+    let (code, told, wrong) = run(&open, &["stage.toml", "--report", "stage.html"]);
+    assert_eq!((code, wrong.as_str()), (Some(3), ""), "{told}");
+    for part in [
+        "objective 1, |u| <= 100: undecided",
+        "2 of 2 draws and 1 of 1 corners could not be finished",
+        "scenario 0: ",
+        "at t = 0.",
+        "it ends early: ",
+        "\nundecided\n",
+    ] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    assert!(!told.contains("holds") && !told.contains("fails"), "{told}");
+    let page = fs::read_to_string(open.join("stage.html")).expect("a page");
+    assert!(page.contains("verdict open\">undecided") && page.contains("It ends early: "));
+    let (code, csv, wrong) = run(&open, &["stage.toml", "--scenario=1"]);
+    assert_eq!(code, Some(3), "{wrong}");
+    assert!(csv.lines().count() > 10 && wrong.contains("at t = 0."), "{csv}{wrong}");
+    // What failed before the end failed.
+    let failed = objective("bound = \"within\"\nh = \"x2\"\nlow = -0.1");
+    let folder = folder("undecided_failed", &format!("{stuck}{input}{failed}"));
+    let (code, told, _) = run(&folder, &["stage.toml"]);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("<= 100: undecided") && told.contains("<= x2: fails"), "{told}");
+}
+
+#[test]
+fn an_objective_that_is_impossible_is_refused_with_its_point() {
+    let state = objective("bound = \"state\"\nsigma = 50");
+    let boxes = |x1: &str| DRIVEN.replace("x1 = 0", x1);
+    for (design, code) in [
+        (boxes("x1 = [-1, 1]"), 2),
+        (boxes("x1 = [0, 1]"), 2),
+        (boxes("x1 = [0.1, 1]"), 0),
+        // It vanishes at rest.
+        (boxes("x1 = [-1, 1]").replace("f = \"d\"", "f = \"d*x1\""), 0),
+    ] {
+        let folder = folder("impossible", &format!("{design}{state}"));
+        let (found, told, wrong) = run(&folder, &["stage.toml"]);
+        assert_eq!(found, Some(code), "{design}: {told}{wrong}");
+        let point =
+            "objective 1, |x| <= 50 |x0| (1), is impossible at tau = 1, x1 = 0, d = worst(-1)";
+        assert_eq!(wrong.contains(point), code == 2, "{wrong}");
+    }
+    // At t0 the corner fails that no draw meets.
+    let narrow = objective("bound = \"within\"\nh = \"x1 + x2\"\nhigh = 1.999");
+    let design = STAGE.replace("x1 = 1\nx2 = 0", "x1 = [-1, 1]\nx2 = [-1, 1]");
+    let folder = folder("corner", &format!("{design}{narrow}"));
+    let (code, _, wrong) = run(&folder, &["stage.toml"]);
+    assert_eq!(code, Some(2));
+    assert!(wrong.contains("fails at t0 already, at tau = 1, x1 = 1, x2 = 1"), "{wrong}");
+}
+
+#[test]
+fn all_mistakes_of_the_tables_are_told_at_once() {
+    let design = "n = 2\nmu = \"exp(a=1)\"\ngains = [6, 5]\n[params]\ntau = 1\n\
+                  [plant]\nf = \"gust - dampng*x2\"\ndamping = 0.4\ngust = [1, -1]\n\
+                  [disturbance]\ngust = \"sin\"\n[verify]\nx1 = [1, -1]\nx2 = 0\nseed = -1\n\
+                  [[objective]]\nbound = \"state\"\nsigma = -1\nzeta = \"T/tua + x1\"\n\
+                  [[objective]]\n[[objective]]\nbound = \"input\"\nsigma = 4\n";
+    let folder = folder("all", design);
+    let (code, out, told) = run(&folder, &["stage.toml"]);
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    for part in [
+        "f uses `dampng`, which has no value, and nothing uses `damping`",
+        "7 | f = \"gust - dampng*x2\"",
+        "plant.gust is no pair of bounds",
+        "the interval of x1 is empty",
+        "verify.seed is not legal",
+        "sigma of objective 1 is no number > 0",
+        "`x1` is not known where objective",
+        "objective 2 is empty",
+        "unknown key `sigma` of objective 3",
+        "objective 3, of the bound input, without `upsilon`",
+    ] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    assert!(!told.contains("without a value") && !told.contains("objective 0"), "{told}");
+    assert!(!told.contains("objective[0]"), "{told}");
+}
+
+#[test]
 fn bad_input_gets_one_clear_message_and_no_file() {
     let bound = objective("bound = \"input\"\nupsilon = 9");
     let with = |from: &str, to: &str| format!("{STAGE}{bound}").replace(from, to);
@@ -264,7 +384,12 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             &["--scenarios=40"],
             &["the gain of the plant is 0 or has another sign than g", "b = -", "|b| < |g|"],
         ),
-        (with("f = 0", "f = \"d\""), &[], &["d without a value"]),
+        (with("f = 0", "f = \"d\""), &[], &["d without a value", "9 | f = \"d\""]),
+        (
+            with("upsilon = 9", "upsilon = \"9*tua\""),
+            &[],
+            &["tua without a value", "| upsilon = \"9*tua\""],
+        ),
         (with("gains = [6, 5]\n", ""), &[], &["k1, k2 without a value"]),
         (with("tau = 1\n", ""), &[], &["tau has no value"]),
         (with("x1 = 1", "x1 = 1\ntau = [0, 1]"), &[], &["tau is not > 0"]),

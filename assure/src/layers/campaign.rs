@@ -24,7 +24,7 @@ pub(super) const LAYER: Layer = Layer {
 /// Its objective holds; a smaller sigma makes it one that fails.
 const DESIGN: &str = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n[plant]\nf = \"gust\"\n\
                       gust = [-0.1, 0.1]\n[disturbance]\ngust = \"any\"\n[verify]\n\
-                      x1 = [-1, 1]\nx2 = [-1, 1]\ntau = 1\nscenarios = 600\nsearch = 100\n\
+                      x1 = [0.1, 1]\nx2 = [-1, 1]\ntau = 1\nscenarios = 600\nsearch = 100\n\
                       [[objective]]\nbound = \"state\"\nsigma = 40\n";
 
 const SHARDS: &str = "6";

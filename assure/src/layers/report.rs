@@ -41,7 +41,7 @@ const MAPPINGS: [&str; 9] = [
     "mu = \"tau*(1 - exp(-t - t^2))\"",
 ];
 
-const VERIFIED: &str = "[verify]\nx1 = [-1, 1]\nx2 = 0\nx3 = 0\nscenarios = 8\nsearch = 10\n\
+const VERIFIED: &str = "[verify]\nx1 = [0.5, 1]\nx2 = 0\nx3 = 0\nscenarios = 8\nsearch = 10\n\
                         [[objective]]\nbound = \"state\"\nsigma = 200\n[[objective]]\n\
                         bound = \"input\"\nupsilon = \"400*exp(-dt/tau)\"\n[[objective]]\n\
                         bound = \"within\"\nh = \"x1\"\nlow = -2\nhigh = 2\n";

@@ -16,8 +16,8 @@ pub(super) struct Reader<'a> {
     section: Section,
     /// The tables that have had their `[table]`, or a dotted key.
     opened: Vec<&'static str>,
-    /// How many tables of a list there are.
-    listed: usize,
+    /// Where each table of a list begins, and whether it has a line.
+    listed: Vec<(Range<usize>, bool)>,
 }
 
 /// Where a line stands.
@@ -26,7 +26,7 @@ enum Section {
     /// Above the first table.
     Top,
     Table(&'static str),
-    /// In one of a list of tables, from 0.
+    /// In one of a list of tables, from 1.
     Listed(usize),
     /// In a table that is none of a design, so that the line means nothing.
     Unknown,
@@ -35,14 +35,27 @@ enum Section {
 impl<'a> Reader<'a> {
     pub(super) fn new(text: &'a str, place: &'a mut dyn FnMut(Range<usize>) -> Place) -> Self {
         let (entries, found, opened) = (Vec::new(), Vec::new(), Vec::new());
-        Self { text, place, found, entries, section: Section::Top, opened, listed: 0 }
+        Self { text, place, found, entries, section: Section::Top, opened, listed: Vec::new() }
     }
 
-    pub(super) fn finish(self) -> (Vec<Entry>, Vec<Diagnostic>) {
+    pub(super) fn finish(mut self) -> (Vec<Entry>, Vec<Diagnostic>) {
+        for (number, (at, has_line)) in (1..).zip(std::mem::take(&mut self.listed)) {
+            if !has_line {
+                let message = format!("{LISTED} {number} is empty");
+                let help = "write `bound = \"state\"` and `sigma = 4` under it, or leave it out";
+                let key = format!("{LISTED}[{number}]");
+                self.wrong("missing-key", &key, at, message, help.to_owned());
+            }
+        }
         (self.entries, self.found)
     }
 
     pub(super) fn statement(&mut self, statement: Statement<'_>) {
+        if let (Section::Listed(_), Head::Pair(_)) = (self.section, &statement.head)
+            && let Some((_, has_line)) = self.listed.last_mut()
+        {
+            *has_line = true;
+        }
         if let Some(wrong) = statement.wrong {
             let key = self.key(&statement.words).unwrap_or_default();
             return self.wrong(SYNTAX, &key, wrong.range, wrong.message, wrong.help);
@@ -51,8 +64,8 @@ impl<'a> Reader<'a> {
             Head::Table => self.table(&statement.words, "[", "]"),
             Head::Tables => {
                 if dotted(&statement.words) == LISTED {
-                    self.section = Section::Listed(self.listed);
-                    self.listed += 1;
+                    self.listed.push((range(&statement.words), false));
+                    self.section = Section::Listed(self.listed.len());
                 } else {
                     self.table(&statement.words, "[[", "]]");
                     self.section = Section::Unknown;

@@ -15,7 +15,7 @@ mod read;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use read::read;
+pub use read::{read, read_partly};
 
 use crate::expression::Expression;
 use crate::spec::{Fixed, KeyInfo, Parameter, Spec};

@@ -16,6 +16,13 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// # Errors
 /// Every mistake in the table `[plant]`.
 pub fn read(entries: &[Entry], spec: &Spec) -> Result<Option<Plant>, Vec<Diagnostic>> {
+    let (plant, found) = read_partly(entries, spec);
+    if found.is_empty() { Ok(plant) } else { Err(found) }
+}
+
+/// The same where mistakes are told with those of what uses the plant: what could be read of it, and
+/// every mistake.
+pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagnostic>) {
     let mut found = Diagnostics::default();
     let mut given = Given::new();
     for entry in entries {
@@ -29,11 +36,8 @@ pub fn read(entries: &[Entry], spec: &Spec) -> Result<Option<Plant>, Vec<Diagnos
             found.push("repeated-key", entry.key.as_str(), Some(entry.place), message, help);
         }
     }
-    if given.is_empty() {
-        return found.finish(Some(None));
-    }
-    let plant = plant(&given, spec, &mut found);
-    found.finish(Some(Some(plant)))
+    let plant = (!given.is_empty()).then(|| plant(&given, spec, &mut found));
+    (plant, found.finish(None::<()>).err().unwrap_or_default())
 }
 
 fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
@@ -55,6 +59,11 @@ fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     }
     let mut plant = Plant { f, g, ..Plant::default() };
     let symbols: Vec<_> = plant.symbols(spec).into_iter().collect();
+    let unvalued: Vec<_> = symbols
+        .iter()
+        .filter(|symbol| !given.contains_key(symbol.spelling().as_str()))
+        .map(|symbol| symbol.spelling())
+        .collect();
     for (name, (place, node)) in given {
         if KEYS.iter().any(|info| info.key == *name) {
             continue;
@@ -62,7 +71,10 @@ fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
         match symbols.iter().find(|symbol| symbol.spelling() == *name) {
             Some(symbol) => value(&mut plant, name, *symbol, node, found),
             // What could not be read may use it.
-            None if whole => unused(name, *place, spec, &symbols, found),
+            None if whole => match near_miss(name, unvalued.iter().map(String::as_str)) {
+                Some(meant) => misspelt(&plant, (name, meant), given, found),
+                None => unused(name, *place, spec, &symbols, found),
+            },
             None => {}
         }
     }
@@ -104,6 +116,18 @@ fn value(plant: &mut Plant, name: &str, symbol: Parameter, node: &Node, found: &
             );
         }
     }
+}
+
+/// A key that nothing uses, where f or g uses nearly the same name, which has no value.
+fn misspelt(plant: &Plant, (name, used): (&str, &str), given: &Given<'_>, found: &mut Diagnostics) {
+    let uses = |e: &Expression| e.parameters().iter().any(|own| own.spelling() == used);
+    let key = if uses(&plant.f) { "f" } else { "g" };
+    let place = given.get(key).map(|(_, node)| node.place);
+    let message = format!("{key} uses `{used}`, which has no value, and nothing uses `{name}`");
+    let help = format!(
+        "write one name in both places: `{name}` in {key}, or `{used} = ...` under [plant]"
+    );
+    found.push("unknown-symbol", format!("{TABLE}.{key}"), place, message, help);
 }
 
 /// A key that is neither f nor g nor the name of a symbol of these.
@@ -175,7 +199,18 @@ mod tests {
             ),
             ("[plant]\ng = \"u\"", "bad-expression", "`u` is not known where plant.g", "x1..xn"),
             ("[plant]\ng = 0", "bad-value", "g = 0", "not 0"),
-            ("[plant]\nf = \"d*x1\"\ndd = 1", "unknown-key", "called `dd`", "did you mean `d`?"),
+            (
+                "[plant]\nf = \"damping*x1\"\ndamping = 2\ndampin = 1",
+                "unknown-key",
+                "called `dampin`",
+                "did you mean `damping`?",
+            ),
+            (
+                "[plant]\nf = \"-dampng*x1\"\ndamping = 1",
+                "unknown-symbol",
+                "f uses `dampng`, which has no value, and nothing uses `damping`",
+                "`damping` in f",
+            ),
             ("[plant]\nf = \"gain*x1\"\ngain = 1", "conflict", "`gain` is a parameter", "[params]"),
             (
                 "[plant]\nf = \"d*x1\"\nd = inf",

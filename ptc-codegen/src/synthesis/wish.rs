@@ -7,7 +7,6 @@ use super::probe::Refused;
 use crate::check::examine::{decay, examine};
 use crate::check::{digits, poles};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::plant;
 use crate::spec::{self, Entry, Feedback, Fixed, Parameter, Spec, Value, number, parse};
 use crate::verify::{self, Campaign};
 
@@ -189,17 +188,6 @@ fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), V
 
 fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {
     let (spec, all) = read_spec(entries, choice)?;
-    let plant = plant::read(&all, &spec)?.ok_or_else(|| {
-        vec![Diagnostic {
-            code: "missing-key",
-            key: plant::TABLE.to_owned(),
-            place: None,
-            message: "the design has no plant".to_owned(),
-            help:
-                "write `[plant]`, and under it `f = \"...\"`, or `f = 0` for a chain of integrators"
-                    .to_owned(),
-        }]
-    })?;
-    let campaign = verify::read(&all, &spec, &plant)?;
+    let campaign = verify::read_with_plant(&all, &spec)?;
     Ok((spec, campaign))
 }

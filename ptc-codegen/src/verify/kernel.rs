@@ -363,7 +363,7 @@ impl Line {
             }
             // From the last step back to where it has decayed.
             let (mut high, mut before): (Option<bool>, Option<(f64, f64)>) = (None, None);
-            let mut switches = Vec::new();
+            let mut switches: Vec<f64> = Vec::new();
             for (step, kernel) in self.before(target).zip(kernels) {
                 let along = dot(direction, kernel.iter().copied());
                 let [low, upper] = step.changes[d];
@@ -377,12 +377,19 @@ impl Line {
                     }
                     // Where the kernel passes through 0 between the two.
                     let part = if last == force { 0.5 } else { last / (last - force) };
-                    switches.push(share + part.clamp(0.0, 1.0) * (step.share - share));
+                    let at = share + part.clamp(0.0, 1.0) * (step.share - share);
+                    let short = rounded(at);
+                    let at = if campaign.until < short && short < 1.0 { short } else { at };
+                    // Twice at once is not at all.
+                    if switches.last() == Some(&at) {
+                        switches.pop();
+                    } else {
+                        switches.push(at);
+                    }
                 }
                 (high, before) = (Some(here), Some((step.share, force)));
             }
             switches.reverse();
-            switches.dedup();
             Course::Worst { high: high.unwrap_or(true), switches }
         };
         from.courses.iter().enumerate().map(of).collect()
@@ -426,6 +433,11 @@ impl Step {
 
 /// Terms of the series of a transition, whose exponent is at most [`REACH`] in scaled states.
 const TERMS: u32 = 10;
+
+/// To six digits: the kernel is 0 where a signal switches, so that no more are needed.
+fn rounded(share: f64) -> f64 {
+    format!("{share:.5e}").parse().unwrap_or(share)
+}
 
 /// Whether the upper bound moves further along than the lower one.
 fn is_high(along: f64, [low, high]: [f64; 2]) -> bool {

@@ -30,7 +30,7 @@ pub use corner::Corners;
 pub use course::{Course, Signal};
 pub use keys::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use objective::{Kind, Level, Objective};
-pub use read::read;
+pub use read::{read, read_with_plant};
 pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting};
 pub use start::{Impossible, impossible, reversed};

@@ -8,7 +8,7 @@ use crate::lower;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
 use crate::simulate::{Failure, Values};
-use crate::spec::{Parameter, Precision, Spec};
+use crate::spec::{Precision, Spec};
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,16 +62,20 @@ impl Kind {
 
     /// The parts of its expressions that have to be something for it to have a value.
     fn needs(&self) -> Vec<(Expression, Condition)> {
-        self.expressions().into_iter().flat_map(existence::needs).collect()
+        self.expressions().into_iter().flat_map(|(_, e)| existence::needs(e)).collect()
     }
 
-    /// The expressions in it, in the order of their values.
-    fn expressions(&self) -> Vec<&Expression> {
+    /// The expressions in it with their keys, in the order of their values.
+    pub(super) fn expressions(&self) -> Vec<(&'static str, &Expression)> {
         match self {
-            Self::State { zeta, .. } => vec![zeta],
-            Self::Input { upsilon } => vec![upsilon],
+            Self::State { zeta, .. } => vec![("zeta", zeta)],
+            Self::Input { upsilon } => vec![("upsilon", upsilon)],
             Self::Attractive { .. } => Vec::new(),
-            Self::Within { h, low, high } => std::iter::once(h).chain(low).chain(high).collect(),
+            Self::Within { h, low, high } => {
+                let bounds = [("low", low), ("high", high)];
+                let bounds = bounds.into_iter().filter_map(|(key, e)| Some((key, e.as_ref()?)));
+                std::iter::once(("h", h)).chain(bounds).collect()
+            }
         }
     }
 }
@@ -85,11 +89,6 @@ impl Objective {
             Kind::Within { h, .. } => !h.any(&|e| *e == control),
             Kind::Input { .. } | Kind::Attractive { .. } => false,
         }
-    }
-
-    /// The parameters that its expressions name.
-    pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
-        self.kind.expressions().into_iter().flat_map(Expression::parameters)
     }
 }
 
@@ -139,7 +138,8 @@ impl Observer {
         let kinds: Vec<_> = objectives.iter().map(|objective| objective.kind.clone()).collect();
         let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
         let parts = needs.iter().flatten().map(|(part, _)| part);
-        let expressions: Vec<_> = kinds.iter().flat_map(Kind::expressions).chain(parts).collect();
+        let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
+        let expressions: Vec<_> = own.chain(parts).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
         let machine = Machine::new(&program, &program.watched);
         Self {

@@ -11,12 +11,12 @@ fn short(value: f64) -> String {
 
 impl Campaign {
     /// A scenario as text, such as `tau = 2, x1 = -1, gust = worst(0.1, 0.52)`.
-    pub fn told(&self, scenario: &Scenario) -> String {
+    pub fn text_of(&self, scenario: &Scenario) -> String {
         let of_point = self.names().zip(&scenario.point);
         let of_point = of_point.map(|(name, value)| format!("{name} = {}", short(*value)));
         let courses = self.disturbances.iter().zip(&scenario.courses);
         let of_courses = courses.map(|((symbol, bounds, _), course)| {
-            format!("{} = {}", symbol.spelling(), course.told(*bounds))
+            format!("{} = {}", symbol.spelling(), course.text_of(*bounds))
         });
         of_point.chain(of_courses).collect::<Vec<_>>().join(", ")
     }
@@ -114,7 +114,7 @@ impl Signal {
 }
 
 impl Course {
-    fn told(&self, (low, high): Interval) -> String {
+    fn text_of(&self, (low, high): Interval) -> String {
         let of = |numbers: &mut dyn Iterator<Item = f64>| {
             let numbers: Vec<_> = numbers.map(short).collect();
             format!("{}({})", self.signal().name(), numbers.join(", "))

@@ -90,6 +90,61 @@ impl Verdict {
 mod tests {
     use super::*;
 
+    fn campaign() -> Campaign {
+        let text = "n = 1\nmu = \"exp(a=1)\"\ngains = [2]\ntau = 1\n[plant]\nf = 0\n[verify]\n\
+                    x1 = 1\n[[objective]]\nbound = \"attractive\"\nerror = 1\n";
+        let place = &mut |range: std::ops::Range<usize>| crate::diagnostic::Place(range.start);
+        let (entries, _) = crate::design::read(text, place);
+        let spec = crate::spec::read(&entries).expect("a controller");
+        crate::verify::read_with_plant(&entries, &spec).expect("a campaign")
+    }
+
+    #[test]
+    fn no_verdict_holds_beside_what_speaks_against_it() {
+        let campaign = campaign();
+        let mut found = Found {
+            scenario: campaign.scenario(0),
+            excess: -0.5,
+            judgement: Judgement::Holds,
+            difference: 0.0,
+            runs: 1,
+            unfinished: None,
+        };
+        let failure = crate::simulate::Values::default();
+        let ended = crate::simulate::Controller::new(&campaign.spec)
+            .and_then(|mut controller| controller.init(&failure, &[1.0]))
+            .expect_err("no values");
+        for bits in 0..128_u32 {
+            let is = |bit: u32| bits >> bit & 1 == 1;
+            let mut tallies = [Tally::new(&campaign), Tally::new(&campaign)];
+            tallies.iter_mut().for_each(|tally| tally.scenarios = 9);
+            let [drawn, corners] = &mut tallies;
+            drawn.failed[0] = u64::from(is(0));
+            corners.failed[0] = u64::from(is(1));
+            found.judgement = if is(2) { Judgement::Fails } else { Judgement::Holds };
+            corners.unfinished = u64::from(is(3));
+            found.unfinished = is(4).then(|| (campaign.scenario(0), ended.clone()));
+            drawn.apart = u64::from(is(5));
+            drawn.open[0] = u64::from(is(6));
+            for proved in [false, true] {
+                let evidence = Evidence { drawn, corners, found: &found, proved };
+                let verdict = Verdict::of(&campaign, 0, evidence);
+                let fails = is(0) || is(1) || is(2);
+                let expected = match (fails, proved) {
+                    (true, true) => Verdict::Undecided(Doubt::Contradiction),
+                    (true, false) => Verdict::Fails,
+                    (false, true) => Verdict::Proved,
+                    (false, false) if bits == 0 => Verdict::Sampled { draws: 9 },
+                    (false, false) => {
+                        assert!(matches!(verdict, Verdict::Undecided(_)), "{bits}");
+                        continue;
+                    }
+                };
+                assert_eq!(verdict, expected, "{bits}");
+            }
+        }
+    }
+
     #[test]
     fn draws_without_a_failure_bound_its_probability() {
         assert_eq!(confidence(6), None);

@@ -102,7 +102,7 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             let at = against(&objective.kind, *excess);
             let mut note = format!("objective {}, {objective}: {at}", index + 1);
             if *excess > 0.0 {
-                note.push_str(&format!(", from {}", best.campaign.told(scenario)));
+                note.push_str(&format!(", from {}", best.campaign.text_of(scenario)));
                 note.extend(elsewhere(outcome, index));
             }
             notes.push(note);

@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use ptc_codegen::simulate::{self, Cause};
+use ptc_codegen::spec;
 use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
@@ -21,7 +22,6 @@ pub(crate) use report::against;
 use super::output::{self, Outputs};
 use super::page as html;
 use super::report::{Failure, Notice};
-use super::simulate::no_plant;
 use super::source::Source;
 use super::write;
 
@@ -113,9 +113,9 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
         }
     }
     let parsed = source.parse();
-    let (spec, plant) = parsed.read_with_plant()?;
-    let plant = plant.ok_or_else(no_plant)?;
-    match verify::read(&parsed.entries, &spec, &plant) {
+    let read = spec::read(&parsed.entries)
+        .and_then(|spec| verify::read_with_plant(&parsed.entries, &spec));
+    match read {
         Ok(campaign) => parsed.finish(Some(campaign), Vec::new()),
         Err(found) => parsed.finish(None, found),
     }
@@ -127,7 +127,7 @@ pub(crate) fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failu
         return Err(Failure::because(
             format!(
                 "the gain of the plant is 0 or has another sign than g, at {}",
-                campaign.told(&scenario)
+                campaign.text_of(&scenario)
             ),
             "Theorem 1 requires |b| < |g| of a gain that is not known: narrow its bounds under [plant]",
         ));
@@ -136,7 +136,7 @@ pub(crate) fn starts(campaign: &Campaign, trial: &mut Trial) -> Result<(), Failu
     else {
         return Ok(());
     };
-    let at = campaign.told(&scenario);
+    let at = campaign.text_of(&scenario);
     let which = format!("objective {}, {}", objective + 1, campaign.objectives[objective]);
     Err(match at_start {
         true => Failure::because(

@@ -110,7 +110,7 @@ pub(super) fn summary(
             [("corner", corner.value, scenario), ("found", found.excess, Some(&found.scenario))];
         for (name, value, scenario) in others {
             if let Some(scenario) = scenario.filter(|_| value > most) {
-                let (told, at) = (campaign.told(scenario), against(kind, value));
+                let (told, at) = (campaign.text_of(scenario), against(kind, value));
                 details.push(format!("worst {name}: {told}, {at}"));
                 most = value;
             }
@@ -135,7 +135,7 @@ pub(super) fn summary(
         let scenario = worst.scenario.clone();
         let (instants, ended) = trajectory(campaign, trial, &scenario);
         let ended = ended.map(|ended| ended.message);
-        Trajectory { told: campaign.told(&scenario), instants, scenario, ended }
+        Trajectory { told: campaign.text_of(&scenario), instants, scenario, ended }
     });
     let distribution = distribution(campaign);
     Ok(Summary { run, distribution, objectives, sides, apart, trajectory })
@@ -185,10 +185,10 @@ fn reasons(
                     let place = usize::try_from(place).unwrap_or(usize::MAX);
                     let scenario = known.corners.scenarios.get(place).cloned();
                     let scenario = scenario.unwrap_or_else(|| campaign.scenario(0));
-                    (campaign.told(&scenario), rerun(campaign, trial, &scenario))
+                    (campaign.text_of(&scenario), rerun(campaign, trial, &scenario))
                 }
                 (None, None) => match &found.unfinished {
-                    Some((scenario, ended)) => (campaign.told(scenario), Some(ended.clone())),
+                    Some((scenario, ended)) => (campaign.text_of(scenario), Some(ended.clone())),
                     None => (String::new(), None),
                 },
             };

@@ -11,11 +11,50 @@ use num_traits::ToPrimitive;
 use super::keys::KEYS;
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
-use crate::plant::Plant;
+use crate::expression::Expression;
+use crate::plant::{self, Plant};
 use crate::spec::{Entry, Fixed, Node, Parameter, Spec, Value, real, shorten};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
+
+/// Reads the campaign of a design whose controller is `spec`, with the mistakes in `[plant]` beside
+/// those in its own tables.
+///
+/// # Errors
+/// Every mistake in the tables.
+pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
+    let (plant, mut found) = plant::read_partly(entries, spec);
+    let Some(plant) = plant else {
+        found.push(Diagnostic {
+            code: "missing-key",
+            key: plant::TABLE.to_owned(),
+            place: None,
+            message: "the design has no plant".to_owned(),
+            help:
+                "write `[plant]`, and under it `f = \"...\"`, or `f = 0` for a chain of integrators"
+                    .to_owned(),
+        });
+        return Err(found);
+    };
+    match read(entries, spec, &plant) {
+        Ok(campaign) if found.is_empty() => Ok(campaign),
+        Ok(_) => Err(found),
+        Err(more) => {
+            // What is wrong in [plant] explains what it seems to lack.
+            let follows = |wrong: &Diagnostic| {
+                wrong.code == UNVALUED
+                    || wrong.key.starts_with("disturbance.") && wrong.code == "unknown-key"
+            };
+            let explained = !found.is_empty();
+            found.extend(more.into_iter().filter(|wrong| !(explained && follows(wrong))));
+            Err(found)
+        }
+    }
+}
+
+/// Code of a name without a value.
+const UNVALUED: &str = "missing-value";
 
 /// Reads the campaign of a controller and its plant.
 ///
@@ -29,22 +68,26 @@ pub fn read(entries: &[Entry], spec: &Spec, plant: &Plant) -> Result<Campaign, V
     };
     let of_verify = reader.table(&table("verify"));
     let of_disturbance = reader.table(&table("disturbance"));
+    let number = |entry: &Entry| {
+        let rest = entry.key.strip_prefix("objective[")?;
+        rest.split_once(']')?.0.parse::<usize>().ok()
+    };
+    let numbers: BTreeSet<_> = entries.iter().filter_map(number).collect();
     let mut objectives = Vec::new();
-    for index in 0.. {
-        let own = table(&format!("objective[{index}]"));
-        if own.is_empty() {
-            break;
-        }
+    for number in &numbers {
+        let own = table(&format!("objective[{number}]"));
         let given = reader.table(&own);
-        objectives.extend(reader.objective(index, &given));
+        objectives.extend(reader.objective(*number, &given).map(|objective| (*number, objective)));
     }
-    if objectives.is_empty() && reader.found.is_empty() {
+    if numbers.is_empty() {
         let message = "the design has no objective to verify";
         let help = "write `[[objective]]`, and under it `bound = \"state\"` and `sigma = 4`";
         reader.found.push("missing-key", "objective", None, message, help);
     }
     let disturbances = reader.disturbances(&of_disturbance);
-    let campaign = reader.campaign(&of_verify, disturbances, objectives);
+    reader.valued(entries, &objectives);
+    let whole: Vec<_> = objectives.into_iter().map(|(_, objective)| objective).collect();
+    let campaign = reader.campaign(&of_verify, disturbances, whole);
     reader.found.finish(campaign)
 }
 
@@ -79,11 +122,15 @@ impl Reader<'_> {
     }
 
     fn unknown(&mut self, key: &str, place: Place, legal: &[String]) {
-        let name = key.split_once('.').map_or(key, |(_, name)| name);
+        let (table, name) = key.split_once('.').unwrap_or(("", key));
         let meant = near_miss(name, legal.iter().map(String::as_str));
         let meant = meant.map(|meant| format!("did you mean `{meant}`? ")).unwrap_or_default();
         let help = format!("{meant}the keys are {}", legal.join(", "));
-        let message = format!("unknown key `{}`", shorten(key));
+        let message = match table.strip_prefix("objective[").and_then(|rest| rest.strip_suffix(']'))
+        {
+            Some(number) => format!("unknown key `{}` of objective {number}", shorten(name)),
+            None => format!("unknown key `{}`", shorten(key)),
+        };
         self.found.push("unknown-key", key, Some(place), message, help);
     }
 
@@ -111,7 +158,8 @@ impl Reader<'_> {
             );
             self.found.push("missing-key", "verify", None, message, help);
         }
-        let x0 = states.iter().filter_map(|name| self.interval("verify", name, given)).collect();
+        let x0: Vec<_> =
+            states.iter().filter_map(|name| self.interval("verify", name, given)).collect();
         let fixed_tau = self.spec.fixed.get(&Parameter::Tau).and_then(to_f64);
         let tau = match (self.interval("verify", "tau", given), fixed_tau) {
             (Some((low, _)), _) if low <= 0.0 => {
@@ -144,7 +192,9 @@ impl Reader<'_> {
         if given.contains_key("tau") {
             spec.fixed.remove(&Parameter::Tau);
         }
-        let campaign = Campaign {
+        // Each of them may have told what is wrong with it.
+        (x0.len() == n).then_some(())?;
+        Some(Campaign {
             spec,
             plant: self.plant.clone(),
             scenarios: scenarios?,
@@ -157,34 +207,40 @@ impl Reader<'_> {
             intervals,
             disturbances,
             objectives,
-        };
-        self.complete(&campaign);
-        Some(campaign)
+        })
     }
 
-    /// Every symbol has a value or an interval.
-    fn complete(&mut self, campaign: &Campaign) {
-        let drawn: BTreeSet<_> = campaign
-            .intervals
-            .iter()
-            .map(|(symbol, _)| *symbol)
-            .chain(campaign.disturbances.iter().map(|(symbol, ..)| *symbol))
-            .chain([Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax])
-            .collect();
-        let of_objectives = campaign.objectives.iter().flat_map(Objective::parameters);
-        let mut needed: BTreeSet<_> = self.spec.parameters().into_iter().collect();
-        needed.extend(self.plant.symbols(self.spec));
-        needed.extend(of_objectives);
-        let missing: Vec<_> = needed
-            .into_iter()
-            .filter(|p| !self.spec.fixed.contains_key(p) && !self.plant.fixed.contains_key(p))
-            .filter(|p| !drawn.contains(p))
-            .map(Parameter::spelling)
-            .collect();
-        if !missing.is_empty() {
-            let message = format!("{} without a value in the design", missing.join(", "));
-            let help = "parameters of the controller have their values under [params], gains at `gains` or `poles`; symbols of the plant have theirs, or [least, greatest], under [plant]";
-            self.found.push("missing-key", "verify", None, message, help);
+    /// Every name has a value or an interval; one that has none is blamed on what uses it.
+    fn valued(&mut self, entries: &[Entry], objectives: &[(usize, Objective)]) {
+        let (spec, plant) = (self.spec, self.plant);
+        let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
+        let lacks = |p: &Parameter| {
+            let fixed = spec.fixed.contains_key(p) || plant.fixed.contains_key(p);
+            !fixed && !plant.bounds.contains_key(p) && !of_run.contains(p)
+        };
+        let mut told: BTreeSet<Parameter> = BTreeSet::new();
+        let mut tell = |key: &str, used: &mut dyn Iterator<Item = Parameter>, help: &str| {
+            let new: BTreeSet<_> = used.filter(lacks).filter(|p| told.insert(*p)).collect();
+            if new.is_empty() {
+                return;
+            }
+            let names: Vec<_> = new.into_iter().map(Parameter::spelling).collect();
+            let place =
+                entries.iter().find(|entry| entry.key == key).map(|entry| entry.value.place);
+            let message = format!("{} without a value in the design", names.join(", "));
+            self.found.push(UNVALUED, key, place, message, help);
+        };
+        let of_controller = "parameters of the controller have their values under [params], gains at `gains` or `poles`";
+        tell("verify", &mut spec.parameters().into_iter(), of_controller);
+        let of_plant = "a symbol of the plant has its value, or [least, greatest], under [plant]";
+        tell("plant.f", &mut plant.f.parameters().into_iter(), of_plant);
+        let gain = plant.g.as_ref().map(Expression::parameters).unwrap_or_default();
+        tell("plant.g", &mut gain.into_iter(), of_plant);
+        for (number, objective) in objectives {
+            for (name, expression) in objective.kind.expressions() {
+                let key = format!("objective[{number}].{name}");
+                tell(&key, &mut expression.parameters().into_iter(), of_controller);
+            }
         }
     }
 

@@ -21,7 +21,7 @@ impl Reader<'_> {
             _ => {
                 let any = given.values().next().map(|(place, _)| *place);
                 let place = given.get("bound").map(|(_, node)| node.place).or(any);
-                let message = format!("{table} does not say what it bounds");
+                let message = format!("objective {index} does not say what it bounds");
                 let help = "write `bound = \"state\"`, \"input\", \"attractive\" or \"within\"";
                 self.wrong(&table, place, message, help);
                 return None;
@@ -39,7 +39,7 @@ impl Reader<'_> {
             if !given.contains_key(name) {
                 let info = OBJECTIVE_KEYS.iter().find(|info| info.key == *name);
                 let help = format!("give `{name}`, {}", info.map_or("", |info| info.legal));
-                let message = format!("an objective of the bound {word} without `{name}`");
+                let message = format!("objective {index}, of the bound {word}, without `{name}`");
                 self.found.push("missing-key", table.as_str(), place, message, help);
             }
         }
@@ -51,7 +51,7 @@ impl Reader<'_> {
                 reader.wrong(
                     &key,
                     Some(node.place),
-                    format!("{name} is no number > 0"),
+                    format!("{name} of objective {index} is no number > 0"),
                     "it bounds a norm",
                 );
             }
@@ -64,23 +64,25 @@ impl Reader<'_> {
             resolve(node, Scope { subject, n, known: &known }, &mut reader.found)
         };
         let kind = match word {
-            "state" => Kind::State {
-                sigma: positive(self, "sigma")?,
-                zeta: match given.contains_key("zeta") {
-                    true => expression(self, "zeta", Subject::Bound)?,
-                    false => Expression::integer(1),
-                },
-            },
+            "state" => {
+                let sigma = positive(self, "sigma");
+                let zeta = match given.contains_key("zeta") {
+                    true => expression(self, "zeta", Subject::Bound),
+                    false => Some(Expression::integer(1)),
+                };
+                Kind::State { sigma: sigma?, zeta: zeta? }
+            }
             "input" => Kind::Input { upsilon: expression(self, "upsilon", Subject::Bound)? },
             "attractive" => Kind::Attractive { error: positive(self, "error")? },
             _ => {
-                let h = expression(self, "h", Subject::Objective)?;
+                let h = expression(self, "h", Subject::Objective);
                 let (low, high) = (
                     expression(self, "low", Subject::Bound),
                     expression(self, "high", Subject::Bound),
                 );
                 if !given.contains_key("low") && !given.contains_key("high") {
-                    let message = "an objective of the bound within without `low` and `high`";
+                    let message =
+                        format!("objective {index}, of the bound within, without `low` and `high`");
                     self.found.push(
                         "missing-key",
                         table.as_str(),
@@ -89,7 +91,7 @@ impl Reader<'_> {
                         "give one of them, or both",
                     );
                 }
-                Kind::Within { h, low, high }
+                Kind::Within { h: h?, low, high }
             }
         };
         Some(Objective { kind })
