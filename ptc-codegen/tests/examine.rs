@@ -6,12 +6,51 @@ mod command;
 use command::spec_of;
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::examine;
+use ptc_codegen::emit::Language;
+use ptc_codegen::generate;
+use ptc_codegen::spec::Feedback;
 
 /// What the check called `name` says of a design.
 fn verdict(line: &str, name: &str) -> Verdict {
     let spec = spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0]));
     let report = examine(&spec);
     report.outcomes.iter().find(|outcome| outcome.name == name).expect("a check").verdict
+}
+
+#[test]
+fn a_law_that_is_linear_is_gains_in_any_spelling() {
+    let with = |law: &str| {
+        let line = format!("--n 3 --mu \"tanh(a=1)\" {law} --tau=2");
+        spec_of(&line).unwrap_or_else(|found| panic!("{line}: {}", found[0]))
+    };
+    for (law, gains) in [
+        ("-6*xi1 - 11*xi2 - 6*xi3", "6,11,6"),
+        ("-(6*xi1 + 11*xi2) - 6*xi3", "6,11,6"),
+        ("-6*(xi1 + 2*xi2) + xi2 - 3*(xi3 + xi3)", "6,11,6"),
+        ("-xi1/3 - 2^3*xi2 - sqrt(4)*xi3", "1/3,8,2"),
+        ("-((xi1 + 1)^2 - xi1^2 - 1) - xi3/0.5", "2,0,2"),
+        ("5*xi2", "0,-5,0"),
+    ] {
+        let (found, given) = (with(&format!("--pi0=\"{law}\"")), with(&format!("--gains={gains}")));
+        assert_eq!(found, given, "{law}");
+        assert_eq!(generate(&found, Language::C), generate(&given, Language::C), "{law}");
+        assert_ne!(verdict(&given.command(), "growth"), Verdict::NotChecked, "{law}");
+    }
+    for law in [
+        "-6*xi1 - 11*xi2 - 6*xi3 + 1",
+        "-6*xi1*(1 + t)",
+        "-6*xi1 - xi1_0",
+        "-6*xi1 - abs(xi2)",
+        "-6*xi1^1.5",
+        "-6*xi1*xi2",
+        "-c*xi1",
+        "-sqrt(2)*xi1",
+        "-xi1 + sin(xi2)",
+        "0*xi1",
+    ] {
+        let spec = with(&format!("--pi0=\"{law}\""));
+        assert!(matches!(spec.feedback, Feedback::Expression(_)), "{law}");
+    }
 }
 
 #[test]

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use num_traits::Zero;
+
 use super::{FixedValues, Reader, constant, items, shown};
 use crate::algebra::BigRational;
 use crate::check::poles;
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
 use crate::spec::{Feedback, Fixed, Node, Parameter, Value};
 
 /// What the keys of the law say.
@@ -14,6 +16,36 @@ pub(super) struct Law {
     pub(super) feedback: Feedback,
     pub(super) gains: FixedValues,
     pub(super) poles: Vec<(BigRational, BigRational)>,
+}
+
+/// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt.
+fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
+    let kink = |e: &Expression| {
+        use Expression::{Call, Max, Min};
+        matches!(e, Min(..) | Max(..) | Call(Function::Abs | Function::Sign, _))
+    };
+    let other =
+        |e: &Expression| matches!(e, Expression::Variable(v) if !matches!(v, Variable::Xi(_)));
+    if law.any(&kink) || law.any(&other) {
+        return None;
+    }
+    let (mut rest, mut gains) = (law.clone(), Vec::with_capacity(n));
+    for xi in (1..=n).map(Variable::Xi) {
+        let slope = normal(&law.derivative(xi));
+        rest = rest.sub(slope.clone().mul(xi.into()));
+        gains.push(-slope.number()?);
+    }
+    let linear = normal(&rest) == Expression::integer(0);
+    (linear && !gains.iter().all(Zero::is_zero)).then_some(gains)
+}
+
+/// Gains that are fixed, as a reader would spell them.
+fn fixed(gains: Vec<BigRational>) -> FixedValues {
+    let gain = |(i, value): (usize, BigRational)| {
+        let text = constant::text(&value);
+        (Parameter::Gain(i), Fixed::Number { value, text })
+    };
+    (1..).zip(gains).map(gain).collect()
 }
 
 impl Reader<'_> {
@@ -29,7 +61,10 @@ impl Reader<'_> {
             Some((_, node)) => {
                 let scope = Scope { subject: Subject::Law, n: order, known };
                 if let Some(expression) = resolve(node, scope, &mut self.found) {
-                    law.feedback = Feedback::Expression(expression);
+                    match gains_of(&expression, order) {
+                        Some(gains) => law.gains = fixed(gains),
+                        None => law.feedback = Feedback::Expression(expression),
+                    }
                 }
             }
             None => {}
@@ -82,13 +117,7 @@ impl Reader<'_> {
         let of =
             |(re, im): &(BigRational, BigRational)| poles::Pole { re: re.clone(), im: im.clone() };
         match poles::gains(&poles.iter().map(of).collect::<Vec<_>>()) {
-            Ok(gains) => {
-                let fixed = |(i, value): (usize, BigRational)| {
-                    let text = constant::text(&value);
-                    (Parameter::Gain(i + 1), Fixed::Number { value, text })
-                };
-                (poles, gains.into_iter().enumerate().map(fixed).collect())
-            }
+            Ok(gains) => (poles, fixed(gains)),
             Err(wrong) => {
                 self.wrong(
                     "poles",
