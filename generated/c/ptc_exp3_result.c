@@ -89,7 +89,7 @@ ptc_status ptc_exp3_result_step(const ptc_exp3_result *self, double t, const dou
     const double inv_T = (-1.0) / late;
     const double v1 = (((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T) + (self->c3 * x[2]);
     double v = (v1 * inv_T) + (t - t);
-    /* Time-to-go, or NaN where v is not finite: one comparison tells tracking. */
+    /* Time-to-go, or NaN where v is not finite: one comparison detects tracking. */
     const double margin = (v - v) - late;
     if (v > self->u_max) {
         v = self->u_max;

@@ -2,48 +2,59 @@
  * Prescribed-time controller ptc_own_kappa2: order n = 2, mapping custom.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 2 --kappa="tau*dt/(tau - dt) + dt" --name ptc_own_kappa2
- *       --after zero
+ *   ptc-codegen emit --lang c --n 2 --kappa="tau*dt/(tau - dt) + dt" --name ptc_own_kappa2 --after zero
  * Version 0.1.0.
  *
- * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ * Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ *
+ * SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+ *       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+ *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
  *   tau: prescribed settling time [s], finite, > 0
  *   t0: start time [s], finite
  *   eps: time-to-go at which the gains are held [s], > 0, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
  *
- * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
  *   kappa(dt) = tau*dt/(tau - dt) + dt
  *   kappa = (tau^2 - T^2)/T
  *   r_1 = T*(T/(tau^2 + T^2))
- * r_k and BB_n come from its Taylor series at each tick.
+ * r_k and BB_n are computed from the Taylor series of mu at each call.
  *
- * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
- *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
- *   g   = 1
- *   u = (sum_j gain_j x_j)/g
- *   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
- *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
- *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + k_2 xi_2)
+ *   u = sum_j gain_j x_j
+ *   gain_j = r_1^-(n+1-j) row_j
+ *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1), with k_(n+1) = 1
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
  *
- * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
- * |u| <= u_max always (status SATURATED where u was clipped).
- * Guard full: every input and pointer is checked.
- * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
- *       (-ffp-contract=off).
+ * From t0 + tau - eps on, the gains of T = eps are held (status HOLD). From t0 + tau on, u =
+ *       0 (status AFTER).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
- * Checks of the design (ptc-codegen check tells more):
+ * Checks of the design (details: ptc-codegen check):
  *   membership: sound: the mapping is of its class, proved.
  *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step: 10 + - or comparison, 11 *, 3 /, 0 sqrt, 0 calls.
- * Latencies added up: x86-64 about 126 cycles, Cortex-M4F about 63 cycles.
+ * Operations of one step, without input checks and clipping: 10 additions or comparisons, 11
+ *       multiplications, 3 divisions.
  */
 #ifndef PTC_OWN_KAPPA2_H
 #define PTC_OWN_KAPPA2_H
@@ -59,7 +70,7 @@ typedef enum ptc_status {
     PTC_OK = 0,        /* tracking */
     PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
-    PTC_AFTER = 3,     /* the deadline is over, and what was chosen for then gives u */
+    PTC_AFTER = 3,     /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
     PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3   /* u not finite */
@@ -72,7 +83,7 @@ typedef struct ptc_own_kappa2_params {
     double t0; /* start time [s], finite */
     double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
     double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
-    double k[2]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+    double k[2]; /* gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s] */
 } ptc_own_kappa2_params;
 
 /* Controller: set by init and arm, read by step and tick. */
@@ -80,10 +91,10 @@ typedef struct ptc_own_kappa2 {
     double t0; /* start time */
     double tau; /* prescribed settling time */
     double deadline; /* t0 + tau, rounded */
-    double correction; /* what the rounding of t0 + tau left out */
+    double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
-    double f15; /* known when the parameters are */
+    double f15; /* derived from the parameters */
     double w1; /* weighted gain -0!*k1 */
     double w2; /* weighted gain -1!*k2 */
     double u_max; /* bound of |u| */

@@ -5,7 +5,16 @@
  *   ptc-codegen emit --lang c --n 4 --mu power
  * Version 0.1.0.
  *
- * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ * Plant: x1' = x2, ..., x4' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x4 in
+ *       U/s^3, u in U/s^4.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ *
+ * SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+ *       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+ *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
  *   tau: prescribed settling time [s], finite, > 0
@@ -14,19 +23,21 @@
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
  *   a: rate of stretched time [1/s], finite, > 0
  *   m: exponent of the power mapping [1], finite, > 0
- *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *   k: gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is
+ *       k_4 [1/s]
  *
- * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
  *   mu(t)     = tau*(1 - (1 + a*m*t)^(-1/m))
  *   kappa(Dt) = ((T/tau)^-m - 1)/(a*m)
- *   atoms: T = time-to-go, P = (T/tau)^m
+ *   in terms of T = time-to-go, P = (T/tau)^m
  * Derivatives r_k = mu^(k)(kappa(Dt)):
  *   r_k = (-1)^(k-1) prod_{i<k}(1 + i*m) a^k T P^k
  *   r_1 = a*T*P
  *   r_2 = -a^2*m*T*P^2 - a^2*T*P^2
  *   r_3 = 3*a^3*m*T*P^3 + 2*a^3*m^2*T*P^3 + a^3*T*P^3
  *   r_4 = -6*a^4*m*T*P^4 - 11*a^4*m^2*T*P^4 - 6*a^4*m^3*T*P^4 - a^4*T*P^4
- * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
  *   B_{0,0} = 1
  *   B_{1,1} = a*T*P
  *   B_{2,1} = -a^2*m*T*P^2 - a^2*T*P^2
@@ -38,12 +49,12 @@
  *   B_{4,2} = 18*a^4*m*T^2*P^4 + 11*a^4*m^2*T^2*P^4 + 7*a^4*T^2*P^4
  *   B_{4,3} = -6*a^4*m*T^3*P^4 - 6*a^4*T^3*P^4
  *
- * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
- *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
- *   g   = 1
- *   u = (sum_j gain_j x_j)/g
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + ... + k_4 xi_4)
+ *   u = sum_j gain_j x_j
  *   gain_j = inv_T^(n+1-j) row_j
- *   K_i = k_i/(a)^(n+1-i)
+ *   K1, K2, ...: K_i = k_i/a^(n+1-i)
  *   row_1 = -K1*q^4
  *   row_2 = 1 + 6*m + m*K3*q^2 - 3*m*K4*q + 11*m^2 - 2*m^2*K4*q + 6*m^3 - K2*q^3 + K3*q^2 -
  *       K4*q
@@ -52,21 +63,24 @@
  *   q = (T/tau)^-m
  *   inv_T = 1/T
  *
- * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
- * |u| <= u_max always (status SATURATED where u was clipped).
- * Guard full: every input and pointer is checked.
- * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
- *       (-ffp-contract=off).
+ * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+ *       mathematical library.
  *
- * Checks of the design (ptc-codegen check tells more):
+ * Checks of the design (details: ptc-codegen check):
  *   membership: sound: power is of class M for all its parameters.
  *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step: 12 + - or comparison, 18 *, 1 /, 0 sqrt, 1 calls.
- * Latencies added up: x86-64 about 194 cycles, Cortex-M4F about 194 cycles.
+ * Operations of one step, without input checks and clipping: 12 additions or comparisons, 18
+ *       multiplications, 1 division, 1 function call.
  */
 #ifndef PTC_POWER4_H
 #define PTC_POWER4_H
@@ -82,7 +96,7 @@ typedef enum ptc_status {
     PTC_OK = 0,        /* tracking */
     PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
-    PTC_AFTER = 3,     /* the deadline is over, and what was chosen for then gives u */
+    PTC_AFTER = 3,     /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
     PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3   /* u not finite */
@@ -97,7 +111,7 @@ typedef struct ptc_power4_params {
     double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
     double a; /* rate of stretched time [1/s], finite, > 0 */
     double m; /* exponent of the power mapping [1], finite, > 0 */
-    double k[4]; /* gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite */
+    double k[4]; /* gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is k_4 [1/s] */
 } ptc_power4_params;
 
 /* Controller: set by init and arm, read by step and tick. */
@@ -106,7 +120,7 @@ typedef struct ptc_power4 {
     double tau; /* prescribed settling time */
     double t0; /* start time */
     double deadline; /* t0 + tau, rounded */
-    double correction; /* what the rounding of t0 + tau left out */
+    double correction; /* low part of t0 + tau (compensated sum) */
     double eps; /* time-to-go at which the gains are held */
     double hold_from; /* -eps: later than this the gains are held */
     double minus_tau; /* -tau */
@@ -142,10 +156,10 @@ ptc_status ptc_power4_arm(ptc_power4 *self, double t0);
 ptc_status ptc_power4_step(const ptc_power4 *self, double t, const double x[4], double *u);
 
 /* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is left alone. tick and axis round otherwise than step does. */
+ * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
 ptc_status ptc_power4_tick(const ptc_power4 *self, double t, ptc_power4_gains *gains);
 
-/* u of one axis from the gains that tick left. */
+/* u of one axis from the gains of tick. */
 ptc_status ptc_power4_axis(const ptc_power4_gains *gains, const double x[4], double *u);
 
 #ifdef __cplusplus

@@ -5,53 +5,65 @@
  *   ptc-codegen emit --lang cpp --n 2 --mu "exp_sum(2)"
  * Version 0.1.0.
  *
- * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ * Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ *
+ * SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+ *       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+ *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
  *   tau: prescribed settling time [s], finite, > 0
  *   t0: start time [s], finite
  *   eps: time-to-go at which the gains are held [s], > 0, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   rates: rates a_i of stretched time [1/s], finite, > 0
- *   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+ *   rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
+ *       [1/s]
+ *   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
  *
- * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
  *   mu(t)     = tau*mean_i(1 - exp(-a_i*t))
  *   kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
- *   atoms: e_i = exp(-a_i*t)
+ *   in terms of e_i = exp(-a_i*t)
  * Derivatives r_k = mu^(k)(kappa(Dt)):
  *   r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
  *   r_1 = 1/2*tau*a1*e1 + 1/2*tau*a2*e2
  *   r_2 = -1/2*tau*a1^2*e1 - 1/2*tau*a2^2*e2
- * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
  *   B_{0,0} = 1
  *   B_{1,1} = r1
  *   B_{2,1} = r2
  *
- * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
- *   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
- *   g   = 1
- *   u = (sum_j gain_j x_j)/g
- *   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
- *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
- *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+ *   pi0 = -(k_1 xi_1 + k_2 xi_2)
+ *   u = sum_j gain_j x_j
+ *   gain_j = r_1^-(n+1-j) row_j
+ *   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1), with k_(n+1) = 1
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
  *
- * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
- * |u| <= u_max always (status SATURATED where u was clipped).
- * Guard full: every input and pointer is checked.
- * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
- *       (-ffp-contract=off).
+ * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+ *       mathematical library.
  *
- * Checks of the design (ptc-codegen check tells more):
+ * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp_sum is of class M for all its parameters.
  *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step: 34 + - or comparison, 50 *, 5 /, 0 sqrt, 5 calls, one round of the
- *       iteration.
- * Latencies added up: x86-64 about 706 cycles, Cortex-M4F about 904 cycles.
+ * Operations of one step, without input checks and clipping: 34 additions or comparisons, 50
+ *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
+ *       counted; it takes at most 12.
  */
 #ifndef PTC_EXP_SUM2_HPP
 #define PTC_EXP_SUM2_HPP
@@ -70,7 +82,7 @@ enum class Status : int {
     Ok = 0,        ///< tracking
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
-    After = 3,     ///< the deadline is over, and what was chosen for then gives u
+    After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
     Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
@@ -80,7 +92,7 @@ enum class Status : int {
 template <class Real>
 struct [[nodiscard]] Control {
     Real u;        ///< input of the plant
-    Status status; ///< how it came about
+    Status status; ///< its status
 };
 
 /// What the infinite-time system gives.
@@ -97,8 +109,8 @@ struct PtcExpSum2Params {
     double t0{}; ///< start time [s], finite
     double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    std::array<double, 2> rates{{}}; ///< rates a_i of stretched time [1/s], finite, > 0
-    std::array<double, 2> k{{}}; ///< gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+    std::array<double, 2> rates{{}}; ///< rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]
+    std::array<double, 2> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 };
 
 /// Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1].
@@ -319,7 +331,7 @@ public:
     }
 
     /// The gains at time t, for several axes that share one deadline: tick once, then axis for each.
-    /// tick and axis round otherwise than step does.
+    /// The result of tick and axis may differ from that of step in the last bits.
     Gains tick(double t) const noexcept
     {
         if (!(finite(t) && (t >= t0_))) {
@@ -401,7 +413,7 @@ private:
     double t0_{}; // start time
     double tau_{}; // prescribed settling time
     double deadline_{}; // t0 + tau, rounded
-    double correction_{}; // what the rounding of t0 + tau left out
+    double correction_{}; // low part of t0 + tau (compensated sum)
     double eps_{}; // time-to-go at which the gains are held
     double hold_from_{}; // -eps: later than this the gains are held
     double target_rate_{}; // N/tau, N the number of rates

@@ -2,50 +2,57 @@
  * Prescribed-time controller ptc_own_law1_latched: order n = 1, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name ptc_own_law1_latched
- *       --pi0="-2*xi1 - xi1*xi1_0"
+ *   ptc-codegen emit --lang cpp --n 1 --mu "exp(a=1)" --name ptc_own_law1_latched --pi0="-2*xi1 - xi1*xi1_0"
  * Version 0.1.0.
  *
- * It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+ * Plant: x1' = f + u. Time in s, x1 in any unit U, u in U/s.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
+ * f is not part of the law: cancel its known terms before the call.
+ *
+ * SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which the loop
+ *       is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
  *
  * Parameters:
+ *   a = 1 [1/s], fixed: rate of stretched time
  *   tau: prescribed settling time [s], finite, > 0
  *   t0: start time [s], finite
  *   eps: time-to-go at which the gains are held [s], > 0, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   a = 1, fixed: rate of stretched time [1/s], finite, > 0
  *
- * Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+ * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+ *       the stretched time since t0:
  *   mu(t)     = tau*(1 - exp(-a*t))
  *   kappa(Dt) = -ln(T/tau)/a
- *   atoms: T = time-to-go
  * Derivatives r_k = mu^(k)(kappa(Dt)):
  *   r_k = (-1)^(k-1) a^k T
  *   r_1 = a*T
- * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+ * Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
  *   B_{0,0} = 1
  *
- * Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
  *   pi0 = -2*xi1 - xi1*xi1_0
- *   g   = 1
  *   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
- *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+ *   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
  *
- * From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
- * |u| <= u_max always (status SATURATED where u was clipped).
- * Guard full: every input and pointer is checked.
- * Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
- *       (-ffp-contract=off).
+ * From t0 + tau - eps on, and after the deadline, T is held at eps in the law (status HOLD).
+ * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+ *       deadline.
+ * Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
  *
- * Checks of the design (ptc-codegen check tells more):
+ * Checks of the design (details: ptc-codegen check):
  *   membership: sound: exp is of class M for all its parameters.
  *   growth: not checked: the law is no sum of gains, so its poles are not known.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step: 5 + - or comparison, 3 *, 1 /, 0 sqrt, 0 calls.
- * Latencies added up: x86-64 about 46 cycles, Cortex-M4F about 22 cycles.
+ * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
+ *       multiplications, 1 division.
  */
 #ifndef PTC_OWN_LAW1_LATCHED_HPP
 #define PTC_OWN_LAW1_LATCHED_HPP
@@ -62,7 +69,7 @@ enum class Status : int {
     Ok = 0,        ///< tracking
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
-    After = 3,     ///< the deadline is over, and what was chosen for then gives u
+    After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
     Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
@@ -72,7 +79,7 @@ enum class Status : int {
 template <class Real>
 struct [[nodiscard]] Control {
     Real u;        ///< input of the plant
-    Status status; ///< how it came about
+    Status status; ///< its status
 };
 
 /// What the infinite-time system gives.
@@ -189,7 +196,7 @@ private:
     double t0_{}; // start time
     double tau_{}; // prescribed settling time
     double deadline_{}; // t0 + tau, rounded
-    double correction_{}; // what the rounding of t0 + tau left out
+    double correction_{}; // low part of t0 + tau (compensated sum)
     double eps_{}; // time-to-go at which the gains are held
     double hold_from_{}; // -eps: later than this the gains are held
     double x1_0_{}; // state at the start

@@ -2,8 +2,8 @@ function [gains, status] = ptc_exp3_f32_tick(self, t) %#codegen
 %PTC_EXP3_F32_TICK  The gains at time t [s], for several axes that share one deadline.
 %
 %   [gains, status] = ptc_exp3_f32_tick(self, t): tick once, then ptc_exp3_f32_axis(gains, x) for each axis.
-%   gains.status is 0 or 1, or -2 where t is not legal; then there are no gains. tick and axis
-%   round otherwise than step does.
+%   gains.status is 0 or 1, or -2 where t is not legal; then there are no gains. u
+%   may differ from that of step in the last bits.
 
 t = single(t);
 gains.gain = zeros(1, 3, 'single');

@@ -7,7 +7,7 @@ function [u, status] = ptc_exp_sum2_step(self, t, x) %#codegen
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over, and what was chosen for then gives u
+%      3  after: the deadline is over: u is 0 or that of the user-defined law
 %     -2  x or t not finite, or t before t0
 %     -3  u not finite
 

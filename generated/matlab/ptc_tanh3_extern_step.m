@@ -2,14 +2,14 @@ function [u, status] = ptc_tanh3_extern_step(self, t, x, pi0, after) %#codegen
 %PTC_TANH3_EXTERN_STEP  u at time t [s] and state x = (x1, x1', ...).
 %
 %   [u, status] = ptc_tanh3_extern_step(self, t, x, pi0, after), with self from ptc_tanh3_extern_init.
-%   pi0(xi, t) is the law of yours, a function handle; t is the stretched time kappa + t0.
+%   pi0(xi, t) is the user-defined law, a function handle; t is the stretched time kappa + t0.
 %   after(x, t) gives u for t >= t0 + tau, a function handle.
 %
 %   status (int32); u is 0 on a negative one:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over, and what was chosen for then gives u
+%      3  after: the deadline is over: u is 0 or that of the user-defined law
 %     -2  x or t not finite, or t before t0
 %     -3  u not finite
 

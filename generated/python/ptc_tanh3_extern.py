@@ -2,11 +2,18 @@
 Prescribed-time controller ptc_tanh3_extern: order n = 3, mapping tanh.
 
 DO NOT EDIT. Made by:
-  ptc-codegen emit --lang python --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern
-      --after extern
+  ptc-codegen emit --lang python --n 3 --mu tanh --name ptc_tanh3_extern --pi0 extern --after extern
 Version 0.1.0.
 
-It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
+      in U/s^3.
+Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+      eps, sampling, f and clipping leave. The checks below say what is known of this
+      design.
+f is not part of the law: cancel its known terms before the call.
+
+SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which the loop
+      is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
 
 Parameters:
   tau: prescribed settling time [s], finite, > 0
@@ -15,44 +22,48 @@ Parameters:
   u_max: bound of |u| [unit of u], > 0, infinity allowed
   a: rate of stretched time [1/s], finite, > 0
 
-Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+      the stretched time since t0:
   mu(t)     = tau*tanh(a*t)
   kappa(Dt) = -ln(E)/(2*a), E = T/(2*tau - T)
-  atoms: T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), g = 1/(1 + E)
+  in terms of T = time-to-go, E = exp(-2*a*t) = T/(2*tau - T), L = 1/(1 + E)
 Derivatives r_k = mu^(k)(kappa(Dt)):
   r_k = 2*tau*(-2*a)^k Li_{-k}(-E)
-  r_1 = 2*a*T*g
-  r_2 = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
-  r_3 = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
-Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+  r_1 = 2*a*T*L
+  r_2 = 4*a^2*T*E*L^2 - 4*a^2*T*L^2
+  r_3 = -32*a^3*T*E*L^3 + 8*a^3*T*E^2*L^3 + 8*a^3*T*L^3
+Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
   B_{0,0} = 1
-  B_{1,1} = 2*a*T*g
-  B_{2,1} = 4*a^2*T*E*g^2 - 4*a^2*T*g^2
-  B_{2,2} = 4*a^2*T^2*g^2
-  B_{3,1} = -32*a^3*T*E*g^3 + 8*a^3*T*E^2*g^3 + 8*a^3*T*g^3
-  B_{3,2} = 24*a^3*T^2*E*g^3 - 24*a^3*T^2*g^3
+  B_{1,1} = 2*a*T*L
+  B_{2,1} = 4*a^2*T*E*L^2 - 4*a^2*T*L^2
+  B_{2,2} = 4*a^2*T^2*L^2
+  B_{3,1} = -32*a^3*T*E*L^3 + 8*a^3*T*E^2*L^3 + 8*a^3*T*L^3
+  B_{3,2} = 24*a^3*T^2*E*L^3 - 24*a^3*T^2*L^3
 
-Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
-  pi0 = a function of yours, called with xi and t_kappa
-  g   = 1
+Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+  u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+  pi0 = a user-defined function of xi and t_kappa
   xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j
-  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+  p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
 
-From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
-|u| <= u_max always (status SATURATED where u was clipped).
-Guard full: every input and pointer is checked.
-Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
-      (-ffp-contract=off).
+From t0 + tau - eps on, T is held at eps in the law (status HOLD). From t0 + tau on, u is
+      the result of the user-defined function after (status AFTER).
+|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+      deadline.
+Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+      machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+      mathematical library.
 
-Checks of the design (ptc-codegen check tells more):
+Checks of the design (details: ptc-codegen check):
   membership: sound: tanh is of class M for all its parameters.
   growth: not checked: the law is no sum of gains, so its poles are not known.
   sampling: not checked: `sample_time` is not given.
   deadline: not checked: `error` is not given.
   envelope: not checked: `x_max` is not given.
 
-Operations of one step: 16 + - or comparison, 24 *, 4 /, 0 sqrt, 2 calls.
-Latencies added up: x86-64 about 336 cycles, Cortex-M4F about 396 cycles.
+Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
+      multiplications, 4 divisions, 2 function calls.
 """
 
 from __future__ import annotations
@@ -71,7 +82,7 @@ _R = np.float64
 Array = NDArray[np.float64]
 
 class Status(IntEnum):
-    """How u came about; u is 0 on a negative status."""
+    """Status of u, which is 0 on a negative status."""
 
     OK = 0
     """Tracking."""
@@ -80,7 +91,7 @@ class Status(IntEnum):
     SATURATED = 2
     """u was clipped to u_max; wins over HOLD and AFTER."""
     AFTER = 3
-    """The deadline is over, and what was chosen for then gives u."""
+    """The deadline is over: u is 0 or that of the user-defined law."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -188,7 +199,7 @@ class PtcTanh3Extern:
     def step(self, t: ArrayLike, x: ArrayLike, *, pi0: Callable[[Array, Array], ArrayLike], after: Callable[[Array, Array], ArrayLike]) -> Control:
         """u at times t [s] and states x = (x1, x1', ...) of shape (..., 3); t and x[..., 0] are broadcast.
 
-        pi0(xi, t) is the law of yours, for the whole batch; t is the stretched time kappa + t0.
+        pi0(xi, t) is the user-defined law, for the whole batch; t is the stretched time kappa + t0.
 
         after(x, t) gives u for t >= t0 + tau; it is called with the whole batch where any t is so late.
         """

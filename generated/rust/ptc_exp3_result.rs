@@ -1,10 +1,20 @@
 //! Prescribed-time controller ptc_exp3_result: order n = 3, mapping exp.
 //!
+//! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 3 --mu exp --name ptc_exp3_result --guard result
 //! Version 0.1.0.
 //!
-//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//! Plant: x1' = x2, ..., x3' = f + u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, u
+//!       in U/s^3.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
 //!   tau: prescribed settling time [s], finite, > 0
@@ -12,18 +22,19 @@
 //!   eps: time-to-go at which the gains are held [s], > 0, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
 //!   a: rate of stretched time [1/s], finite, > 0
-//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2
+//!       [1/s^2], k[2] is k_3 [1/s]
 //!
-//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
 //!   mu(t)     = tau*(1 - exp(-a*t))
 //!   kappa(Dt) = -ln(T/tau)/a
-//!   atoms: T = time-to-go
 //! Derivatives r_k = mu^(k)(kappa(Dt)):
 //!   r_k = (-1)^(k-1) a^k T
 //!   r_1 = a*T
 //!   r_2 = -a^2*T
 //!   r_3 = a^3*T
-//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
 //!   B_{0,0} = 1
 //!   B_{1,1} = a*T
 //!   B_{2,1} = -a^2*T
@@ -31,35 +42,38 @@
 //!   B_{3,1} = a^3*T
 //!   B_{3,2} = -3*a^3*T^2
 //!
-//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
-//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
-//!   g   = 1
-//!   u = (sum_j gain_j x_j)/g
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
+//!   u = sum_j gain_j x_j
 //!   gain_j = inv_T^(n+1-j) row_j
-//!   K_i = k_i/(a)^(n+1-i)
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
 //!   row_1 = -K1
 //!   row_2 = -1 - K2 + K3
 //!   row_3 = 3 - K3
 //!   inv_T = 1/T
 //!
-//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
-//! |u| <= u_max always (status SATURATED where u was clipped).
-//! Guard result: one test on u catches non-finite x and t; pointers and t >= t0 are trusted.
-//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
-//!       (-ffp-contract=off).
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard result: t or x that is not finite is refused by one test on u (RANGE). t >= t0 is the
+//!       responsibility of the caller.
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
-//! Checks of the design (ptc-codegen check tells more):
+//! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp is of class M for all its parameters.
 //!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
 //!   sampling: not checked: `sample_time` is not given.
 //!   deadline: not checked: `error` is not given.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step: 5 + - or comparison, 6 *, 1 /, 0 sqrt, 0 calls.
-//! Latencies added up: x86-64 about 58 cycles, Cortex-M4F about 25 cycles.
+//! Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
+//!       multiplications, 1 division.
+//! ```
 #![forbid(unsafe_code)]
 
-/// How a valid u came about.
+/// Status of a valid u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// Tracking: u is that of the law.
@@ -68,7 +82,7 @@ pub enum Status {
     Hold,
     /// |u| was clipped to u_max; wins over `Hold` and `After`.
     Saturated,
-    /// The deadline is over, and what was chosen for then gives u.
+    /// The deadline is over: u is 0 or that of the user-defined law.
     After,
 }
 
@@ -77,7 +91,7 @@ pub enum Status {
 pub struct Control<R = f64> {
     /// Input of the plant.
     pub u: R,
-    /// How it came about.
+    /// Its status.
     pub status: Status,
 }
 
@@ -104,7 +118,7 @@ impl core::fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// A controller of the plant x1' = x2, ..., xN' = u.
+/// A controller of a chain of N integrators.
 pub trait Controller<const N: usize> {
     /// Floating-point type.
     type Real;
@@ -126,17 +140,17 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3ResultParams {
-    /// prescribed settling time, unit s, finite, > 0.
+    /// Prescribed settling time, in s; finite, > 0.
     pub tau: f64,
-    /// start time, unit s, finite.
+    /// Start time, in s; finite.
     pub t0: f64,
-    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; > 0, < tau.
     pub eps: f64,
-    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// rate of stretched time, unit 1/s, finite, > 0.
+    /// Rate of stretched time, in 1/s; finite, > 0.
     pub a: f64,
-    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    /// Gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; `k[0]` is k_1 in 1/s^3, `k[1]` is k_2 in 1/s^2, `k[2]` is k_3 in 1/s.
     pub k: [f64; 3],
 }
 
@@ -154,7 +168,7 @@ pub struct PtcExp3Result {
     tau: f64,
     /// t0 + tau, rounded
     deadline: f64,
-    /// what the rounding of t0 + tau left out
+    /// low part of t0 + tau (compensated sum)
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
@@ -271,7 +285,7 @@ if u > self.u_max {
         if u < -self.u_max {
             return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
         let margin = (u - u) - late;
         if margin > self.eps {
             Ok(Control { u, status: Status::Ok })
@@ -282,8 +296,8 @@ if u > self.u_max {
         }
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
-    /// round otherwise than `step` does.
+    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
+    /// from that of `step` in the last bits.
     ///
     /// # Errors
     /// None.

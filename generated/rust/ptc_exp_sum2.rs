@@ -1,59 +1,73 @@
 //! Prescribed-time controller ptc_exp_sum2: order n = 2, mapping exp_sum.
 //!
+//! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 2 --mu "exp_sum(2)"
 //! Version 0.1.0.
 //!
-//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//! Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
 //!   tau: prescribed settling time [s], finite, > 0
 //!   t0: start time [s], finite
 //!   eps: time-to-go at which the gains are held [s], > 0, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   rates: rates a_i of stretched time [1/s], finite, > 0
-//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!   rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
+//!       [1/s]
+//!   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 //!
-//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
 //!   mu(t)     = tau*mean_i(1 - exp(-a_i*t))
 //!   kappa(Dt) = the root t of mean_i(exp(-a_i*t)) = T/tau, by a bracketed iteration
-//!   atoms: e_i = exp(-a_i*t)
+//!   in terms of e_i = exp(-a_i*t)
 //! Derivatives r_k = mu^(k)(kappa(Dt)):
 //!   r_k = (-1)^(k-1) tau mean_i(a_i^k e_i)
 //!   r_1 = 1/2*tau*a1*e1 + 1/2*tau*a2*e2
 //!   r_2 = -1/2*tau*a1^2*e1 - 1/2*tau*a2^2*e2
-//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
 //!   B_{0,0} = 1
 //!   B_{1,1} = r1
 //!   B_{2,1} = r2
 //!
-//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
-//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
-//!   g   = 1
-//!   u = (sum_j gain_j x_j)/g
-//!   gain_j = r_1^-(n+1-j) row_j, k_(n+1) = 1
-//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1)
-//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + k_2 xi_2)
+//!   u = sum_j gain_j x_j
+//!   gain_j = r_1^-(n+1-j) row_j
+//!   row_j = -1/(j-1)! sum_{i=j..n+1} k_i (i-1)! [z^(i-1)] p(z)^(j-1), with k_(n+1) = 1
+//!   p(z) = z + sum_{l>=2} r_l/(r_1 l!) z^l, where [z^i] takes the coefficient of z^i
 //!
-//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
-//! |u| <= u_max always (status SATURATED where u was clipped).
-//! Guard full: every input and pointer is checked.
-//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
-//!       (-ffp-contract=off).
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off) and with the same
+//!       mathematical library.
 //!
-//! Checks of the design (ptc-codegen check tells more):
+//! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: exp_sum is of class M for all its parameters.
 //!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
 //!   sampling: not checked: `sample_time` is not given.
 //!   deadline: not checked: `error` is not given.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step: 34 + - or comparison, 50 *, 5 /, 0 sqrt, 5 calls, one round of the
-//!       iteration.
-//! Latencies added up: x86-64 about 706 cycles, Cortex-M4F about 904 cycles.
+//! Operations of one step, without input checks and clipping: 34 additions or comparisons, 50
+//!       multiplications, 5 divisions, 5 function calls. One round of the iteration is
+//!       counted; it takes at most 12.
+//! ```
 #![forbid(unsafe_code)]
 
-/// How a valid u came about.
+/// Status of a valid u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// Tracking: u is that of the law.
@@ -62,7 +76,7 @@ pub enum Status {
     Hold,
     /// |u| was clipped to u_max; wins over `Hold` and `After`.
     Saturated,
-    /// The deadline is over, and what was chosen for then gives u.
+    /// The deadline is over: u is 0 or that of the user-defined law.
     After,
 }
 
@@ -71,7 +85,7 @@ pub enum Status {
 pub struct Control<R = f64> {
     /// Input of the plant.
     pub u: R,
-    /// How it came about.
+    /// Its status.
     pub status: Status,
 }
 
@@ -98,7 +112,7 @@ impl core::fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// A controller of the plant x1' = x2, ..., xN' = u.
+/// A controller of a chain of N integrators.
 pub trait Controller<const N: usize> {
     /// Floating-point type.
     type Real;
@@ -148,17 +162,17 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum2Params {
-    /// prescribed settling time, unit s, finite, > 0.
+    /// Prescribed settling time, in s; finite, > 0.
     pub tau: f64,
-    /// start time, unit s, finite.
+    /// Start time, in s; finite.
     pub t0: f64,
-    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; > 0, < tau.
     pub eps: f64,
-    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// rates a_i of stretched time, unit 1/s, finite, > 0.
+    /// Rates a_i of stretched time, finite, > 0; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
     pub rates: [f64; 2],
-    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
     pub k: [f64; 2],
 }
 
@@ -176,7 +190,7 @@ pub struct PtcExpSum2 {
     tau: f64,
     /// t0 + tau, rounded
     deadline: f64,
-    /// what the rounding of t0 + tau left out
+    /// low part of t0 + tau (compensated sum)
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
@@ -392,7 +406,7 @@ if u > self.u_max {
         if u < -self.u_max {
             return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
         let margin = (u - u) - late;
         if margin > self.eps {
             Ok(Control { u, status: Status::Ok })
@@ -403,8 +417,8 @@ if u > self.u_max {
         }
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
-    /// round otherwise than `step` does.
+    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
+    /// from that of `step` in the last bits.
     ///
     /// # Errors
     /// `Input`: `t` is not finite or lies before the start.

@@ -1,10 +1,20 @@
 //! Prescribed-time controller ptc_tan5: order n = 5, mapping tan.
 //!
+//! ```text
 //! DO NOT EDIT. Made by:
 //!   ptc-codegen emit --lang rust --n 5 --mu tan
 //! Version 0.1.0.
 //!
-//! It brings x1' = x2, ..., xn' = u to rest at the time t0 + tau (x in unit, unit/s, ...).
+//! Plant: x1' = x2, ..., x5' = f + u. Time in s, x1 in any unit U, x2 in U/s, ..., x5 in
+//!       U/s^4, u in U/s^5.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
 //!   tau: prescribed settling time [s], finite, > 0
@@ -12,12 +22,14 @@
 //!   eps: time-to-go at which the gains are held [s], > 0, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
 //!   a: rate of stretched time [1/s], finite, > 0
-//!   k: gains k_i of pi0 = -sum k_i xi_i [s^(i-1-n)], finite
+//!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
+//!       k_5 [1/s]
 //!
-//! Time mapping (T = t0 + tau - t is the time-to-go, Dt = t - t0 the elapsed time):
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
 //!   mu(t)     = (2*tau/pi)*atan(a*t)
 //!   kappa(Dt) = cot(th)/a, th = pi*T/(2*tau)
-//!   atoms: y = cot(th), V = 1/(1 + y^2)
+//!   in terms of y = cot(th), V = 1/(1 + y^2)
 //! Derivatives r_k = mu^(k)(kappa(Dt)):
 //!   r_k = (-1)^(k-1) (k-1)! (2*tau/pi) a^k sin(k*th) sin(th)^k
 //!   r_1 = 2*pi^-1*tau*a*V
@@ -25,7 +37,7 @@
 //!   r_3 = 12*pi^-1*tau*a^3*y^2*V^3 - 4*pi^-1*tau*a^3*V^3
 //!   r_4 = 48*pi^-1*tau*a^4*y*V^4 - 48*pi^-1*tau*a^4*y^3*V^4
 //!   r_5 = -480*pi^-1*tau*a^5*y^2*V^5 + 240*pi^-1*tau*a^5*y^4*V^5 + 48*pi^-1*tau*a^5*V^5
-//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n:
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
 //!   B_{0,0} = 1
 //!   B_{1,1} = 2*pi^-1*tau*a*V
 //!   B_{2,1} = -4*pi^-1*tau*a^2*y*V^2
@@ -42,12 +54,12 @@
 //!   B_{5,3} = 960*pi^-3*tau^3*a^5*y^2*V^5 - 160*pi^-3*tau^3*a^5*V^5
 //!   B_{5,4} = -320*pi^-4*tau^4*a^5*y*V^5
 //!
-//! Law, Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x)
-//!   pi0 = -(k_1 xi_1 + ... + k_n xi_n)
-//!   g   = 1
-//!   u = (sum_j gain_j x_j)/g
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + ... + k_5 xi_5)
+//!   u = sum_j gain_j x_j
 //!   gain_j = row_j
-//!   K_i = k_i/(a)^(n+1-i)
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
 //!   row_1 = -K1*slope^5
 //!   row_2 = -16*pi^-4*tau^4*K2*cot_rate^8 + 16*pi^-3*tau^3*K3*cot_rate^7 -
 //!       16*pi^-2*tau^2*K2*cot_rate^6 - 24*pi^-2*tau^2*K4*cot_rate^6 +
@@ -67,24 +79,26 @@
 //!   cot_rate = (pi/(2*tau))*y = (pi/(2*tau))*cot(th)
 //!   slope = (pi/(2*tau))*(1 + y^2) = kappa'/a
 //!
-//! From t0 + tau - eps on, T is held at eps (status HOLD): the gains stay, u stays valid.
-//! |u| <= u_max always (status SATURATED where u was clipped).
-//! Guard full: every input and pointer is checked.
-//! Precision f64 (IEEE 754 binary64). Equal bits everywhere need no fused multiply-add
-//!       (-ffp-contract=off).
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
-//! Checks of the design (ptc-codegen check tells more):
+//! Checks of the design (details: ptc-codegen check):
 //!   membership: sound: tan is of class M for all its parameters.
 //!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
 //!   sampling: not checked: `sample_time` is not given.
 //!   deadline: not checked: `error` is not given.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step: 44 + - or comparison, 52 *, 1 /, 0 sqrt, 0 calls.
-//! Latencies added up: x86-64 about 398 cycles, Cortex-M4F about 110 cycles.
+//! Operations of one step, without input checks and clipping: 44 additions or comparisons, 52
+//!       multiplications, 1 division.
+//! ```
 #![forbid(unsafe_code)]
 
-/// How a valid u came about.
+/// Status of a valid u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// Tracking: u is that of the law.
@@ -93,7 +107,7 @@ pub enum Status {
     Hold,
     /// |u| was clipped to u_max; wins over `Hold` and `After`.
     Saturated,
-    /// The deadline is over, and what was chosen for then gives u.
+    /// The deadline is over: u is 0 or that of the user-defined law.
     After,
 }
 
@@ -102,7 +116,7 @@ pub enum Status {
 pub struct Control<R = f64> {
     /// Input of the plant.
     pub u: R,
-    /// How it came about.
+    /// Its status.
     pub status: Status,
 }
 
@@ -129,7 +143,7 @@ impl core::fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// A controller of the plant x1' = x2, ..., xN' = u.
+/// A controller of a chain of N integrators.
 pub trait Controller<const N: usize> {
     /// Floating-point type.
     type Real;
@@ -151,17 +165,17 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTan5Params {
-    /// prescribed settling time, unit s, finite, > 0.
+    /// Prescribed settling time, in s; finite, > 0.
     pub tau: f64,
-    /// start time, unit s, finite.
+    /// Start time, in s; finite.
     pub t0: f64,
-    /// time-to-go at which the gains are held, unit s, > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; > 0, < tau.
     pub eps: f64,
-    /// bound of |u|, unit unit of u, > 0, infinity allowed.
+    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// rate of stretched time, unit 1/s, finite, > 0.
+    /// Rate of stretched time, in 1/s; finite, > 0.
     pub a: f64,
-    /// gains k_i of pi0 = -sum k_i xi_i, unit s^(i-1-n), finite.
+    /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
     pub k: [f64; 5],
 }
 
@@ -181,7 +195,7 @@ pub struct PtcTan5 {
     t0: f64,
     /// t0 + tau, rounded
     deadline: f64,
-    /// what the rounding of t0 + tau left out
+    /// low part of t0 + tau (compensated sum)
     correction: f64,
     /// time-to-go at which the gains are held
     eps: f64,
@@ -468,7 +482,7 @@ if u > self.u_max {
         if u < -self.u_max {
             return Ok(Control { u: -self.u_max, status: Status::Saturated });
         }
-        // Time-to-go, or NaN where u is not finite: one comparison tells tracking.
+        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
         let margin = (u - u) - late;
         if margin > self.eps {
             Ok(Control { u, status: Status::Ok })
@@ -479,8 +493,8 @@ if u > self.u_max {
         }
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. `tick` and `axis`
-    /// round otherwise than `step` does.
+    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
+    /// from that of `step` in the last bits.
     ///
     /// # Errors
     /// `Input`: `t` is not finite or lies before the start.

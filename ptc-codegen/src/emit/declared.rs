@@ -32,14 +32,14 @@ pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Declared> {
                 (text.clone(), text)
             }
             Parameter::M => {
-                (format!("{meaning} [1], {domain}"), format!("{meaning}, dimensionless, {domain}"))
+                (format!("{meaning} [1], {domain}"), format!("{meaning}, dimensionless; {domain}"))
             }
             Parameter::UMax => (
                 format!("{meaning} [{unit}], {domain}"),
-                format!("{meaning} in the {unit}, {domain}"),
+                format!("{meaning}, in the {unit}; {domain}"),
             ),
             _ => {
-                (format!("{meaning} [{unit}], {domain}"), format!("{meaning} in {unit}, {domain}"))
+                (format!("{meaning} [{unit}], {domain}"), format!("{meaning}, in {unit}; {domain}"))
             }
         };
         let length = first.index().map(|_| group.len());

@@ -68,13 +68,13 @@ fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
 /// The closed forms of a family.
 fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
     let shown = spec.n.min(SHOWN);
-    let mut lines = vec![
-        format!("  mu(t)     = {}", info.mu),
-        format!("  kappa(Dt) = {}", info.kappa),
-        format!("  in terms of {}", info.atoms),
-        "Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned(),
-        format!("  r_k = {}", info.r),
-    ];
+    let mut lines =
+        vec![format!("  mu(t)     = {}", info.mu), format!("  kappa(Dt) = {}", info.kappa)];
+    if info.atoms != "T = time-to-go" {
+        lines.push(format!("  in terms of {}", info.atoms));
+    }
+    lines.push("Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned());
+    lines.push(format!("  r_k = {}", info.r));
     let forms = spec.closed_forms();
     let r = forms.map_or_else(|| expansion::r(ring, shown), |forms| forms.r[..shown].to_vec());
     for (index, r) in r.iter().enumerate() {
