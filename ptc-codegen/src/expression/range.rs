@@ -56,6 +56,14 @@ impl Range {
         0.5 * self.low + 0.5 * self.high
     }
 
+    pub(crate) fn is_negative(self) -> bool {
+        self.high < 0.0
+    }
+
+    pub(crate) fn has_zero(self) -> bool {
+        self.low <= 0.0 && self.high >= 0.0
+    }
+
     pub(crate) fn is_positive(self) -> bool {
         self.low > 0.0
     }
@@ -120,6 +128,12 @@ impl Neg for Range {
 impl Add for Range {
     type Output = Self;
     fn add(self, other: Self) -> Self {
+        let zero = Self::from(0.0);
+        match () {
+            () if self == zero => return other,
+            () if other == zero => return self,
+            () => {}
+        }
         Self::new(self.low + other.low, self.high + other.high)
     }
 }

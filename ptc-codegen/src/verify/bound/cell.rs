@@ -17,17 +17,19 @@ use crate::expression::range::Range;
 /// Derivatives of x_1 beyond that of g u: cells are as wide as a Taylor series of as many allows.
 pub(super) const BEYOND: usize = 6;
 
-/// What is known of the loop over a cell: x_1..x_n and g u, each by its slope along x_1..x_n at t0, and
-/// what f adds.
+/// What is known of the loop over a cell: x_1..x_n and g u, each by its slope along x_1..x_n at t0.
 pub(super) struct Cell {
     /// Least and greatest T/tau.
     pub(super) share: [BigRational; 2],
     /// Half its width.
     pub(super) half: Range,
-    /// In the middle, and their derivatives there; f counts as what it adds anywhere in the cell.
+    /// In the middle, and their derivatives there.
     pub(super) middle: [Rows; 2],
     /// All over the cell, with the first and the second derivative.
     pub(super) over: [Rows; 3],
+    /// What f adds to each at the least T/tau and at the greatest, with what it may add beyond both
+    /// between them; none where f is 0.
+    pub(super) added: Option<[Vec<Range>; 2]>,
 }
 
 /// The loop in units of tau.
@@ -41,6 +43,8 @@ pub(super) struct Loop {
     left: usize,
     /// The middle of f and its distance from there, where it is not 0.
     drift: Option<[Range; 2]>,
+    /// What f adds at the T/tau that were asked for.
+    driven: BTreeMap<BigRational, Rc<Vec<Range>>>,
     pub(super) sources: Vec<Source>,
 }
 
@@ -58,8 +62,9 @@ impl Loop {
             let row = (0..n).map(entry).collect();
             start.push(row);
         }
-        let (cells, left, sources) = (BTreeMap::new(), cells, Vec::new());
-        Some(Self { n, flow, clock, start, cells, left, drift: None, sources })
+        let (drift, driven, sources) = (None, BTreeMap::new(), Vec::new());
+        let (known, left) = (BTreeMap::new(), cells);
+        Some(Self { n, flow, clock, start, cells: known, left, drift, driven, sources })
     }
 
     /// The same with an f between two bounds, in a run to `until`.
@@ -104,39 +109,69 @@ impl Loop {
         let rows = self.flow.derivatives(&wide, &over_cell, of_cell);
         let moved = Range::from(&point.plus(&wide.neg()));
         let rows = by_series(&centre, rows, moved);
+        let n = self.n;
+        let half = match low == high {
+            true => Range::from(0.0),
+            false => Range::from(&Interval::exact(&((high - low) / integer(2)))),
+        };
         let added = match self.drift {
-            None => vec![Range::from(0.0); rows.len()],
-            Some([drift, most]) => {
-                let Response { mut signed, mut size } = self.response(&middle, &here, &at_point)?;
-                let (last, at_once) = self.response_over(share, (&here, around), &over_cell)?;
-                let end = rows.len() - 1;
-                (signed[end], size[end]) = (last.both_signs(), last);
-                for i in (0..end).rev() {
-                    signed[i] = signed[i] + moved * (at_once[i] + signed[i + 1]);
-                    size[i] = size[i] + moved.size() * (at_once[i].size() + size[i + 1]);
-                }
-                let one =
-                    |(signed, size): (Range, Range)| drift * signed + (most * size).both_signs();
-                signed.into_iter().zip(size).map(one).collect()
+            None => None,
+            Some(drift) => {
+                let rest = self.beyond(drift, (share, half), (&here, around), over_cell)?;
+                let with = |ends: &[Range]| {
+                    ends.iter().zip(&rest).map(|(end, rest)| *end + *rest).collect()
+                };
+                let [last, first] = [self.added_at(low)?, self.added_at(high)?];
+                Some([with(&last), with(&first)])
             }
         };
-        let n = self.n;
-        let with = |rows: &Rows, from: usize, added: &dyn Fn(usize) -> Range| -> Rows {
-            let row = |i: usize| [&rows[i][..], &[added(i)]].concat();
-            (from..=n + from).map(row).collect()
-        };
-        let (all, none) = (|i: usize| added[i], |_| Range::from(0.0));
-        let half = if low == high {
-            Range::from(0.0)
-        } else {
-            Range::from(&Interval::exact(&((high - low) / integer(2))))
-        };
+        let from = |rows: &Rows, first: usize| rows[first..=n + first].to_vec();
         Some(Cell {
             share: share.clone(),
             half,
-            middle: [with(&centre, 0, &all), with(&centre, 1, &none)],
-            over: [with(&rows, 0, &all), with(&rows, 1, &none), with(&rows, 2, &none)],
+            middle: [from(&centre, 0), from(&centre, 1)],
+            over: [from(&rows, 0), from(&rows, 1), from(&rows, 2)],
+            added,
         })
+    }
+
+    /// What f adds to x_1..x_n and g u at one T/tau.
+    fn added_at(&mut self, share: &BigRational) -> Option<Rc<Vec<Range>>> {
+        if let Some(known) = self.driven.get(share) {
+            return Some(known.clone());
+        }
+        let [drift, most] = self.drift?;
+        let here = self.clock.stretched(share)?;
+        let mut table = self.table(&Interval::exact(share), &here)?;
+        table.truncate(self.n + 1);
+        let Response { signed, size } = self.response(share, &here, &table)?;
+        let one = |(signed, size): (Range, Range)| drift * signed + (most * size).both_signs();
+        let added = Rc::new(signed.into_iter().zip(size).map(one).collect::<Vec<_>>());
+        self.driven.insert(share.clone(), added.clone());
+        Some(added)
+    }
+
+    /// What f may add within a cell beyond what it adds at its ends. With the kernel G of x_i, for s
+    /// before the cell G(t, s) is within h^2/2 |G''| of what is linear between the ends, of which the
+    /// integral of the size is greatest at one of them. What acts within the cell adds at most |G|
+    /// there over 2 h, once to what is left and once to what an end has of it.
+    fn beyond(
+        &mut self,
+        [drift, most]: [Range; 2],
+        (share, half): (&[BigRational; 2], Range),
+        around: (&Interval, Range),
+        table: Rows,
+    ) -> Option<Vec<Range>> {
+        if half == Range::from(0.0) {
+            return Some(vec![half; self.n + 1]);
+        }
+        let (bent, within) = self.response_over(share, around, table)?;
+        let all = drift.size() + most.size();
+        let one = |(bent, within): (&Range, &Range)| {
+            let bent = Range::from(0.5) * half * half * *bent;
+            (all * (bent + Range::from(4.0) * half * *within)).both_signs()
+        };
+        Some(bent.iter().zip(&within).map(one).collect())
     }
 
     /// B_{i,j} w^i, for x_1 and its derivatives.

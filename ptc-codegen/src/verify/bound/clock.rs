@@ -136,42 +136,43 @@ impl Clock {
         &mut self,
         share: &Interval,
         stretched: &Interval,
-    ) -> Option<Vec<Interval>> {
+    ) -> Option<Vec<Range>> {
         let length = self.order + 1;
-        let unit = |first: i64, second: i64| -> Vec<Interval> {
+        let unit = |first: f64, second: f64| -> Vec<Range> {
             let of = |k: usize| {
-                Interval::integer(match k {
+                Range::from(match k {
                     0 => first,
                     1 => second,
-                    _ => 0,
+                    _ => 0.0,
                 })
             };
             (0..length).map(of).collect()
         };
         let form = self.form.clone();
-        let terms = match form {
+        let terms: Vec<Range> = match form {
             Form::Kappa(kappa) => {
-                let series = Series { scale: share.clone(), terms: unit(1, -1) };
-                let left = Series { scale: Interval::integer(1), terms: unit(1, -1) };
+                let series = Series { scale: Range::from(share), terms: unit(1.0, -1.0) };
+                let left = Series { scale: Range::from(1.0), terms: unit(1.0, -1.0) };
                 let (names, evaluator) = (&self.names, &mut self.evaluator);
                 let variable = Variable::TimeToGo;
                 let rate = Arithmetic { variable, series, names, evaluator }.series(&kappa.rate)?;
                 // w kappa' = 1/((1 - z) rate), with T (1 - z) in place of T.
                 let slope = rate.times(&left).reciprocal().plain();
-                let term = |(k, slope): (i64, &Interval)| slope.over(&Interval::integer(k));
+                let term = |(k, slope): (u32, &Range)| *slope / Range::from(f64::from(k));
                 (1..).zip(&slope[..self.order]).map(term).collect()
             }
             Form::Complement(form) => {
-                let mut around = unit(0, 1);
-                around[0] = stretched.over(&self.rate);
-                let series = Series { scale: Interval::integer(1), terms: around };
+                let mut around = unit(0.0, 1.0);
+                around[0] = Range::from(&stretched.over(&self.rate));
+                let series = Series { scale: Range::from(1.0), terms: around };
                 let (names, evaluator) = (&self.names, &mut self.evaluator);
                 let variable = Variable::SinceStart;
                 let falls = Arithmetic { variable, series, names, evaluator }.series(&form)?;
-                reversed(&falls.neg().plain(), share)
+                reversed(&falls.neg().plain(), &Range::from(share))
             }
         };
-        Some(terms.iter().map(|term| term.times(&self.rate)).collect())
+        let rate = Range::from(&self.rate);
+        Some(terms.iter().map(|term| *term * rate).collect())
     }
 
     /// B_{i,j}(kappa', kappa'', ...) w^i for 0 <= j <= i <= order, which BB\[mu\] is made of; none
@@ -179,7 +180,7 @@ impl Clock {
     pub(super) fn bell(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
         let derivatives = self.derivatives(share, stretched)?;
         let mut series = vec![Range::from(0.0)];
-        series.extend(derivatives.iter().map(Range::from));
+        series.extend(derivatives);
         if !series[1].is_positive() || !series.iter().all(|entry| entry.is_bounded()) {
             return None;
         }
@@ -202,17 +203,17 @@ impl Clock {
 }
 
 /// The series of q in z for which sum_l m_l q^l = w z, l >= 1, from the order 1 on.
-fn reversed(m: &[Interval], w: &Interval) -> Vec<Interval> {
-    let zero = Interval::integer(0);
-    let mut q = vec![zero.clone(); m.len()];
-    q[1] = w.over(&m[1]);
+fn reversed(m: &[Range], w: &Range) -> Vec<Range> {
+    let zero = Range::from(0.0);
+    let mut q = vec![zero; m.len()];
+    q[1] = *w / m[1];
     for k in 2..m.len() {
-        let (mut power, mut sum) = (q.clone(), zero.clone());
+        let (mut power, mut sum) = (q.clone(), zero);
         for m in &m[2..=k] {
             power = product(&power, &q);
-            sum = sum.plus(&m.times(&power[k]));
+            sum = sum + *m * power[k];
         }
-        q[k] = sum.over(&m[1]).neg();
+        q[k] = -(sum / m[1]);
     }
     q.split_off(1)
 }

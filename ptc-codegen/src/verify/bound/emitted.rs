@@ -20,9 +20,9 @@ use crate::program::{Input, Program, number, passes};
 use crate::spec::{Fixed, Parameter, Spec, What};
 
 /// Cells at which the program may be looked at.
-const MOST: usize = 4000;
+const MOST: usize = 20_000;
 
-/// A cell is halved until T in it changes by less than one part of as many.
+/// A cell is halved until T/tau and tau change by less than one part of as many in it.
 const NARROW: i64 = 256;
 
 /// The emitted program over the envelope.
@@ -46,21 +46,23 @@ impl Emitted {
             let Some((share, tau)) = left.pop() else {
                 return Ok(Self { precision: precision.name(), errors });
             };
-            if &tau[1] * integer(8) > &tau[0] * integer(9) {
-                left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
-                continue;
-            }
+            let wide = |[low, high]: &[BigRational; 2]| (high - low) / low;
+            let (of_share, of_tau) = (wide(&share), wide(&tau));
+            let least = BigRational::new(1.into(), NARROW.into());
+            let narrow = of_share <= least && of_tau <= least;
             let what = match prover.states(&share, &tau) {
-                None => "x, which is not bounded,".to_owned(),
-                Some(states) => match over(&program, &spec, (&share, &tau), &states) {
+                // A wide cell whose rest is most of x gives a bound of no use.
+                Some((_, false)) if !narrow => None,
+                None => Some("x, which is not bounded,".to_owned()),
+                Some((states, _)) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {
                         errors.push((share, error));
                         continue;
                     }
-                    Err(what) => what,
+                    Err(what) => Some(what),
                 },
             };
-            if (&share[1] - &share[0]) * integer(NARROW) < share[1] {
+            if let (true, Some(what)) = (narrow, what) {
                 let name = precision.name();
                 let at = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
                 return Err(format!(
@@ -69,7 +71,11 @@ impl Emitted {
                     at(&tau[0])
                 ));
             }
-            left.extend(halved(&share).map(|share| (share, tau.clone())));
+            if of_share >= of_tau {
+                left.extend(halved(&share).map(|share| (share, tau.clone())));
+            } else {
+                left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
+            }
         }
         Err("the cells at which the emitted program may be looked at are used up".to_owned())
     }

@@ -84,8 +84,7 @@ impl Loop {
     fn impulse(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
         let slopes = self.clock.derivatives(share, stretched)?;
         let share = Range::from(1.0) / Range::from(share);
-        let slope =
-            |k: usize| Range::from(&slopes[k - 1]) * share.power(i32::try_from(k).unwrap_or(0));
+        let slope = |k: usize| slopes[k - 1] * share.power(i32::try_from(k).unwrap_or(0));
         let [one, two, three] = [slope(1), slope(2), slope(3)];
         let n = self.n;
         #[allow(clippy::cast_precision_loss)]
@@ -136,32 +135,33 @@ impl Loop {
         Some(response)
     }
 
-    /// A bound of the last derivative's over a cell of `share` around `here`, and the kernel of each
-    /// at the moment of f itself.
+    /// Over a cell of `share` around `here`: bounds of the integral of the size of the second
+    /// derivative of the kernel of each of x_1.. and g u, for what acts before the cell, and of the
+    /// size of each kernel for what acts within it.
     pub(super) fn response_over(
         &mut self,
         [low, high]: &[BigRational; 2],
         (here, around): (&Interval, Range),
-        table: &Rows,
-    ) -> Option<(Range, Vec<Range>)> {
+        mut table: Rows,
+    ) -> Option<(Vec<Range>, Vec<Range>)> {
+        table.truncate(self.n + 3);
         let count = self.sources.iter().take_while(|source| source.low >= *high).count();
         let edge = count.checked_sub(1).map_or(integer(1), |last| self.sources[last].low.clone());
+        let last = if edge > *high { Some(self.source(high, &edge)?) } else { None };
         let share = Interval::between(low, Some(high));
-        let end = table.len() - 1;
-        let mut most = Range::from(0.0);
-        for source in &self.sources[..count] {
+        let mut bent = vec![Range::from(0.0); self.n + 1];
+        for source in self.sources[..count].iter().chain(&last) {
             let series = self.flow.at(&here.plus(&source.middle.neg()), &source.series)?;
-            let kernels = self.flow.derivatives(&share, table, self.flow.on(&series, around)?);
-            most = most + source.integrals(&kernels[end])[1];
+            let kernels = self.flow.derivatives(&share, &table, self.flow.on(&series, around)?);
+            for (sum, kernel) in bent.iter_mut().zip(&kernels[2..]) {
+                *sum = *sum + source.integrals(kernel)[1];
+            }
         }
-        // What acts from the last edge on, up to any instant of the cell.
-        let (from, to) = (self.clock.stretched(&edge)?, self.clock.stretched(low)?);
-        let moment = self.impulse(&Interval::between(low, Some(&edge)), &from.hull(&to))?;
+        let (from, to) = (self.clock.stretched(high)?, self.clock.stretched(low)?);
+        let moment = self.impulse(&share, &from.hull(&to))?;
         let since = Range::from(&to.plus(&from.neg())).hull(Range::from(0.0));
-        let kernels = self.flow.derivatives(&share, table, self.flow.on(&moment, since)?);
-        let length = Range::from(&Interval::exact(&(edge - low)));
-        most = most + length * kernels[end][0].size();
-        let at_once = self.flow.derivatives(&share, table, moment);
-        Some((most, at_once.iter().map(|row| row[0]).collect()))
+        table.truncate(self.n + 1);
+        let kernels = self.flow.derivatives(&share, &table, self.flow.on(&moment, since)?);
+        Some((bent, kernels.iter().map(|row| row[0].size()).collect()))
     }
 }

@@ -164,12 +164,31 @@ impl Bounds {
         point
     }
 
-    /// What x_1..x_n are within over a cell of T/tau and one of tau; none where they are not bounded.
-    pub(super) fn states(&self, cell: &Cell, tau: &[BigRational; 2]) -> Option<Vec<[f64; 2]>> {
+    /// What x_1..x_n are within over a cell of T/tau and one of tau, and whether that is not much more
+    /// than in the middle of both; none where they are not bounded.
+    pub(super) fn states(
+        &self,
+        cell: &Cell,
+        tau: &[BigRational; 2],
+    ) -> Option<(Vec<[f64; 2]>, bool)> {
         let point = self.point(cell, tau);
-        let of_row = |i: usize| self.of_row(&point, i);
-        let one = |x: Range| x.is_bounded().then(|| [x.low(), x.high()]);
-        (0..self.n).map(of_row).map(one).collect()
+        let here = Range::from(&Interval::exact(&((&tau[0] + &tau[1]) / integer(2))));
+        let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
+        let middle = |i: usize| {
+            let scaled = |c: usize, entry: Range| entry * here.power(power(c) - power(i));
+            let entry = |c: usize| scaled(c, cell.middle[0][i][c]);
+            let added = cell.added.as_ref().map_or(Range::from(0.0), |at| at[0][i].hull(at[1][i]));
+            let row: Vec<_> = (0..self.n).map(entry).chain([scaled(self.n, added)]).collect();
+            self.along(&row).size().high()
+        };
+        let mut tight = true;
+        let one = |i: usize| {
+            let x = self.of_row(&point, i);
+            tight &= x.size().high() <= 2.0 * middle(i);
+            x.is_bounded().then(|| [x.low(), x.high()])
+        };
+        let states = (0..self.n).map(one).collect::<Option<_>>()?;
+        Some((states, tight))
     }
 
     /// The corners of a [`Point`]. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u
@@ -188,12 +207,22 @@ impl Bounds {
         };
         let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
         let entry = |(i, c): (usize, usize), (first, second): (Range, Range)| {
-            let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
-            let [over, slopes, bend] = [0, 1, 2].map(|k| cell.over[k][i][c].size());
-            if over == Range::from(0.0) {
-                // Nothing is what no f adds.
-                return over;
-            }
+            // What f adds stands at the end of the cell already.
+            let zero = Range::from(0.0);
+            let of_f = |at: &[Vec<Range>; 2]| {
+                (at[usize::from(!first.is_positive())][i], at[0][i].hull(at[1][i]))
+            };
+            let (middle, slope, [over, slopes, bend]) = match &cell.added {
+                _ if c < self.n => {
+                    let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
+                    (middle, slope, [0, 1, 2].map(|k| cell.over[k][i][c].size()))
+                }
+                Some(added) => {
+                    let (here, over) = of_f(added);
+                    (here, zero, [over.size(), zero, zero])
+                }
+                None => return zero,
+            };
             let q = power(c) - power(i);
             let [one, two] = [f64::from(q), f64::from(q) * f64::from(q - 1)].map(Range::from);
             let linear = (middle + first * slope) * here.power(q)

@@ -39,7 +39,7 @@ use crate::spec::{Feedback, Fixed, Parameter};
 const CELLS: usize = 6000;
 
 /// The same where an f is summed at each.
-const DRIVEN: usize = 1000;
+const DRIVEN: usize = 2000;
 
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
@@ -209,12 +209,12 @@ impl Prover {
         Ok(cell.and_then(|cell| self.bounds.holds(aim, &cell, tau, rounding)))
     }
 
-    /// What x_1..x_n are within over a cell; none where they are not bounded.
+    /// What x_1..x_n are within over a cell, and whether closely; none where they are not bounded.
     fn states(
         &mut self,
         share: &[BigRational; 2],
         tau: &[BigRational; 2],
-    ) -> Option<Vec<[f64; 2]>> {
+    ) -> Option<(Vec<[f64; 2]>, bool)> {
         let cell = self.closed.cell(share)??;
         self.bounds.states(&cell, tau)
     }

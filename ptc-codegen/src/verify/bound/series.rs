@@ -1,15 +1,15 @@
 //! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
 
+use crate::expression::range::Range;
 use crate::check::membership::enclosure::{Evaluator, Names};
-use crate::expression::interval::Interval;
 use crate::expression::{Expression, Function, Variable};
 
 /// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
 /// power of the variable stay single numbers, however wide the variable is.
 #[derive(Clone, Debug)]
 pub(super) struct Series {
-    pub(super) scale: Interval,
-    pub(super) terms: Vec<Interval>,
+    pub(super) scale: Range,
+    pub(super) terms: Vec<Range>,
 }
 
 /// The series around one point, in one variable.
@@ -20,83 +20,83 @@ pub(super) struct Arithmetic<'a> {
     pub(super) evaluator: &'a mut Evaluator,
 }
 
-fn integer(value: usize) -> Interval {
-    Interval::integer(i64::try_from(value).unwrap_or(i64::MAX))
+fn integer(value: usize) -> Range {
+    Range::from(f64::from(u32::try_from(value).unwrap_or(u32::MAX)))
 }
 
 /// sum_{j in range} weight(j) a_j b_(k-j).
 fn convolution(
-    (a, b): (&[Interval], &[Interval]),
+    (a, b): (&[Range], &[Range]),
     k: usize,
     range: std::ops::RangeInclusive<usize>,
-    weight: &dyn Fn(usize) -> Interval,
-) -> Interval {
-    let term = |j: usize| weight(j).times(&a[j].times(&b[k - j]));
-    range.map(term).fold(Interval::integer(0), |sum, term| sum.plus(&term))
+    weight: &dyn Fn(usize) -> Range,
+) -> Range {
+    let term = |j: usize| weight(j) * (a[j] * b[k - j]);
+    range.map(term).fold(Range::from(0.0), |sum, term| sum + term)
 }
 
-fn one(_: usize) -> Interval {
-    Interval::integer(1)
+fn one(_: usize) -> Range {
+    Range::from(1.0)
 }
 
 /// The product of two series, as long as the first.
-pub(super) fn product(a: &[Interval], b: &[Interval]) -> Vec<Interval> {
+pub(super) fn product(a: &[Range], b: &[Range]) -> Vec<Range> {
     (0..a.len()).map(|k| convolution((a, b), k, 0..=k, &one)).collect()
 }
 
 /// Term k of w with w' = a' v: (1/k) sum_j j a_j v_(k-j).
-fn next_term(a: &[Interval], v: &[Interval], k: usize) -> Interval {
-    convolution((a, v), k, 1..=k, &integer).over(&integer(k))
+fn next_term(a: &[Range], v: &[Range], k: usize) -> Range {
+    convolution((a, v), k, 1..=k, &integer) / integer(k)
 }
 
 /// Term k of w with w' v = a': (a_k - (1/k) sum_{j<k} j w_j v_(k-j))/v_0.
-fn next_quotient(a: &[Interval], w: &[Interval], v: &[Interval], k: usize) -> Interval {
-    let sum = convolution((w, v), k, 1..=k - 1, &integer).over(&integer(k));
-    a[k].plus(&sum.neg()).over(&v[0])
+fn next_quotient(a: &[Range], w: &[Range], v: &[Range], k: usize) -> Range {
+    let sum = convolution((w, v), k, 1..=k - 1, &integer) / integer(k);
+    (a[k] - sum) / v[0]
 }
 
 impl Series {
-    fn constant(value: Interval, length: usize) -> Self {
-        let mut terms = vec![Interval::integer(0); length];
-        terms[0] = Interval::integer(1);
+    fn constant(value: Range, length: usize) -> Self {
+        let mut terms = vec![Range::from(0.0); length];
+        terms[0] = Range::from(1.0);
         Self { scale: value, terms }
     }
 
     /// The terms with the scale in them.
-    pub(super) fn plain(&self) -> Vec<Interval> {
-        self.terms.iter().map(|term| self.scale.times(term)).collect()
+    pub(super) fn plain(&self) -> Vec<Range> {
+        self.terms.iter().map(|term| self.scale * *term).collect()
     }
 
-    fn of(terms: Vec<Interval>) -> Self {
-        Self { scale: Interval::integer(1), terms }
+    fn of(terms: Vec<Range>) -> Self {
+        Self { scale: Range::from(1.0), terms }
     }
 
     pub(super) fn neg(self) -> Self {
-        Self { scale: self.scale.neg(), ..self }
+        Self { scale: -self.scale, ..self }
     }
 
     fn plus(&self, other: &Self) -> Self {
         let pairs = self.plain().into_iter().zip(other.plain());
-        Self::of(pairs.map(|(a, b)| a.plus(&b)).collect())
+        Self::of(pairs.map(|(a, b)| a + b).collect())
     }
 
     pub(super) fn times(&self, other: &Self) -> Self {
-        let scale = self.scale.times(&other.scale);
+        let scale = self.scale * other.scale;
         Self { scale, terms: product(&self.terms, &other.terms) }
     }
 
     /// Leading term, and the terms divided by it.
-    fn leading(&self) -> (Interval, Vec<Interval>) {
-        let first = &self.terms[0];
-        let mut terms: Vec<_> = self.terms.iter().map(|term| term.over(first)).collect();
-        terms[0] = Interval::integer(1);
-        (self.scale.times(first), terms)
+    fn leading(&self) -> (Range, Vec<Range>) {
+        let first = self.terms[0];
+        let mut terms: Vec<_> = self.terms.iter().map(|term| *term / first).collect();
+        terms[0] = Range::from(1.0);
+        (self.scale * first, terms)
     }
 
     pub(super) fn reciprocal(&self) -> Self {
         let (leading, terms) = self.leading();
-        let terms = power(&terms, &Interval::integer(-1));
-        Self { scale: Interval::integer(1).over(&leading), terms }
+        let terms = power(&terms, Range::from(-1.0));
+        Self { scale: Range::from(1.0) / leading, terms }
     }
 
     fn whole_power(&self, k: u32) -> Self {
@@ -110,11 +110,11 @@ impl Series {
 }
 
 /// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).
-fn power(a: &[Interval], p: &Interval) -> Vec<Interval> {
-    let mut terms = vec![Interval::integer(1)];
+fn power(a: &[Range], p: Range) -> Vec<Range> {
+    let mut terms = vec![Range::from(1.0)];
     for k in 1..a.len() {
-        let weight = |j| p.times(&integer(j)).plus(&integer(k - j).neg());
-        terms.push(convolution((a, &terms), k, 1..=k, &weight).over(&integer(k)));
+        let weight = |j| p * integer(j) - integer(k - j);
+        terms.push(convolution((a, &terms), k, 1..=k, &weight) / integer(k));
     }
     terms
 }
@@ -124,7 +124,7 @@ impl Arithmetic<'_> {
     pub(super) fn series(&mut self, e: &Expression) -> Option<Series> {
         use Expression as E;
         if !e.contains(self.variable) {
-            let value = self.evaluator.sound(e, self.names)?;
+            let value = Range::from(&self.evaluator.sound(e, self.names)?);
             return Some(Series::constant(value, self.series.terms.len()));
         }
         Some(match e {
@@ -141,8 +141,8 @@ impl Arithmetic<'_> {
                     Some(k) if k > 0 => a.whole_power(k.unsigned_abs()),
                     Some(k) => a.whole_power(k.unsigned_abs()).reciprocal(),
                     None => {
-                        let exponent = self.evaluator.sound(b, self.names)?;
-                        self.power(&a, &exponent)?
+                        let exponent = Range::from(&self.evaluator.sound(b, self.names)?);
+                        self.power(&a, exponent)?
                     }
                 }
             }
@@ -165,7 +165,7 @@ impl Arithmetic<'_> {
             }
             E::Call(Function::Sqrt, a) => {
                 let a = self.series(a)?;
-                self.power(&a, &Interval::integer(1).over(&Interval::integer(2)))?
+                self.power(&a, Range::from(0.5))?
             }
             E::Call(function, a) => {
                 let a = self.series(a)?;
@@ -174,54 +174,56 @@ impl Arithmetic<'_> {
         })
     }
 
-    fn power(&mut self, a: &Series, exponent: &Interval) -> Option<Series> {
+    fn power(&mut self, a: &Series, exponent: Range) -> Option<Series> {
         let (leading, terms) = a.leading();
-        let scale = leading.is_positive().then(|| self.evaluator.power(&leading, exponent))??;
-        Some(Series { scale, terms: power(&terms, exponent) })
+        let scale = leading
+            .is_positive()
+            .then(|| self.evaluator.power(&leading.into(), &exponent.into()))??;
+        Some(Series { scale: Range::from(&scale), terms: power(&terms, exponent) })
     }
 
     fn function(&mut self, function: Function, a: &Series) -> Option<Series> {
         if function == Function::Ln {
             let (leading, terms) = a.leading();
             let first =
-                leading.is_positive().then(|| self.evaluator.call(function, &leading))??;
-            let mut own = vec![first];
+                leading.is_positive().then(|| self.evaluator.call(function, &leading.into()))??;
+            let mut own = vec![Range::from(&first)];
             (1..terms.len()).for_each(|k| own.push(next_quotient(&terms, &own, &terms, k)));
             return Some(Series::of(own));
         }
         let inner = a.plain();
-        let at = &inner[0];
+        let at = inner[0];
         if let Function::Abs | Function::Sign = function {
             let sign = match () {
-                () if at.is_positive() => Interval::integer(1),
-                () if at.is_negative() => Interval::integer(-1),
+                () if at.is_positive() => Range::from(1.0),
+                () if at.is_negative() => Range::from(-1.0),
                 () => return None,
             };
             let sign = Series::constant(sign, inner.len());
             return Some(if function == Function::Abs { sign.times(a) } else { sign });
         }
-        let mut own = vec![self.evaluator.call(function, at)?];
+        let mut own = vec![Range::from(&self.evaluator.call(function, &at.into())?)];
         let length = 1..inner.len();
         // Term k of 1 + w^2 or 1 - w^2.
-        let square = |w: &[Interval], k: usize, minus: bool| {
+        let square = |w: &[Range], k: usize, minus: bool| {
             let square = convolution((w, w), k, 0..=k, &one);
-            let unit = Interval::integer(i64::from(k == 0));
-            unit.plus(&if minus { square.neg() } else { square })
+            let unit = Range::from(f64::from(u8::from(k == 0)));
+            unit + if minus { -square } else { square }
         };
         match function {
             Function::Exp => length.for_each(|k| own.push(next_term(&inner, &own, k))),
             Function::Sin | Function::Cos | Function::Sinh | Function::Cosh => {
                 // What each is the derivative of, up to sign.
                 let (partner, own_sign, sign) = match function {
-                    Function::Sin => (Function::Cos, 1, -1),
-                    Function::Cos => (Function::Sin, -1, 1),
-                    Function::Sinh => (Function::Cosh, 1, 1),
-                    _ => (Function::Sinh, 1, 1),
+                    Function::Sin => (Function::Cos, 1.0, -1.0),
+                    Function::Cos => (Function::Sin, -1.0, 1.0),
+                    Function::Sinh => (Function::Cosh, 1.0, 1.0),
+                    _ => (Function::Sinh, 1.0, 1.0),
                 };
-                let mut other = vec![self.evaluator.call(partner, at)?];
+                let mut other = vec![Range::from(&self.evaluator.call(partner, &at.into())?)];
                 for k in length {
-                    let next = next_term(&inner, &other, k).times(&Interval::integer(own_sign));
-                    other.push(next_term(&inner, &own, k).times(&Interval::integer(sign)));
+                    let next = next_term(&inner, &other, k) * Range::from(own_sign);
+                    other.push(next_term(&inner, &own, k) * Range::from(sign));
                     own.push(next);
                 }
             }
