@@ -165,16 +165,16 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "--plant=q"], &["--plant NAME=VALUE"]),
         (
             &["stage.toml", "--x0=1,0", "-o", "stage.toml/run.csv"],
-            &["cannot make the folder stage.toml"],
+            &["cannot write --out stage.toml/run.csv"],
         ),
-        (&["stage.toml", "--x0=1,0", "-o", "."], &["cannot write ."]),
+        (&["stage.toml", "--x0=1,0", "-o", "."], &["--out . is a folder"]),
         (
             &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
             &["`run.pdf` says no kind", ".svg or .png"],
         ),
         (
             &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],
-            &["cannot make the folder"],
+            &["cannot write"],
         ),
     ] {
         let (code, out, told) = run(&folder, arguments);

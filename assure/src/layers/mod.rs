@@ -1,5 +1,6 @@
 //! The layers, each in a file of its own.
 
+mod attack;
 mod campaign;
 mod command;
 mod comparison;
@@ -45,5 +46,6 @@ pub const LAYERS: &[Layer] = &[
     projects::LAYER,
     packages::LAYER,
     campaign::LAYER,
+    attack::LAYER,
     report::LAYER,
 ];

@@ -53,6 +53,12 @@ fn run(context: &Context) -> Result<Finding> {
         }
         Some(_) => row("advisories", "FAILED"),
     });
+    let lacks_database = advisories.as_ref().is_some_and(unreachable);
+    if lacks_database {
+        let note = "Advisories were NOT RUN: the database of RustSec cannot be fetched here, so that \
+                    nothing is known of faults found in the dependencies since.";
+        finding.notes.push(note.to_owned());
+    }
     finding.failures.extend(advisories.filter(|told| !unreachable(told)));
     let locked = Command::new("cargo")
         .current_dir(root)
@@ -68,8 +74,9 @@ fn run(context: &Context) -> Result<Finding> {
     seeded_licence(context, &mut finding)?;
     let controllers = reproduce(context, &mut finding)?;
     finding.summary = format!(
-        "{} packages of the lock file; {controllers} controllers, the same bytes in {} environments",
+        "{} packages of the lock file{}; {controllers} controllers, the same bytes in {} environments",
         packages(root)?,
+        if lacks_database { ", advisories NOT RUN" } else { "" },
         ENVIRONMENTS.len()
     );
     Ok(finding)

@@ -4,6 +4,7 @@ use std::io::{self, Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use std::{fmt, thread};
 
@@ -17,6 +18,10 @@ pub(super) const REFUSED: u8 = 3;
 
 /// Time between two looks at the child.
 const PAUSE: Duration = Duration::from_millis(5);
+
+/// How long the pipes of a child that has ended are read on: what it wrote is there, and a process
+/// that it started may hold them open for as long as it likes.
+const GRACE: Duration = Duration::from_secs(1);
 
 /// Last lines of a child that are told with an error.
 const SAID: usize = 12;
@@ -85,16 +90,22 @@ impl Wrong {
 }
 
 /// Runs `command` on `request` for at most `limit` and reads its answer. What it says to the user
-/// beside that goes to the standard error.
+/// beside that goes to the standard error. The request is one line; what it came by stays open until
+/// the child has ended, so that a child sees by its end that nobody waits for it any more.
 pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Result<Value, Wrong> {
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().map_err(Wrong::Start)?;
+    let (waits, waited_for) = channel::<()>();
     if let Some(mut input) = child.stdin.take() {
-        let request = request.to_owned();
-        // A child that reads nothing is told of by how it ends.
-        thread::spawn(move || input.write_all(request.as_bytes()));
+        let request = format!("{request}\n");
+        thread::spawn(move || {
+            // A child that reads nothing is told of by how it ends.
+            let _ = input.write_all(request.as_bytes());
+            // Ends when the other end is dropped, with what is returned below.
+            let _ = waited_for.recv();
+        });
     }
-    let (output, complaint) = (drain(child.stdout.take()), drain(child.stderr.take()));
+    let (output, complaint) = (Drain::of(child.stdout.take()), Drain::of(child.stderr.take()));
     let began = Instant::now();
     let status = loop {
         match child.try_wait() {
@@ -108,17 +119,17 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
             }
         }
     };
-    let output = output.recv().unwrap_or_default();
-    let said = || format!("{output}\n{}", complaint.recv().unwrap_or_default());
+    drop(waits);
+    let said = format!("{}\n{}", output.text(), complaint.text());
     if !status.success() {
         return Err(match status.code() {
-            _ if aborted(status) => Wrong::Aborted(said()),
-            Some(code) if code == i32::from(REFUSED) => Wrong::Refused(said()),
-            _ => Wrong::Ended(status, said()),
+            _ if aborted(status) => Wrong::Aborted(said),
+            Some(code) if code == i32::from(REFUSED) => Wrong::Refused(said),
+            _ => Wrong::Ended(status, said),
         });
     }
     let (answer, said): (Vec<_>, Vec<_>) =
-        said().lines().map(str::to_owned).partition(|line| line.starts_with(MARK));
+        said.lines().map(str::to_owned).partition(|line| line.starts_with(MARK));
     let read = |line: &String| serde_json::from_str(line.strip_prefix(MARK)?).ok();
     let answer = answer.first().and_then(read).ok_or_else(|| {
         let lines = answer.iter().chain(&said).cloned().collect::<Vec<_>>();
@@ -130,18 +141,37 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
     Ok(answer)
 }
 
-/// All that a pipe gives, read beside what else goes on so that the child never waits for it.
-fn drain(pipe: Option<impl Read + Send + 'static>) -> Receiver<String> {
-    let (sender, receiver) = channel();
-    thread::spawn(move || {
-        let mut bytes = Vec::new();
-        if let Some(mut pipe) = pipe {
-            let _ = pipe.read_to_end(&mut bytes);
-        }
-        // Nobody is left to read where the child was late.
-        let _ = sender.send(String::from_utf8_lossy(&bytes).into_owned());
-    });
-    receiver
+/// What a pipe gives, read beside what else goes on so that the child never waits for it.
+struct Drain {
+    bytes: Arc<Mutex<Vec<u8>>>,
+    ended: Receiver<()>,
+}
+
+impl Drain {
+    fn of(pipe: Option<impl Read + Send + 'static>) -> Self {
+        let (sender, ended) = channel();
+        let bytes = Arc::<Mutex<Vec<u8>>>::default();
+        let kept = Arc::clone(&bytes);
+        thread::spawn(move || {
+            let mut block = [0; 1 << 13];
+            if let Some(mut pipe) = pipe {
+                while let Ok(read @ 1..) = pipe.read(&mut block) {
+                    let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+                    kept.extend_from_slice(&block[..read]);
+                }
+            }
+            // Nobody is left to hear of it where the child was late.
+            let _ = sender.send(());
+        });
+        Self { bytes, ended }
+    }
+
+    /// All of it, of a child that has ended.
+    fn text(&self) -> String {
+        let _ = self.ended.recv_timeout(GRACE);
+        let bytes = self.bytes.lock().unwrap_or_else(PoisonError::into_inner);
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
 }
 
 #[cfg(unix)]
@@ -171,8 +201,23 @@ mod tests {
 
     #[test]
     fn an_answer_stands_in_its_own_line() {
-        let answer = shell("echo banner; cat >/dev/null; echo 'ptc-answer: [1]'; echo more");
+        let answer = shell("echo banner; read request; echo 'ptc-answer: [1]'; echo more");
         assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
+    }
+
+    #[test]
+    fn a_process_of_the_child_does_not_hold_up_the_answer() {
+        let began = Instant::now();
+        let answer = shell("sleep 30 & echo 'ptc-answer: [1]'");
+        assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
+        assert!(began.elapsed() < Duration::from_secs(15));
+    }
+
+    #[test]
+    fn the_request_stays_open_until_the_child_ends() {
+        // `timeout` ends a reader that waits on by 124.
+        let answer = shell("read request; timeout 0.3 cat; echo \"ptc-answer: [$?]\"");
+        assert_eq!(answer.expect("an answer"), serde_json::json!([124]));
     }
 
     #[test]

@@ -3,8 +3,9 @@
 //! It reads one request and writes one answer, in the words of [`super::postfix`]. D is the
 //! stretched-time derivative, the same in every ring: D p = sum over symbols s of dp/ds D s.
 
-use std::io::Read;
+use std::io;
 use std::process::ExitCode;
+use std::thread;
 
 use serde_json::{Value, json};
 use symbolica::prelude::*;
@@ -18,7 +19,13 @@ pub(crate) fn run() -> ExitCode {
     let symbols = Atoms;
     let _ = symbols.symbol(0);
     let mut request = String::new();
-    let read = std::io::stdin().read_to_string(&mut request).is_ok();
+    let read = io::stdin().read_line(&mut request).is_ok();
+    // Whoever asked keeps the pipe open: with its end, also by a signal that nothing can catch, there
+    // is nobody left to answer.
+    thread::spawn(|| {
+        let _ = io::copy(&mut io::stdin(), &mut io::sink());
+        std::process::exit(i32::from(REFUSED));
+    });
     let request: Value = serde_json::from_str(&request).unwrap_or_default();
     match answer(&request).filter(|_| read) {
         Some(answer) => {
