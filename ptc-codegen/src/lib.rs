@@ -17,6 +17,7 @@ pub mod emit;
 pub mod expansion;
 pub mod expression;
 pub mod law;
+pub mod limits;
 pub mod lower;
 pub mod mapping;
 pub mod plant;

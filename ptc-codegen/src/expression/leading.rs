@@ -4,6 +4,7 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
+use super::effort::{bounded, spend};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
@@ -150,6 +151,10 @@ impl Leading {
 
 /// The limit of an expression as `v` grows without bound.
 pub(crate) fn limit(expression: &Expression, v: Variable) -> Option<Limit> {
+    bounded(|| limit_of(expression, v))
+}
+
+fn limit_of(expression: &Expression, v: Variable) -> Option<Limit> {
     if let Some(found) = leading(expression, v) {
         return found.limit();
     }
@@ -211,6 +216,10 @@ fn inverted(expression: &Expression, to_go: Variable) -> Expression {
 
 /// The decay rate of what falls to 0 as `v` grows: -lim (ln f')'.
 pub(crate) fn decay_rate(falling: &Expression, v: Variable) -> Option<Expression> {
+    bounded(|| decay_rate_of(falling, v))
+}
+
+fn decay_rate_of(falling: &Expression, v: Variable) -> Option<Expression> {
     if let Some(term) = leading(falling, v) {
         let known = term.exact && ordering(&term.coefficient)?.is_ne();
         let falls = known && term.fast == 0 && term.tends()?.is_lt();
@@ -271,7 +280,7 @@ pub(crate) fn decay_rate_of_inverse(kappa: &Expression, to_go: Variable) -> Opti
 
 /// The leading term as `v` grows without bound; none where it is not found.
 pub(crate) fn leading(expression: &Expression, v: Variable) -> Option<Leading> {
-    term(expression, Walk { v, left: &Cell::new(MAX_STEPS) })
+    bounded(|| term(expression, Walk { v, left: &Cell::new(MAX_STEPS) }))
 }
 
 /// The variable, and how many steps are left: exponentials are looked at more than once.
@@ -285,6 +294,7 @@ fn term(expression: &Expression, walk: Walk<'_>) -> Option<Leading> {
     use Expression as E;
     let v = walk.v;
     walk.left.set(walk.left.get().checked_sub(1)?);
+    spend(expression.size())?;
     if !expression.contains(v) {
         return Some(Leading::constant(normal(expression)));
     }

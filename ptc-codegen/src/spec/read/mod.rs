@@ -19,9 +19,6 @@ use super::{
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
 use crate::lower::has_associated;
 
-/// Largest decimal exponent of a number.
-pub(crate) const MAX_EXPONENT: i32 = 400;
-
 /// The checks that may be allowed to fail.
 pub(super) const CHECKS: [&str; 5] = ["membership", "growth", "sampling", "deadline", "envelope"];
 
