@@ -35,7 +35,7 @@ Examples:
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
 
 Exit codes: 0 done, 1 a design is refused, an objective fails or --check found drift, 2 bad input or
-a place that cannot be written.";
+a place that cannot be written, 70 a fault of this program.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {

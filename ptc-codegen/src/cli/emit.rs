@@ -1,12 +1,13 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
 use std::fs;
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::measured::Measured;
 use ptc_codegen::emit::{File, Language};
+use ptc_codegen::limits::DESIGN;
 use ptc_codegen::spec::Spec;
 use ptc_codegen::{generate_measured, generate_selftest, generate_with_proof, project};
 
@@ -83,8 +84,8 @@ fn sources(
 /// What the table in `file` holds of the controller; nothing without a file.
 fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> {
     let Some(file) = file else { return Ok(Vec::new()) };
-    let text =
-        fs::read_to_string(file).map_err(|error| write::failed("cannot read", file, &error))?;
+    let text = fs::File::open(file).and_then(|file| io::read_to_string(file.take(DESIGN.most)));
+    let text = text.map_err(|error| write::failed("cannot read", file, &error))?;
     let mut table = Measured::table(&text).map_err(|wrong| {
         let help = "give a table as `cargo assure cost` writes it";
         Failure::because(format!("{} is no table of costs: {wrong}", file.display()), help)

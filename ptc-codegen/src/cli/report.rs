@@ -3,6 +3,9 @@
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 
+use ptc_codegen::diagnostic::visible;
+use ptc_codegen::internal::{INTERNAL, Internal};
+
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// Why the command did not succeed.
@@ -28,6 +31,13 @@ impl Failure {
     /// A check refuses the design.
     pub(crate) fn refused(notices: Vec<Notice>) -> Self {
         Self { exit: 1, notices }
+    }
+
+    /// The generator itself is at fault.
+    pub(crate) fn internal(fault: &Internal) -> Self {
+        let help = Some(Internal::HELP.to_owned());
+        let code = Some(INTERNAL);
+        Self { exit: 70, notices: vec![Notice { code, help, ..Notice::of(fault.to_string()) }] }
     }
 
     /// One thing went wrong that no flag's value is to blame for.
@@ -58,6 +68,21 @@ impl Notice {
     pub(crate) fn of(title: String) -> Self {
         Self { title, ..Self::default() }
     }
+
+    /// The same with what it quotes of inputs and paths written out where it could not be seen.
+    fn visible(&self) -> Self {
+        let text = |text: &String| visible(text).into_owned();
+        // A line of the title is ours, so that no input can add one.
+        let title = text(&self.title).replace('\n', "\\n");
+        Self {
+            code: self.code,
+            title,
+            quote: self.quote.as_ref().map(Quote::visible),
+            notes: self.notes.iter().map(text).collect(),
+            help: self.help.as_ref().map(text),
+            warns: self.warns,
+        }
+    }
 }
 
 /// A line with a part underlined: a flag with its value, or a line of a file.
@@ -73,6 +98,22 @@ pub(crate) struct Quote {
     pub(crate) label: &'static str,
 }
 
+impl Quote {
+    fn visible(&self) -> Self {
+        let Range { start, end } = self.range;
+        let part = |range: Range<usize>| visible(self.text.get(range).unwrap_or_default());
+        let (before, marked, after) =
+            (part(0..start), part(start..end), part(end..self.text.len()));
+        let file = self.file.as_ref();
+        Self {
+            file: file.map(|(path, line)| (visible(path).replace('\n', "\\n"), *line)),
+            text: format!("{before}{marked}{after}"),
+            range: before.len()..before.len() + marked.len(),
+            label: self.label,
+        }
+    }
+}
+
 /// Prints the notices.
 pub(crate) fn print(notices: &[Notice]) {
     let mut stderr = std::io::stderr().lock();
@@ -81,9 +122,16 @@ pub(crate) fn print(notices: &[Notice]) {
         || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
     let renderer = if plain { Renderer::plain() } else { Renderer::styled() };
     for notice in notices {
+        let notice = &notice.visible();
         // Where the standard error is closed there is nobody left to tell.
         let _ = writeln!(stderr, "{}\n", renderer.render(&[group(notice)]));
     }
+}
+
+/// Prints text that is not a notice of this program's.
+pub(crate) fn print_text(text: &str) {
+    // Where the standard error is closed there is nobody left to tell.
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
 fn group(notice: &Notice) -> Group<'_> {

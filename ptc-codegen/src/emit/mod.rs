@@ -27,6 +27,7 @@ pub use project::Project;
 
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::internal::fault;
 use crate::law::Law;
 use crate::program::{Op, Program, Value};
 use crate::selftest::SelfTest;
@@ -277,6 +278,11 @@ fn declared(spec: &Spec) -> Vec<Declared> {
         }
     }
     declared
+}
+
+/// The text of a template.
+fn text_of(rendered: askama::Result<String>) -> String {
+    rendered.unwrap_or_else(|error| fault(format!("a template could not be filled: {error}")))
 }
 
 /// Template text without trailing spaces and with one newline at its end.
