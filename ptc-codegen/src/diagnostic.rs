@@ -1,6 +1,12 @@
 //! What is told to a user whose input is wrong.
 
+use std::borrow::Cow;
 use std::fmt;
+
+use crate::limits::MESSAGES;
+
+/// Code of what is refused for its size, by a bound of [`crate::limits`].
+pub const LARGE: &str = "too-large";
 
 /// A place in the front end's own input: an index into a table that the front end keeps
 /// (byte ranges on the command line, spans in the macro). The library only hands it back.
@@ -75,12 +81,61 @@ impl Diagnostics {
     }
 }
 
+/// The first mistakes of many, and how many more there are.
+pub fn first(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let more = found.len().saturating_sub(MESSAGES.size());
+    found.truncate(MESSAGES.size());
+    if more > 0 {
+        found.push(Diagnostic {
+            code: "more",
+            key: String::new(),
+            place: None,
+            message: format!("{more} more"),
+            help: "mend these first".to_owned(),
+        });
+    }
+    found
+}
+
+/// Text as it may be shown: what would move the cursor, change colours or turn the order of
+/// writing is written out, as in `\u{1b}`. Line feeds and tabs stay.
+pub fn visible(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_hidden(c) { shown.extend(c.escape_unicode()) } else { shown.push(c) }
+    }
+    Cow::Owned(shown)
+}
+
+/// Whether a character is not seen but changes what is seen.
+fn is_hidden(c: char) -> bool {
+    let of_format = matches!(
+        c,
+        '\u{ad}'
+            | '\u{61c}'
+            | '\u{180e}'
+            | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}'
+            | '\u{feff}'
+            | '\u{fff9}'..='\u{fffb}'
+            | '\u{e0000}'..='\u{e007f}'
+    );
+    of_format || (c.is_control() && !matches!(c, '\n' | '\t'))
+}
+
 /// The legal name that `given` most likely meant: one at most a third of its letters off, else one
 /// that it begins or that begins it. A single letter is no typo of another.
 pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
     let rank = |name: &str| {
-        let distance = strsim::damerau_levenshtein(&given, name);
+        // No typo of a name is three times as long; the distance is computed in the product of both.
+        let comparable = given.len() <= 3 * name.len().max(3);
+        let distance =
+            if comparable { strsim::damerau_levenshtein(&given, name) } else { given.len() };
         let typo = given.len() > 1 && 3 * distance <= given.len().max(3);
         let prefix = given.len() >= 2 && (given.starts_with(name) || name.starts_with(&given));
         (typo || prefix).then(|| (!typo, distance, given.len().abs_diff(name.len())))
@@ -91,7 +146,19 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
 
 #[cfg(test)]
 mod tests {
-    use super::near_miss;
+    use super::{near_miss, visible};
+
+    #[test]
+    fn what_is_hidden_is_written_out() {
+        for (text, shown) in [
+            ("plain\ttext\nwith ü", "plain\ttext\nwith ü"),
+            ("\u{1b}[31mred", "\\u{1b}[31mred"),
+            ("\u{9b}2J\r", "\\u{9b}2J\\u{d}"),
+            ("a\u{202e}b\u{2066}", "a\\u{202e}b\\u{2066}"),
+        ] {
+            assert_eq!(visible(text), shown);
+        }
+    }
 
     #[test]
     fn near_misses() {

@@ -16,7 +16,9 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
 pub mod expression;
+pub mod internal;
 pub mod law;
+pub mod limits;
 pub mod lower;
 pub mod mapping;
 pub mod plant;
@@ -37,6 +39,7 @@ use check::examine::examine;
 use diagnostic::{Diagnostic, Diagnostics};
 use emit::measured::Measured;
 use emit::{Controller, File, Language, Project};
+use internal::guarded;
 use law::Law;
 use program::{Op, Program, number, passes};
 use spec::Spec;
@@ -104,10 +107,13 @@ pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
 
 /// What `emit` makes of the controller that `spec` asks for.
 fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
-    let report = examine(spec).accepted()?;
-    let law = Law::of(&report.spec);
-    let program = optimised(&report.spec, &law)?;
-    Ok(emit(&Controller { report: &report, law: &law, program: &program, measured: &[] }))
+    let work = || {
+        let report = examine(spec).accepted()?;
+        let law = Law::of(&report.spec);
+        let program = optimised(&report.spec, &law)?;
+        Ok(emit(&Controller { report: &report, law: &law, program: &program, measured: &[] }))
+    };
+    guarded(work).map_err(|fault| vec![fault.into()])?
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use ptc_codegen::design::explains_missing;
-use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::diagnostic::{Diagnostic, Place, first, visible};
 use ptc_codegen::mapping::FAMILIES;
 use ptc_codegen::spec::{self, Entry, Spec, Value};
 
@@ -17,6 +17,7 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
     found.retain(|wrong| wrong.code != "missing-key" || !unread(&wrong.key));
     found.extend(input.wrong.iter().cloned());
     found.sort_by_key(|wrong| (wrong.place.is_none(), wrong.place));
+    let found = first(found);
     let errors = found.iter().flat_map(|wrong| {
         let place = wrong.place.or_else(|| value_of(input, &wrong.key));
         let spot = place.and_then(|place| input.places.get(place.0));
@@ -32,7 +33,8 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
             "missing-key" => format!(", for example {}", example(&wrong.key)),
             _ => String::new(),
         };
-        compile_error(spans, &format!("{message}\nhelp: {}{example}", wrong.help))
+        let text = format!("{message}\nhelp: {}{example}", wrong.help);
+        compile_error(spans, &visible(&text))
     });
     let errors = errors.collect();
     let named = found.iter().all(|wrong| wrong.key != "name");

@@ -9,6 +9,7 @@ mod render;
 mod symbol;
 
 pub use poly::{Monomial, Poly};
+pub(crate) use rational::common_measure;
 pub use render::{latex, text};
 pub use symbol::{Kind, Symbol};
 

@@ -28,6 +28,14 @@ pub(super) fn add(sum: &mut BigRational, term: BigRational) {
     }
 }
 
+/// The greatest number of which both are integer multiples; of 0 all numbers are.
+pub(crate) fn common_measure(a: &BigRational, b: &BigRational) -> BigRational {
+    // In lowest terms, a prime that divides both numerators divides neither denominator.
+    let over = common(a.numer(), b.numer());
+    let under = (a.denom() / common(a.denom(), b.denom())) * b.denom();
+    BigRational::new_raw(over, under)
+}
+
 /// The greatest common divisor, by Euclid: one division brings a long number down to a short one.
 fn common(a: &BigInt, b: &BigInt) -> BigInt {
     if a.is_one() || b.is_one() {
@@ -44,6 +52,19 @@ fn common(a: &BigInt, b: &BigInt) -> BigInt {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_common_measure_divides_both_and_no_greater_one_does() {
+        let ratio = |p: i32, q: i32| BigRational::new(p.into(), q.into());
+        for (a, b, greatest) in [
+            (ratio(0, 1), ratio(-3, 4), ratio(3, 4)),
+            (ratio(6, 1), ratio(-4, 1), ratio(2, 1)),
+            (ratio(1, 6), ratio(3, 4), ratio(1, 12)),
+            (ratio(5, 1), ratio(1, 1), ratio(1, 1)),
+        ] {
+            assert_eq!(common_measure(&a, &b), greatest);
+        }
+    }
 
     #[test]
     fn the_same_as_the_plain_operators() {

@@ -3,6 +3,9 @@
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 
+use ptc_codegen::diagnostic::visible;
+use ptc_codegen::internal::{INTERNAL, Internal};
+
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// What the exit codes mean, in every subcommand.
@@ -11,7 +14,8 @@ Exit codes:
   0  done
   1  a check refuses the design, an objective fails, or --check finds files that differ
   2  bad input, or a place that cannot be read or written
-  3  undecided: nothing fails, but a check or an objective cannot be decided";
+  3  undecided: nothing fails, but a check or an objective cannot be decided
+  70 a fault of this program";
 
 /// The end of a help text, with the exit codes.
 pub(crate) fn with_exit_codes(examples: &str) -> String {
@@ -28,6 +32,8 @@ pub(crate) enum Exit {
     BadInput = 2,
     /// Nothing fails, but not everything could be decided.
     Undecided = 3,
+    /// A fault of this program.
+    Internal = 70,
 }
 
 /// Why the command did not succeed.
@@ -60,6 +66,14 @@ impl Failure {
         Self { exit: Exit::Undecided, notices }
     }
 
+    /// The generator itself is at fault.
+    pub(crate) fn internal(fault: &Internal) -> Self {
+        let help = Some(Internal::HELP.to_owned());
+        let code = Some(INTERNAL);
+        let notice = Notice { code, help, ..Notice::of(fault.to_string()) };
+        Self { exit: Exit::Internal, notices: vec![notice] }
+    }
+
     /// One thing went wrong that no flag's value is to blame for.
     pub(crate) fn because(title: String, help: &str) -> Self {
         let notice = Notice { help: Some(help.to_owned()), ..Notice::of(title) };
@@ -89,6 +103,21 @@ impl Notice {
     pub(crate) fn of(title: String) -> Self {
         Self { title, ..Self::default() }
     }
+
+    /// The same with what it quotes of inputs and paths written out where it could not be seen.
+    fn visible(&self) -> Self {
+        let text = |text: &String| visible(text).into_owned();
+        // A line of the title is ours, so that no input can add one.
+        let title = text(&self.title).replace('\n', "\\n");
+        Self {
+            code: self.code,
+            title,
+            quote: self.quote.as_ref().map(Quote::visible),
+            notes: self.notes.iter().map(text).collect(),
+            help: self.help.as_ref().map(text),
+            warns: self.warns,
+        }
+    }
 }
 
 /// A line with a part underlined: a flag with its value, or a line of a file.
@@ -107,7 +136,23 @@ pub(crate) struct Quote {
 /// Prints a line that nothing has to be done about.
 pub(crate) fn note(text: &str) {
     // Where the standard error is closed there is nobody left to tell.
-    let _ = writeln!(std::io::stderr(), "note: {text}");
+    let _ = writeln!(std::io::stderr(), "note: {}", visible(text));
+}
+
+impl Quote {
+    fn visible(&self) -> Self {
+        let Range { start, end } = self.range;
+        let part = |range: Range<usize>| visible(self.text.get(range).unwrap_or_default());
+        let (before, marked, after) =
+            (part(0..start), part(start..end), part(end..self.text.len()));
+        let file = self.file.as_ref();
+        Self {
+            file: file.map(|(path, line)| (visible(path).replace('\n', "\\n"), *line)),
+            text: format!("{before}{marked}{after}"),
+            range: before.len()..before.len() + marked.len(),
+            label: self.label,
+        }
+    }
 }
 
 /// Prints the notices.
@@ -118,9 +163,16 @@ pub(crate) fn print(notices: &[Notice]) {
         || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
     let renderer = if plain { Renderer::plain() } else { Renderer::styled() };
     for notice in notices {
+        let notice = &notice.visible();
         // Where the standard error is closed there is nobody left to tell.
         let _ = writeln!(stderr, "{}\n", renderer.render(&[group(notice)]));
     }
+}
+
+/// Prints text that is not a notice of this program's.
+pub(crate) fn print_text(text: &str) {
+    // Where the standard error is closed there is nobody left to tell.
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
 fn group(notice: &Notice) -> Group<'_> {

@@ -4,11 +4,13 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::design;
-use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place, first};
+use ptc_codegen::internal::INTERNAL;
+use ptc_codegen::limits::ENTRIES;
 use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
 
-use super::report::{Failure, Notice, Quote, quoted};
+use super::report::{Exit, Failure, Notice, Quote, quoted};
 
 /// The flags that were given, and the design file if there is one.
 #[derive(Clone, Debug, Default)]
@@ -141,6 +143,16 @@ impl Source {
     pub(crate) fn parse(&self) -> Parsed<'_> {
         let mut parsed =
             Parsed { source: self, places: Vec::new(), entries: Vec::new(), found: Vec::new() };
+        if !ENTRIES.admits(self.given.len()) {
+            parsed.found.push(Diagnostic {
+                code: LARGE,
+                key: String::new(),
+                place: None,
+                message: ENTRIES.exceeded("the command line", self.given.len()),
+                help: ENTRIES.fix.to_owned(),
+            });
+            return parsed;
+        }
         if let Some((_, text)) = &self.file {
             let (entries, found) = design::read(text, &mut |range| parsed.place(Spot::File(range)));
             let stands = |key: &str| self.given.iter().all(|flag| !rivals(&flag.key, whole(key)));
@@ -208,10 +220,15 @@ impl Parsed<'_> {
             Some(value) if all.is_empty() => Ok(value),
             _ => {
                 all.sort_by_key(|d| KEYS.iter().position(|info| info.key == root(&d.key)));
-                let notices = all.iter().map(|d| self.notice(d)).collect();
+                let internal = all.iter().any(|d| d.code == INTERNAL);
                 let refused = !all.is_empty() && all.iter().all(Diagnostic::refuses);
-                let failure = if refused { Failure::refused } else { Failure::bad_input };
-                Err(failure(notices))
+                let notices = first(all).iter().map(|d| self.notice(d)).collect();
+                let exit = match () {
+                    () if internal => Exit::Internal,
+                    () if refused => Exit::Failed,
+                    () => Exit::BadInput,
+                };
+                Err(Failure { exit, notices })
             }
         }
     }
@@ -252,9 +269,9 @@ impl Parsed<'_> {
                 let Flag { name, text, .. } = self.source.given.get(*index)?;
                 let before = name.len() + 2;
                 // A value is told on one line, whatever it holds; the bytes keep their places.
-                let text = text.replace(|c: char| c.is_ascii_control(), " ");
-                let range = before + range.start..before + range.end;
-                Some(Quote { file: None, text: format!("{name} \"{text}\""), range, label })
+                let line = format!("{name} \"{text}\"").replace(['\n', '\r', '\t'], " ");
+                let quote = design::Quote::new(&line, before + range.start..before + range.end);
+                Some(Quote { file: None, text: quote.text, range: quote.range, label })
             }
         }
     }

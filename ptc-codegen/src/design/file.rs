@@ -6,9 +6,7 @@ use std::path::Path;
 
 use super::UNREADABLE;
 use crate::diagnostic::Diagnostic;
-
-/// Most bytes of a design: what is longer is some other file.
-const MAX_BYTES: u64 = 1 << 20;
+use crate::limits::DESIGN;
 
 /// The text of the file at `path`.
 ///
@@ -16,7 +14,7 @@ const MAX_BYTES: u64 = 1 << 20;
 /// The file cannot be read, is no UTF-8, or is larger than a design can be.
 pub fn load(path: &Path) -> Result<String, Diagnostic> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
+    let read = File::open(path).and_then(|file| file.take(DESIGN.most + 1).read_to_end(&mut bytes));
     let wrong = |message: String, help: &str| Diagnostic {
         code: UNREADABLE,
         key: "file".to_owned(),
@@ -34,9 +32,8 @@ pub fn load(path: &Path) -> Result<String, Diagnostic> {
             let help = "give a design file, TOML that can be read";
             Err(wrong(format!("cannot read the design file {shown}: {error}"), help))
         }
-        Ok(read) if read as u64 > MAX_BYTES => {
-            let message = format!("the design file {shown} is larger than {MAX_BYTES} bytes");
-            Err(wrong(message, "a design is a page of TOML: this is some other file"))
+        Ok(read) if !DESIGN.admits(read) => {
+            Err(wrong(DESIGN.beyond(&format!("the design file {shown}")), DESIGN.fix))
         }
         Ok(_) => {
             // The mark that some editors put before UTF-8 would shift every column.

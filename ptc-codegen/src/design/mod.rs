@@ -26,6 +26,7 @@ pub use template::template;
 use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::limits::ENTRIES;
 use crate::spec::Entry;
 use reader::Reader;
 use statement::statements;
@@ -67,7 +68,18 @@ pub fn read(
 ) -> (Vec<Entry>, Vec<Diagnostic>) {
     let mut reader = Reader::new(text, place);
     let mut wrong = 0;
-    for statement in statements(text) {
+    let statements = statements(text);
+    if !ENTRIES.admits(statements.len()) {
+        let wrong = Diagnostic {
+            code: UNREADABLE,
+            key: "file".to_owned(),
+            place: None,
+            message: ENTRIES.exceeded("the design", statements.len()),
+            help: ENTRIES.fix.to_owned(),
+        };
+        return (Vec::new(), vec![wrong]);
+    }
+    for statement in statements {
         wrong += usize::from(statement.wrong.is_some());
         if wrong > MAX_SYNTAX {
             break;

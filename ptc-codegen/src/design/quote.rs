@@ -12,7 +12,7 @@ pub struct Quote {
     pub line: usize,
     /// Number of the character in the line, from 1.
     pub column: usize,
-    /// The line, without control characters; of a long one the part around the range.
+    /// The line, tabs as spaces; of a long one the part around the range.
     pub text: String,
     /// The range within `text`, as far as it is on this line.
     pub range: Range<usize>,
@@ -30,7 +30,7 @@ impl Quote {
         let from = (start - line_start).min(line.len());
         let to = floor(line, range.end.saturating_sub(line_start)).max(from);
         let window = floor(line, from.saturating_sub(WINDOW.0))..floor(line, from + WINDOW.1);
-        let text = line[window.clone()].replace(|c: char| c.is_ascii_control(), " ");
+        let text = line[window.clone()].replace('\t', " ");
         Self {
             line: source[..line_start].matches('\n').count() + 1,
             column: line[..from].chars().count() + 1,

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::statement::{Head, Statement, Word};
+use super::value::shorten;
 use super::{LISTED, SYNTAX, TABLES, canonical};
 use crate::diagnostic::{Diagnostic, Place, near_miss};
 use crate::spec::Entry;
@@ -18,6 +19,8 @@ pub(super) struct Reader<'a> {
     opened: Vec<&'static str>,
     /// Where each table of a list begins, and whether it has a line.
     listed: Vec<(Range<usize>, bool)>,
+    /// How many items the lists had so far.
+    pub(super) items: usize,
 }
 
 /// Where a line stands.
@@ -35,7 +38,8 @@ enum Section {
 impl<'a> Reader<'a> {
     pub(super) fn new(text: &'a str, place: &'a mut dyn FnMut(Range<usize>) -> Place) -> Self {
         let (entries, found, opened) = (Vec::new(), Vec::new(), Vec::new());
-        Self { text, place, found, entries, section: Section::Top, opened, listed: Vec::new() }
+        let (section, listed) = (Section::Top, Vec::new());
+        Self { text, place, found, entries, section, opened, listed, items: 0 }
     }
 
     pub(super) fn finish(mut self) -> (Vec<Entry>, Vec<Diagnostic>) {
@@ -103,7 +107,7 @@ impl<'a> Reader<'a> {
 
     /// `[table]`, or a `[[table]]` of which a design has one at most.
     fn table(&mut self, words: &[Word], open: &str, close: &str) {
-        let name = dotted(words);
+        let name = shorten(&dotted(words));
         let known = TABLES.into_iter().find(|table| *table == name);
         self.section = known.map_or(Section::Unknown, Section::Table);
         let at = range(words);
@@ -144,8 +148,9 @@ impl<'a> Reader<'a> {
             return None;
         }
         if let Some(word) = words.iter().find(|word| word.text.contains('.')) {
-            let message = format!("the key `{}` has a point inside quotes", word.text);
-            let help = format!("write `{} = ...` without quotes", word.text);
+            let shown = shorten(&word.text);
+            let message = format!("the key `{shown}` has a point inside quotes");
+            let help = format!("write `{shown} = ...` without quotes");
             self.wrong("unknown-key", &word.text, word.range.clone(), message, help);
             return None;
         }
@@ -158,10 +163,10 @@ impl<'a> Reader<'a> {
         match words {
             [_] => self.key(words),
             _ => {
-                let name = dotted(words);
+                let name = shorten(&dotted(words));
                 self.unknown_table(
                     &name,
-                    &format!("`{}`", dotted(&words[..words.len() - 1])),
+                    &format!("`{}`", shorten(&dotted(&words[..words.len() - 1]))),
                     range(words),
                 );
                 None

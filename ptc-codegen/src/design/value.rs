@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use super::reader::Reader;
 use super::template;
-use crate::diagnostic::Place;
+use crate::diagnostic::{LARGE, Place};
+use crate::limits::ITEMS;
 use crate::spec::{Fixed, KeyInfo, Node, Value, number, parse};
 
 /// A value as TOML knows it.
@@ -49,6 +50,15 @@ impl Reader<'_> {
     /// The value of `key`, unless it is none of a spec, which is told.
     pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
         let Kind::List(items) = toml.kind else { return self.item(key, toml) };
+        let before = self.items;
+        self.items += items.len();
+        if !ITEMS.admits(self.items) {
+            if ITEMS.admits(before) {
+                let message = ITEMS.exceeded("the design", self.items);
+                self.wrong(LARGE, key, toml.range, message, ITEMS.fix.to_owned());
+            }
+            return None;
+        }
         let mut nodes = Vec::new();
         let mut whole = true;
         for (index, item) in items.into_iter().enumerate() {

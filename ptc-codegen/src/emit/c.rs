@@ -5,7 +5,7 @@ use askama::Template;
 use super::acsl::{self, Contracts};
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, eva, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, eva, header, text_of, tidy};
 use crate::program::Input;
 use crate::spec::{After, Feedback, Guard, Precision, Spec, What};
 
@@ -59,7 +59,7 @@ fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let proof = annotated.then(|| eva::harness(controller, &frame, &externs));
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
         .into_iter()
-        .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
+        .map(|(name, text)| File { name, text: tidy(&text_of(text)) })
         .chain(proof)
         .collect()
 }

@@ -5,7 +5,7 @@ use askama::Template;
 use super::frame::Frame;
 use super::plan::Routine;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::expression::Function;
 use crate::program::{Input, Op};
 use crate::spec::{After, Guard, Precision, Spec, What};
@@ -54,7 +54,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
             .any(|definition| matches!(definition.op, Op::Call(Function::Abs, _))),
         frame: &frame,
     };
-    let text = tidy(&header.render().unwrap_or_default());
+    let text = tidy(&text_of(header.render()));
     vec![File { name: format!("{}.hpp", spec.name()), text }]
 }
 

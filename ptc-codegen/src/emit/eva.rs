@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::acsl::place;
 use super::frame::Frame;
-use super::{Controller, File, c, tidy};
+use super::{Controller, File, c, text_of, tidy};
 use crate::program::number;
 use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
 
@@ -93,7 +93,7 @@ pub(super) fn harness(
         one: text(1.0),
         long: text(1e6),
     };
-    File { name: format!("{name}_eva.c"), text: tidy(&harness.render().unwrap_or_default()) }
+    File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }
 }
 
 fn literal(value: f64, precision: Precision) -> String {

@@ -5,6 +5,7 @@ use std::fmt;
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use super::{Controller, is_derived};
+use crate::internal::fault;
 use crate::program::{Input, Op, Value, number};
 use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
 
@@ -119,7 +120,10 @@ impl Frame {
                 Op::Number(number) => {
                     literal(number::round(number, spec.precision), spec.precision, syntax)
                 }
-                _ => owner(syntax, plan.name(value).unwrap_or_default()),
+                _ => {
+                    let name = plan.name(value);
+                    owner(syntax, name.unwrap_or_else(|| fault("a limit without a name")))
+                }
             };
         let limits = program.limits;
         let local = |parameter: Parameter| Assignment {

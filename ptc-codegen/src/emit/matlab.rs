@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::diagnostic::Diagnostics;
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec, What};
@@ -74,7 +74,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
     let file = |(part, function): (Part, &str)| {
         let template =
             FunctionFile { part, name: &name, head: &head, parameters: &parameters, frame: &frame };
-        let mut text = template.render().unwrap_or_default();
+        let mut text = text_of(template.render());
         for helper in HELPERS {
             if text.contains(&format!("{}(", helper.name)) {
                 text.push_str(helper.text);

@@ -29,6 +29,7 @@ pub use project::Project;
 
 use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::internal::fault;
 use crate::law::Law;
 use crate::program::{Op, Program, Value};
 use crate::selftest::SelfTest;
@@ -250,6 +251,11 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
 /// The items of the Rust file on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
     rust::items(controller)
+}
+
+/// The text of a template.
+fn text_of(rendered: askama::Result<String>) -> String {
+    rendered.unwrap_or_else(|error| fault(format!("a template could not be filled: {error}")))
 }
 
 /// Template text without trailing spaces and with one newline at its end.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::plan::{Plan, Routine};
 use crate::expression::Function;
+use crate::internal::fault;
 use crate::program::{Input, Op, Root, Stage, Value, number};
 use crate::spec::Precision;
 
@@ -172,7 +173,13 @@ struct Printer<'a> {
 
 impl Printer<'_> {
     fn expression(&self, value: Value) -> Expression {
-        self.known.get(&value).cloned().unwrap_or_else(|| Expression::atom(String::new()))
+        let known = self.known.get(&value).cloned();
+        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
+    }
+
+    fn name(&self, value: Value) -> &str {
+        let name = self.plan.name(value);
+        name.unwrap_or_else(|| fault(format!("value {} has no name", value.0)))
     }
 
     fn text(&self, value: Value) -> String {
@@ -187,7 +194,7 @@ impl Printer<'_> {
     fn value(&mut self, value: Value) {
         let definition = self.plan.program.get(value);
         if self.plan.is_field(self.function, value) {
-            let field = self.syntax.field(self.plan.name(value).unwrap_or_default());
+            let field = self.syntax.field(self.name(value));
             self.known.insert(value, Expression::atom(field));
             return;
         }
@@ -195,12 +202,15 @@ impl Printer<'_> {
             Op::Input(input) => {
                 let name = self.plan.name(value).unwrap_or_default();
                 let text = self.syntax.input(*input, name);
+                if text.is_empty() {
+                    fault(format!("{input:?} has no name"));
+                }
                 self.known.insert(value, Expression::atom(text));
             }
             Op::Root(root) => self.root(value, root),
             Op::Law(arguments) => {
                 let mut texts: Vec<_> = arguments.iter().map(|v| self.text(*v)).collect();
-                let time = texts.pop().unwrap_or_default();
+                let time = texts.pop().unwrap_or_else(|| fault("a law without time"));
                 let (lines, call) = self.syntax.law(&texts, &time);
                 self.lines.extend(lines);
                 let name = self.fresh(value);
@@ -287,7 +297,7 @@ impl Printer<'_> {
             | Op::Rows { .. }
             | Op::Element(..)
             | Op::Unknown
-            | Op::Root(_) => Expression::atom(String::new()),
+            | Op::Root(_) => fault(format!("{op:?} is no part of an expression")),
         }
     }
 
@@ -306,7 +316,7 @@ impl Printer<'_> {
     }
 
     fn root(&mut self, value: Value, root: &Root) {
-        let unknown = self.plan.name(root.unknown).unwrap_or_default().to_owned();
+        let unknown = self.name(root.unknown).to_owned();
         self.known.insert(root.unknown, Expression::atom(unknown.clone()));
         let outside = std::mem::take(&mut self.lines);
         for inner in self.plan.program.needed(&[root.residual, root.next, root.size]) {

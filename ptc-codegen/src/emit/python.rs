@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec};
 
@@ -50,7 +50,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
         parameters: &parameters,
         frame: &frame,
     };
-    let text = tidy(&module.render().unwrap_or_default());
+    let text = tidy(&text_of(module.render()));
     vec![File { name: format!("{}.py", spec.name()), text }]
 }
 

@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::expression::Function;
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec};
@@ -34,7 +34,7 @@ pub(super) fn file(controller: &Controller<'_>) -> File {
         functions: functions.map(|f| MathFunction::new(f, controller.spec().precision)).collect(),
         items: &items,
     };
-    File { name: format!("{name}.rs"), text: tidy(&module.render().unwrap_or_default()) }
+    File { name: format!("{name}.rs"), text: tidy(&text_of(module.render())) }
 }
 
 /// The head as rustdoc, its formulas as they stand.
@@ -61,7 +61,7 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
             format!("if past >= 0.0 {{ {runtime}Status::After }} else {{ {runtime}Status::Hold }}")
         }
     };
-    Items { type_name, runtime, parameters, hold, frame }.render().unwrap_or_default()
+    text_of(Items { type_name, runtime, parameters, hold, frame }.render())
 }
 
 pub(super) fn real(spec: &Spec) -> &'static str {

@@ -3,7 +3,7 @@
 use askama::Template;
 
 use super::frame::Frame;
-use super::{Controller, File, Language, c, declared, tidy};
+use super::{Controller, File, Language, c, declared, text_of, tidy};
 use crate::program::number;
 use crate::reference::tolerance;
 use crate::selftest::{Call, SelfTest, Session, Unreachable};
@@ -71,7 +71,7 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
         (format!("{name}_selftest.c"), source.render()),
     ]
     .into_iter()
-    .map(|(name, text)| File { name, text: tidy(&text.unwrap_or_default()) })
+    .map(|(name, text)| File { name, text: tidy(&text_of(text)) })
     .collect()
 }
 

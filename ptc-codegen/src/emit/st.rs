@@ -7,7 +7,7 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, names, tidy};
+use super::{Controller, Declared, File, Language, Target, declared, header, names, text_of, tidy};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Subject};
 use crate::program::{Input, Op};
@@ -141,7 +141,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
         divides,
         frame: &frame,
     };
-    let text = tidy(&block.render().unwrap_or_default());
+    let text = tidy(&text_of(block.render()));
     vec![File { name: format!("{name}.st"), text }]
 }
 

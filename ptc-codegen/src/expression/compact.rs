@@ -2,15 +2,38 @@
 
 use num_traits::{One, Signed};
 
+use super::effort::spend;
 use super::field::{Field, Kernel, Terms};
-use super::ratio::{Ratio, content};
+use super::ratio::{Ratio, content, labour};
 use super::{Expression, Function};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+use crate::limits::SIZE;
 
 impl Expression {
     /// Number of its operations and leaves.
     pub(crate) fn size(&self) -> usize {
         1 + self.operands().into_iter().map(Self::size).sum::<usize>()
+    }
+
+    /// Number of the operations and the leaf on the longest way to a leaf.
+    pub(crate) fn height(&self) -> usize {
+        1 + self.operands().into_iter().map(Self::height).max().unwrap_or(0)
+    }
+}
+
+/// What it is to write something out as an expression: about the size of that, and the effort.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Measure {
+    pub(super) size: usize,
+    pub(super) labour: usize,
+}
+
+impl Measure {
+    fn and(self, other: Self) -> Self {
+        Self {
+            size: self.size.saturating_add(other.size),
+            labour: self.labour.saturating_add(other.labour),
+        }
     }
 }
 
@@ -23,19 +46,46 @@ struct Product {
 }
 
 impl Field {
-    /// The shorter one of the sum as it stands and as one fraction.
-    pub(super) fn shortest(&self, terms: &Terms) -> Expression {
-        let apart = self.sum_of(terms);
-        match Self::combined(terms).map(|ratio| self.expression(&ratio)) {
+    /// The shorter one of the sum as it stands and as one fraction; none where it is too large.
+    pub(super) fn shortest(&self, terms: &Terms) -> Option<Expression> {
+        let apart = self.sum_of(terms)?;
+        Some(match Self::combined(terms).and_then(|ratio| self.sum_of(&vec![ratio])) {
             Some(one) if one.size() <= apart.size() => one,
             _ => apart,
+        })
+    }
+
+    /// The sum, positive terms first; none where it is too large.
+    pub(super) fn sum_of(&self, terms: &Terms) -> Option<Expression> {
+        let measure =
+            terms.iter().fold(Measure::default(), |sum, term| sum.and(self.measure_of_ratio(term)));
+        spend(measure.labour)?;
+        let all = || terms.iter().map(|term| self.signed(term)).collect();
+        SIZE.admits(measure.size).then(|| added(all()))
+    }
+
+    /// What a kernel is written out, from what those within it are: one that stands in many terms
+    /// is written as often.
+    pub(super) fn measure_of(&self, kernel: &Kernel) -> Measure {
+        let plain = |e: &Expression| {
+            let size = e.size();
+            Measure { size, labour: size }
+        };
+        match kernel {
+            Kernel::Atom(atom) => plain(atom),
+            Kernel::Exp(unit) => self.measure_of_ratio(unit),
+            Kernel::Root(base, index) => self.measure_of_ratio(base).and(plain(index)),
         }
     }
 
-    /// The sum, positive terms first.
-    pub(super) fn sum_of(&self, terms: &Terms) -> Expression {
-        let all = terms.iter().map(|term| self.signed(term)).collect();
-        added(all)
+    fn measure_of_ratio(&self, ratio: &Ratio) -> Measure {
+        let factor = |symbol: &Symbol| self.measure(*symbol).and(Measure { size: 2, labour: 2 });
+        let poly = |poly: &Poly| {
+            let factors = poly.terms().flat_map(|(m, _)| m.factors().iter().map(|(s, _)| s));
+            let own = Measure { size: 2 * poly.len(), labour: labour(poly) };
+            factors.map(factor).fold(own, Measure::and)
+        };
+        ratio.den.iter().map(|(factor, _)| poly(factor)).fold(poly(&ratio.num), Measure::and)
     }
 
     fn expression(&self, ratio: &Ratio) -> Expression {
@@ -138,7 +188,8 @@ impl Field {
                     None => terms.push(term),
                 }
             }
-            product.over.push(Expression::call(Function::Exp, self.sum_of(&terms)));
+            let all = terms.iter().map(|term| self.signed(term)).collect();
+            product.over.push(Expression::call(Function::Exp, added(all)));
         }
         let whole = |n: &crate::algebra::BigInt| Expression::Number(n.clone().into());
         let over = product.over.into_iter().fold(whole(number.numer()), Expression::mul);

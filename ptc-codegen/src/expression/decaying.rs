@@ -3,12 +3,14 @@
 
 use std::collections::BTreeMap;
 
+use super::effort::bounded;
 use super::field::{Field, Kernel, Terms, sum};
 use super::leading::{Limit, limit};
 use super::normal::{moves, within};
 use super::ratio::{Ratio, content};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+use crate::limits::SIZE;
 
 /// The same function of t, stretched time since the start, with denominators in which no exponential
 /// grows with it. Parameters are taken as positive.
@@ -18,7 +20,7 @@ pub(crate) fn decaying(form: &Expression) -> Expression {
         Expression::Power(a, b) => Some(decaying(a).power(decaying(b))),
         _ => None,
     };
-    turned(form).unwrap_or_else(|| form.clone()).substitute(&inner)
+    bounded(|| turned(form).unwrap_or_else(|| form.clone()).substitute(&inner))
 }
 
 /// The form with its outermost denominators turned; none where there is nothing to turn.
@@ -28,7 +30,7 @@ fn turned(form: &Expression) -> Option<Expression> {
     let terms = field.terms(&exponential)?;
     let decaying: Terms =
         terms.iter().map(|term| without_growth(&mut field, term)).collect::<Option<_>>()?;
-    (decaying != terms).then(|| within(Some(field.sum_of(&decaying)), form))
+    (decaying != terms).then(|| within(field.sum_of(&decaying), form))
 }
 
 /// cosh, sinh and powers of numbers that grow, by exponentials. sinh(u) = tanh(u) cosh(u) has all
@@ -41,6 +43,10 @@ fn as_exponentials(form: &Expression) -> Expression {
             Expression::Call(function @ (Function::Cosh | Function::Sinh), u) => {
                 let Some(Limit::Infinite | Limit::MinusInfinite) = grows(u) else { return None };
                 let u = as_exponentials(u);
+                // It stands twice in what follows.
+                if !SIZE.admits(2 * u.size()) {
+                    return Some(Expression::call(*function, u));
+                }
                 let both = exponential(u.clone()).add(exponential(u.clone().neg()));
                 let cosh = both.div(Expression::integer(2));
                 let is_cosh = *function == Function::Cosh;
@@ -97,8 +103,8 @@ fn root_without_growth(field: &mut Field, base: &Ratio, index: BigRational) -> O
 /// parameters which term grows fastest, the exponent is the greatest one.
 fn fastest(field: &mut Field, poly: &Poly) -> Option<Monomial> {
     let is_bounded = |product: Monomial| {
-        let limit = limit(&exponent(field, &product), Variable::SinceStart);
-        matches!(limit, Some(Limit::Finite(_) | Limit::MinusInfinite))
+        let limit = exponent(field, &product).map(|e| limit(&e, Variable::SinceStart));
+        matches!(limit, Some(Some(Limit::Finite(_) | Limit::MinusInfinite)))
     };
     let is_exponential =
         |s: Symbol| matches!(field.kernel(s), Some(Kernel::Exp(_))) && moves(field, s);
@@ -117,14 +123,15 @@ fn fastest(field: &mut Field, poly: &Poly) -> Option<Monomial> {
     let all = ahead.iter().map(|product| Poly::term(integer(1), product.clone()));
     let (_, common) = content(&all.fold(Poly::zero(), |sum, one| sum.plus(&one)));
     let rests = ahead.iter().map(|product| exponent(field, &product.times(&common.pow(-1))));
-    let greatest = rests.reduce(|a, b| Expression::Max(Box::new(a), Box::new(b)))?;
+    let rests = rests.collect::<Option<Vec<_>>>()?;
+    let greatest = rests.into_iter().reduce(|a, b| Expression::Max(Box::new(a), Box::new(b)))?;
     let greatest = field.symbol(Kernel::Atom(greatest))?;
     let unit = Ratio::of(Poly::term(integer(1), Monomial::power(greatest, 1)));
     Some(common.times(&Monomial::power(field.symbol(Kernel::Exp(unit))?, 1)))
 }
 
 /// The exponent of a product of exponentials.
-fn exponent(field: &Field, product: &Monomial) -> Expression {
+fn exponent(field: &Field, product: &Monomial) -> Option<Expression> {
     let exponents = product.factors().iter().filter_map(|(symbol, times)| {
         let Some(Kernel::Exp(unit)) = field.kernel(*symbol) else { return None };
         Some(unit.scaled(&integer(i64::from(*times))))

@@ -46,9 +46,8 @@ impl Expression {
             Self::Min(a, b) => Self::of_the_chosen(a, b, d(a), d(b), false),
             Self::Max(a, b) => Self::of_the_chosen(a, b, d(a), d(b), true),
             Self::Call(function, a) => {
-                let inner = d(a);
-                if inner.is(0) {
-                    return inner;
+                if !a.contains(wrt) {
+                    return Self::integer(0);
                 }
                 if let (Function::Atan, Self::Div(over, under)) = (function, &**a) {
                     // The slope of atan(p/q), without the pole of p/q where q is 0.
@@ -56,7 +55,8 @@ impl Expression {
                     let turn = d(over).mul(q.clone()).sub(p.clone().mul(d(under)));
                     return turn.div_or_zero(p.power(two()).add(q.power(two())));
                 }
-                function.derivative(a).mul(inner)
+                let inner = d(a);
+                if inner.is(0) { inner } else { function.derivative(a).mul(inner) }
             }
         }
     }
@@ -65,16 +65,17 @@ impl Expression {
         if self.is(0) { self } else { self.div(by) }
     }
 
-    /// (da + db)/2 +- sign(a - b) (da - db)/2, the derivative of the greater or smaller one.
+    /// da (1 +- sign(a - b))/2 + db (1 -+ sign(a - b))/2, the derivative of the greater or smaller
+    /// one. Each derivative stands in it once: twice in each of many would double it each time.
     fn of_the_chosen(a: &Self, b: &Self, da: Self, db: Self, greater: bool) -> Self {
         if da == db {
             return da;
         }
         let half = || Self::integer(1).div(Self::integer(2));
-        let mean = da.clone().add(db.clone()).mul(half());
         let which = Self::call(Function::Sign, a.clone().sub(b.clone()));
-        let off = which.mul(da.sub(db)).mul(half());
-        if greater { mean.add(off) } else { mean.sub(off) }
+        let above = Self::integer(1).add(which.clone()).mul(half());
+        let below = Self::integer(1).sub(which).mul(half());
+        if greater { da.mul(above).add(db.mul(below)) } else { da.mul(below).add(db.mul(above)) }
     }
 }
 

@@ -2,15 +2,13 @@
 
 use num_traits::{One, Signed, ToPrimitive};
 
-use super::compact::{is_negative, negative};
+use super::compact::{Measure, is_negative, negative};
+use super::effort::spend;
 use super::ratio::{Ratio, content};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
+use crate::limits::{KERNELS, POWER, SIZE, TERMS};
 use crate::spec::Parameter;
-
-/// Most kernels, largest whole power that is multiplied out, largest index of a root.
-const MAX_KERNELS: usize = 200;
-const MAX_POWER: i32 = 24;
 
 /// What one symbol stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +29,8 @@ pub(super) type Terms = Vec<Ratio>;
 #[derive(Debug, Default)]
 pub(super) struct Field {
     kernels: Vec<Kernel>,
+    /// What each of them is written out.
+    measures: Vec<Measure>,
 }
 
 impl Field {
@@ -38,8 +38,12 @@ impl Field {
     pub(super) fn of(expression: &Expression) -> Self {
         let pi = expression.any(&|e| *e == Expression::Pi).then_some(Expression::Pi);
         let parameters = expression.parameters().into_iter().map(Expression::from);
-        let names = pi.into_iter().chain(parameters).take(MAX_KERNELS);
-        Self { kernels: names.map(Kernel::Atom).collect() }
+        let mut field = Self::default();
+        for name in pi.into_iter().chain(parameters) {
+            // The one for which there is no room is found missing when it is looked for.
+            let _ = field.symbol(Kernel::Atom(name));
+        }
+        field
     }
 
     /// The kernel of a symbol that this field gave.
@@ -47,12 +51,27 @@ impl Field {
         self.kernels.get(usize::from(symbol.index).checked_sub(1)?)
     }
 
-    /// The symbol of a kernel.
+    /// What a kernel of this field is written out.
+    pub(super) fn measure(&self, symbol: Symbol) -> Measure {
+        let index = usize::from(symbol.index).checked_sub(1);
+        index.and_then(|index| self.measures.get(index).copied()).unwrap_or_default()
+    }
+
+    /// The symbol of a kernel; none where it is too large, or one too many.
     pub(super) fn symbol(&mut self, kernel: Kernel) -> Option<Symbol> {
-        let index = match self.kernels.iter().position(|k| *k == kernel) {
+        // Kernels within kernels begin alike: only those of one size are compared.
+        let measure = self.measure_of(&kernel);
+        spend(self.kernels.len().saturating_add(measure.labour))?;
+        let same =
+            |index: &usize| self.measures[*index] == measure && self.kernels[*index] == kernel;
+        let index = match (0..self.kernels.len()).find(same) {
             Some(index) => index,
-            None if self.kernels.len() >= MAX_KERNELS => return None,
+            None if !KERNELS.admits(self.kernels.len() + 1) => return None,
             None => {
+                if !SIZE.admits(measure.size) {
+                    return None;
+                }
+                self.measures.push(measure);
                 self.kernels.push(kernel);
                 self.kernels.len() - 1
             }
@@ -80,6 +99,7 @@ impl Field {
     /// The normal form of an expression; none where it grows beyond the bounds.
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
         use Expression as E;
+        spend(1)?;
         let terms = match expression {
             E::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
             E::Pi | E::Parameter(_) | E::Variable(_) => vec![self.atom(expression.clone())?],
@@ -120,7 +140,7 @@ impl Field {
 
     fn normal(&mut self, expression: &Expression) -> Option<Expression> {
         let terms = self.terms(expression)?;
-        Some(self.shortest(&terms))
+        self.shortest(&terms)
     }
 
     /// e^(sum of c_i m_i) is the product of (e^(m_i/q_i))^p_i with c_i = p_i/q_i, so that powers
@@ -159,7 +179,7 @@ impl Field {
         }
         let negative = exponent_ratio.num.terms().next().is_some_and(|(_, c)| c.is_negative());
         let (sign, size) = if negative { (-1, exponent_ratio.neg()) } else { (1, exponent_ratio) };
-        let size = self.shortest(&vec![size]);
+        let size = self.shortest(&vec![size])?;
         self.power_of(Kernel::Root(base, size), sign)
     }
 
@@ -179,7 +199,7 @@ impl Field {
         if q == 1 {
             let many =
                 base.num.len() > 1 && base.num.len().pow(2) * (p.unsigned_abs() as usize) > 64;
-            if p.abs() > MAX_POWER || (p > 0 && many) {
+            if u64::from(p.unsigned_abs()) > POWER.most || (p > 0 && many) {
                 return self.power_of(Kernel::Root(base, Expression::integer(1)), p);
             }
             return base.pow(p);
@@ -216,7 +236,7 @@ impl Field {
     fn call(&mut self, function: Function, argument: &Expression) -> Option<Ratio> {
         use Function as F;
         let terms = self.terms(argument)?;
-        let argument = self.shortest(&terms);
+        let argument = self.shortest(&terms)?;
         let (function, sign, argument, inverted) = match function {
             F::Sin | F::Cos | F::Tan => self.quarter_turned(function, argument, &terms)?,
             _ => (function, 1, argument, false),
@@ -254,7 +274,7 @@ impl Field {
         };
         let constant = Ratio::of(Poly::term(-half * integer(quarters), monomial));
         let rest = sum(terms.clone(), vec![constant])?;
-        let rest = self.shortest(&rest);
+        let rest = self.shortest(&rest)?;
         Some(match (function, quarters.rem_euclid(4)) {
             (F::Tan, 0 | 2) => (F::Tan, 1, rest, false),
             (F::Tan, _) => (F::Tan, -1, rest, true),
@@ -280,6 +300,10 @@ fn exact_root(number: &BigRational, q: i32) -> Option<BigRational> {
 
 /// Sum, fractions over the same denominator added.
 pub(super) fn sum(mut left: Terms, right: Terms) -> Option<Terms> {
+    spend((1 + left.len()) * (left.len() + right.len()))?;
+    if !TERMS.admits(left.len()) {
+        return None;
+    }
     for term in right {
         match left.iter_mut().find(|own| own.den == term.den) {
             Some(own) => *own = own.plus(&term)?,

@@ -6,6 +6,7 @@
 mod compact;
 pub(crate) mod decaying;
 mod derivative;
+pub(crate) mod effort;
 mod field;
 pub(crate) mod interval;
 pub(crate) mod leading;
@@ -28,6 +29,7 @@ pub use solve::solve;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::algebra::{BigRational, integer};
+use crate::limits::BITS;
 use crate::spec::Parameter;
 
 /// What varies while the controller runs, beside its parameters.
@@ -142,6 +144,18 @@ pub enum Expression {
     Call(Function, Box<Self>),
 }
 
+/// About the bits of a power of a number.
+pub(crate) fn power_bits(base: &BigRational, exponent: i32) -> usize {
+    let bits = base.numer().bits().max(base.denom().bits());
+    usize::try_from(bits * u64::from(exponent.unsigned_abs())).unwrap_or(usize::MAX)
+}
+
+/// Whether a sum or a product of two numbers is one that is folded: beyond twice the bits that a
+/// number of a spec has, it stands as it was written.
+fn folds(a: &BigRational, b: &BigRational) -> bool {
+    BITS.admits((power_bits(a, 1) + power_bits(b, 1)) / 2)
+}
+
 impl From<Variable> for Expression {
     fn from(variable: Variable) -> Self {
         Self::Variable(variable)
@@ -191,7 +205,7 @@ impl Expression {
     /// a + b.
     pub fn add(self, other: Self) -> Self {
         match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a + b),
+            (Self::Number(a), Self::Number(b)) if folds(&a, &b) => Self::Number(a + b),
             (a, b) if a.is(0) => b,
             (a, b) if b.is(0) => a,
             (a, Self::Neg(b)) => a.sub(*b),
@@ -202,7 +216,7 @@ impl Expression {
     /// a - b.
     pub fn sub(self, other: Self) -> Self {
         match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a - b),
+            (Self::Number(a), Self::Number(b)) if folds(&a, &b) => Self::Number(a - b),
             (a, b) if b.is(0) => a,
             (a, b) if a.is(0) => b.neg(),
             (a, Self::Neg(b)) => a.add(*b),
@@ -213,7 +227,7 @@ impl Expression {
     /// a * b.
     pub fn mul(self, other: Self) -> Self {
         match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a * b),
+            (Self::Number(a), Self::Number(b)) if folds(&a, &b) => Self::Number(a * b),
             (a, b) if a.is(1) => b,
             (a, b) if b.is(1) => a,
             (a, b) if a.is(0) || b.is(0) => Self::Number(BigRational::zero()),
@@ -226,7 +240,9 @@ impl Expression {
     /// a / b; a division by the number 0 stays, for the reader of the spec to refuse.
     pub fn div(self, other: Self) -> Self {
         match (self, other) {
-            (Self::Number(a), Self::Number(b)) if !b.is_zero() => Self::Number(a / b),
+            (Self::Number(a), Self::Number(b)) if !b.is_zero() && folds(&a, &b) => {
+                Self::Number(a / b)
+            }
             (a, b) if b.is(1) => a,
             (a, b) if b.is(-1) => a.neg(),
             (a, b) => Self::Div(Box::new(a), Box::new(b)),
@@ -238,7 +254,9 @@ impl Expression {
         match (self, exponent.small_integer()) {
             (_, Some(0)) => Self::Number(BigRational::one()),
             (a, Some(1)) => a,
-            (Self::Number(a), Some(k @ -64..=64)) if !(a.is_zero() && k < 0) => {
+            (Self::Number(a), Some(k @ -64..=64))
+                if !(a.is_zero() && k < 0) && BITS.admits(power_bits(&a, k) / 2) =>
+            {
                 Self::Number(a.pow(k))
             }
             (a, _) => Self::Power(Box::new(a), Box::new(exponent)),

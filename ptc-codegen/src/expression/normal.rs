@@ -1,12 +1,14 @@
 //! Normal forms, in which constants have cancelled exactly: what vanishes at the deadline keeps
 //! its digits there.
 
+use super::effort::bounded;
 use super::field::{Field, Kernel, Terms, sum};
 use super::leading::{Limit, limit};
 use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+use crate::limits::SIZE;
 use crate::spec::Parameter;
 
 /// A normal form may be this much larger than what it stands for; a larger one is not used.
@@ -15,21 +17,27 @@ const ALWAYS: usize = 48;
 
 /// The complement tau - mu(t). Parameters are taken as positive, and t >= 0.
 pub(crate) fn complement(mu: &Expression) -> Expression {
+    bounded(|| complement_of(mu))
+}
+
+fn complement_of(mu: &Expression) -> Expression {
     let plain = Expression::from(Parameter::Tau).sub(mu.clone());
     let limited = Expression::from(Parameter::Tau).sub(at_limit(mu));
     let mut field = Field::of(&limited);
     let form = field
         .terms(&limited)
         .and_then(|terms| split(&mut field, terms))
-        .map(|terms| field.shortest(&terms));
+        .and_then(|terms| field.shortest(&terms));
     within(form, &plain)
 }
 
 /// The normal form: equal to the expression wherever that exists.
 pub(crate) fn normal(expression: &Expression) -> Expression {
-    let rewritten = logarithmic(expression);
-    let mut field = Field::of(&rewritten);
-    let form = field.terms(&rewritten).map(|terms| field.shortest(&terms));
+    let form = bounded(|| {
+        let rewritten = logarithmic(expression);
+        let mut field = Field::of(&rewritten);
+        field.terms(&rewritten).and_then(|terms| field.shortest(&terms))
+    });
     within(form, expression)
 }
 
@@ -43,6 +51,10 @@ fn logarithmic(expression: &Expression) -> Expression {
     expression.substitute(&|e| match e {
         Expression::Call(Function::Atanh, s) => {
             let (one, s) = (Expression::integer(1), logarithmic(s));
+            // It stands twice in the ratio.
+            if !SIZE.admits(2 * s.size()) {
+                return Some(Expression::call(Function::Atanh, s));
+            }
             let ratio = one.clone().add(s.clone()).div(one.sub(s));
             Some(Expression::call(Function::Ln, ratio).div(Expression::integer(2)))
         }
@@ -76,6 +88,9 @@ fn at_limit(expression: &Expression) -> Expression {
             Limit::MinusInfinite => (true, at_limit(u).neg()),
             Limit::Finite(_) => return None,
         };
+        if !SIZE.admits(2 * u.size()) {
+            return Some(Expression::call(*function, if falls { u.neg() } else { u }));
+        }
         let (one, two) = (Expression::integer(1), Expression::integer(2));
         let value = if *function == Function::Tanh {
             let grown = Expression::call(Function::Exp, two.clone().mul(u));

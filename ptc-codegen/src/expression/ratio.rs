@@ -4,12 +4,9 @@
 
 use num_traits::{Signed, Zero};
 
-use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
-
-/// Most terms of a polynomial, largest exponent and longest coefficient (bits).
-const MAX_TERMS: usize = 64;
-const MAX_EXPONENT: i32 = 1 << 12;
-const MAX_BITS: u64 = 4096;
+use super::effort::spend;
+use crate::algebra::{BigRational, Monomial, Poly, Symbol, common_measure, integer};
+use crate::limits::{BITS, DEGREE, TERMS};
 
 /// A numerator over factors of two terms or more, each with its multiplicity. A factor has no
 /// monomial and no number in common to its terms.
@@ -19,26 +16,46 @@ pub(super) struct Ratio {
     pub(super) den: Vec<(Poly, u32)>,
 }
 
+/// Digits of a number, over and under its fraction bar, in base two.
+fn bits(number: &BigRational) -> u64 {
+    number.numer().bits().max(number.denom().bits())
+}
+
 /// The polynomial, if it is within the bounds.
 fn bounded(poly: Poly) -> Option<Poly> {
     let small = |(m, c): (&Monomial, &BigRational)| {
-        m.factors().iter().all(|(_, e)| e.abs() <= MAX_EXPONENT)
-            && c.numer().bits().max(c.denom().bits()) <= MAX_BITS
+        m.factors().iter().all(|(_, e)| u64::from(e.unsigned_abs()) <= DEGREE.most)
+            && bits(c) <= BITS.most
     };
-    (poly.len() <= MAX_TERMS && poly.terms().all(small)).then_some(poly)
+    (TERMS.admits(poly.len()) && poly.terms().all(small)).then_some(poly)
+}
+
+/// The effort of a division or two by each coefficient.
+pub(super) fn labour(poly: &Poly) -> usize {
+    let words = |c: &BigRational| usize::try_from(bits(c) / 64).unwrap_or(usize::MAX);
+    poly.terms().map(|(m, c)| 4 + m.factors().len() + words(c) * (20 + words(c))).sum()
 }
 
 /// Product within the bounds.
 pub(super) fn times(a: &Poly, b: &Poly) -> Option<Poly> {
-    if a.len() * b.len() > MAX_TERMS * 4 {
+    if a.len() * b.len() > TERMS.size() * 4 {
         return None;
     }
+    spend(labour(a) * b.len() + labour(b) * a.len())?;
     bounded(a.times(b))
 }
 
-/// Power within the bounds.
+/// Power within the bounds: one that is beyond them is not begun.
 fn power(a: &Poly, k: u32) -> Option<Poly> {
-    (0..k).try_fold(Poly::one(), |product, _| times(&product, a))
+    if let Some((monomial, c)) = a.single_term() {
+        let degree = monomial.factors().iter().map(|(_, e)| e.unsigned_abs()).max().unwrap_or(0);
+        let fits = |size: u64, most| size.saturating_mul(u64::from(k)) <= most;
+        let within = fits(degree.into(), DEGREE.most) && fits(bits(c) - 1, BITS.most);
+        return within.then(|| bounded(a.pow(k))).flatten();
+    }
+    // A sum to the power of k has more than k terms, whatever cancels.
+    let many = a.len() > 1 && u64::from(k) >= TERMS.most;
+    if many { None } else { (0..k).try_fold(Poly::one(), |product, _| times(&product, a)) }
 }
 
 /// The number and the monomial in common to all terms of a polynomial that is not 0: least
@@ -46,7 +63,7 @@ fn power(a: &Poly, k: u32) -> Option<Poly> {
 pub(super) fn content(poly: &Poly) -> (BigRational, Monomial) {
     let (mut number, mut total) = (integer(0), integer(0));
     for (_, c) in poly.terms() {
-        number = common(number, c.abs());
+        number = common_measure(&number, c);
         total += c;
     }
     let first = poly.terms().next().is_some_and(|(_, c)| c.is_negative());
@@ -54,15 +71,6 @@ pub(super) fn content(poly: &Poly) -> (BigRational, Monomial) {
     let least = |s: &Symbol| poly.terms().map(|(m, _)| m.exponent(*s)).min().unwrap_or(0);
     let common = poly.symbols().iter().map(|s| (*s, least(s))).filter(|(_, e)| *e != 0).collect();
     (if negative { -number } else { number }, Monomial::from_sorted(common))
-}
-
-/// The greatest number of which both are multiples.
-fn common(mut a: BigRational, mut b: BigRational) -> BigRational {
-    while !b.is_zero() {
-        let rest = &a - &b * (&a / &b).floor();
-        a = std::mem::replace(&mut b, rest);
-    }
-    a
 }
 
 /// a/b where that is a polynomial.
@@ -75,7 +83,8 @@ pub(super) fn exact_quotient(a: &Poly, b: &Poly) -> Option<Poly> {
     let (top, lead) = divisor.iter().next_back()?;
     let least = dividend.keys().next()? - divisor.keys().next()?;
     let (mut rest, mut quotient) = (a.clone(), Poly::zero());
-    for _ in 0..MAX_TERMS {
+    for _ in 0..TERMS.most {
+        spend(rest.len() + b.len())?;
         let by_exponent = rest.collect(x);
         let Some((exponent, coefficient)) = by_exponent.iter().next_back() else {
             return Some(quotient);
@@ -126,6 +135,7 @@ impl Ratio {
         if factor.is_zero() {
             return None;
         }
+        spend(labour(factor))?;
         let (number, monomial) = content(factor);
         let outer = Poly::term(number, monomial);
         let inner = times(factor, &outer.inverse()?)?;
@@ -152,7 +162,8 @@ impl Ratio {
             }
         }
         self.den.retain(|(_, count)| *count > 0);
-        (self.den.iter().map(|(_, count)| *count).sum::<u32>() <= MAX_TERMS as u32).then_some(self)
+        let factors: u64 = self.den.iter().map(|(_, count)| u64::from(*count)).sum();
+        (factors <= TERMS.most).then_some(self)
     }
 
     pub(super) fn times(&self, other: &Self) -> Option<Self> {

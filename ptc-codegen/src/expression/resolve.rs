@@ -1,9 +1,10 @@
 //! From a parsed value to an expression: what each name means, and what is wrong with it.
 
 use super::names::{self, Found};
-use super::{Expression, Function, Subject, Variable};
+use super::{Expression, Function, Subject, Variable, power_bits};
 use crate::algebra::integer;
-use crate::diagnostic::{Diagnostics, Place, near_miss};
+use crate::diagnostic::{Diagnostics, LARGE, Place, near_miss};
+use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
 use crate::mapping::{FAMILIES, FamilyInfo};
 use crate::spec::{Argument, Fixed, Name, Node, Operator, Parameter, Value, parse, shorten};
 
@@ -18,15 +19,6 @@ pub struct Scope<'a> {
     pub known: &'a [Parameter],
 }
 
-/// Largest size of an expression: families in families multiply it.
-const MAX_SIZE: usize = 10_000;
-
-/// Most bits of a constant over or under its fraction bar: powers of powers multiply them.
-const MAX_BITS: u64 = 4096;
-
-/// So many arguments of a function of several are too many.
-const MAX_ARGUMENTS: usize = 100;
-
 /// The expression that `node` stands for; `None` where something in it is wrong, which `found`
 /// then tells.
 pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option<Expression> {
@@ -36,7 +28,10 @@ pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option
     // bounds its height, and its spelling gives it back.
     match parse(scope.subject.key(), &expression.to_string(), &mut |_| Place(0)) {
         Ok(_) => Some(expression),
-        Err(_) => resolver.too_large(node.place),
+        Err(wrong) => {
+            let message = format!("{}, its constants and families written out", wrong.message);
+            resolver.too_large(node.place, message, &wrong.help)
+        }
     }
 }
 
@@ -48,20 +43,23 @@ struct Resolver<'a, 'b> {
 impl Resolver<'_, '_> {
     fn node(&mut self, node: &Node) -> Option<Expression> {
         let expression = self.operation(node)?;
-        let large = match &expression {
-            Expression::Number(n) => n.numer().bits().max(n.denom().bits()) > MAX_BITS,
-            other => matches!(node.value, Value::Call(..)) && other.size() > MAX_SIZE,
+        let (limit, size) = match &expression {
+            Expression::Number(n) => (BITS, n.numer().bits().max(n.denom().bits()) as usize),
+            other if matches!(node.value, Value::Call(..)) => (SIZE, other.size()),
+            _ => return Some(expression),
         };
-        if large { self.too_large(node.place) } else { Some(expression) }
+        if limit.admits(size) { Some(expression) } else { self.exceeded(&limit, size, node.place) }
     }
 
-    fn too_large(&mut self, place: Place) -> Option<Expression> {
-        self.wrong(
-            place,
-            "an expression that is too large once its constants and families are written out"
-                .to_owned(),
-            "write it shorter, or with constants of fewer digits",
-        )
+    /// What stands at `place` is beyond a bound.
+    fn exceeded(&mut self, limit: &Limit, size: usize, place: Place) -> Option<Expression> {
+        let message = limit.exceeded(self.scope.subject.key(), size);
+        self.too_large(place, message, limit.fix)
+    }
+
+    fn too_large(&mut self, place: Place, message: String, fix: &str) -> Option<Expression> {
+        self.found.push(LARGE, self.scope.subject.key(), Some(place), message, fix);
+        None
     }
 
     fn operation(&mut self, node: &Node) -> Option<Expression> {
@@ -94,6 +92,14 @@ impl Resolver<'_, '_> {
                         "a division by zero".to_owned(),
                         "the divisor is the number 0, whatever the parameters are",
                     );
+                }
+                if let (Operator::Power, Some(base), Some(k @ -64..=64)) =
+                    (operator, left.number(), right.small_integer())
+                {
+                    let bits = power_bits(base, k);
+                    if !BITS.admits(bits / 2) {
+                        return self.exceeded(&BITS, bits, node.place);
+                    }
                 }
                 Some(match operator {
                     Operator::Add => left.add(right),
@@ -169,7 +175,9 @@ impl Resolver<'_, '_> {
         let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
         let count = values.len();
         match (name, function, count) {
-            ("min" | "max" | "mean", _, MAX_ARGUMENTS..) => self.too_large(place),
+            ("min" | "max" | "mean", ..) if !ARGUMENTS.admits(count) => {
+                self.exceeded(&ARGUMENTS, count, place)
+            }
             (_, Some((_, function)), 1) => {
                 Some(Expression::call(*function, values.into_iter().next()?))
             }

@@ -2,6 +2,7 @@
 
 use num_traits::Signed;
 
+use super::effort::bounded;
 use super::field::{Field, Kernel};
 use super::ratio::Ratio;
 use super::{Expression, Function};
@@ -69,7 +70,7 @@ pub(crate) fn positive_parameters(name: &Expression) -> Option<Sign> {
 
 /// The sign of an expression; none where it is not found.
 pub(crate) fn sign(expression: &Expression, names: Names<'_>) -> Option<Sign> {
-    of(expression, Context { names, depth: MAX_DEPTH })
+    bounded(|| of(expression, Context { names, depth: MAX_DEPTH }))
 }
 
 /// The signs of names, and how many calls within calls are looked into.

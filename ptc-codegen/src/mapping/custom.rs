@@ -1,8 +1,10 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
 use crate::expression::decaying::decaying;
+use crate::expression::effort::{completed, spend};
 use crate::expression::leading::{Decay, Limit};
 use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
+use crate::limits::EFFORT;
 use crate::spec::Parameter;
 
 /// A mapping given as mu(t) or as kappa(dt).
@@ -36,18 +38,39 @@ pub struct Kappa {
 }
 
 impl Form {
-    fn of_mu(mu: &Expression) -> Self {
+    /// The form of a mu; none where it takes too much effort.
+    fn of_mu(mu: &Expression) -> Option<Self> {
         let complement = normal::complement(mu);
+        differentiable(&complement)?;
         match solve(&complement, Variable::SinceStart, Variable::TimeToGo.into()) {
-            Some(kappa) => Self::Kappa(Kappa::new(&kappa)),
-            None => Self::Complement(decaying(&complement)),
+            Some(kappa) => Self::of_kappa(&kappa),
+            None => {
+                let complement = decaying(&complement);
+                differentiable(&complement)?;
+                Some(Self::Complement(complement))
+            }
         }
     }
+
+    fn of_kappa(kappa: &Expression) -> Option<Self> {
+        let form = Kappa::form_of(kappa);
+        differentiable(&form)?;
+        Some(Self::Kappa(Kappa::with_form(form)))
+    }
+}
+
+/// Takes the effort of a derivative, which repeats what stands beside each of its parts.
+fn differentiable(form: &Expression) -> Option<()> {
+    spend(form.size().saturating_mul(form.height()))
 }
 
 impl Kappa {
     /// The mapping by `kappa`, an expression in the time-to-go.
     pub fn new(kappa: &Expression) -> Self {
+        Self::with_form(Self::form_of(kappa))
+    }
+
+    fn form_of(kappa: &Expression) -> Expression {
         // A cotangent in place of a tangent's inverse: the tangent has a pole at the start.
         let without_tan = kappa.substitute(&|e| match e {
             Expression::Call(Function::Tan, angle) => {
@@ -56,7 +79,10 @@ impl Kappa {
             }
             _ => None,
         });
-        let form = normal::normal(&without_tan);
+        normal::normal(&without_tan)
+    }
+
+    fn with_form(form: Expression) -> Self {
         let time_to_go = Expression::from(Variable::TimeToGo);
         // kappa' is the derivative with respect to elapsed time: T falls as time goes on.
         let slope = form.derivative(Variable::TimeToGo).neg();
@@ -79,16 +105,26 @@ impl Custom {
             let message = format!("{} does not depend on `{name}`", subject.key());
             return Err((message, format!("give an expression in {name}, tau and parameters")));
         }
-        let form = match subject {
+        let (form, enough) = completed(|| match subject {
             Subject::Mu => Form::of_mu(&given),
             _ => {
                 let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
                 let in_time_to_go =
                     |e: &Expression| (*e == variable.into()).then(|| elapsed.clone());
-                Form::Kappa(Kappa::new(&given.substitute(&in_time_to_go)))
+                Form::of_kappa(&given.substitute(&in_time_to_go))
             }
-        };
-        Ok(Self { subject, given, form })
+        });
+        match form.filter(|_| enough) {
+            Some(form) => Ok(Self { subject, given, form }),
+            None => {
+                let (size, most) = (given.size(), EFFORT.most);
+                let message = format!(
+                    "{}, {size} operations and operands, takes more than {most} steps to simplify",
+                    subject.key()
+                );
+                Err((message, EFFORT.fix.to_owned()))
+            }
+        }
     }
 
     /// How time-to-go and the first `order` derivatives of mu fall, once parameters are replaced as

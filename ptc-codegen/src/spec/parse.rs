@@ -13,13 +13,8 @@ use std::ops::Range;
 
 use super::value::shorten;
 use super::{Argument, Fixed, Node, Operator, Value, number};
-use crate::diagnostic::{Diagnostic, Place};
-
-/// Largest height of an expression: what walks it may recurse that deep.
-const MAX_HEIGHT: usize = 200;
-
-/// Longest text that is read; no law that a person wrote comes near it.
-const MAX_LENGTH: usize = 20_000;
+use crate::diagnostic::{Diagnostic, LARGE, Place};
+use crate::limits::{HEIGHT, Limit, NESTING, TEXT};
 
 /// Parses the text of one value. `place` makes a place of a byte range of the text.
 ///
@@ -31,18 +26,24 @@ pub fn parse(
     place: &mut dyn FnMut(Range<usize>) -> Place,
 ) -> Result<Node, Diagnostic> {
     let mut parser = Parser { text, at: 0, height: 0, depth: 0, place };
-    let top = if text.len() > MAX_LENGTH {
-        Err((0..text.len(), "at most 20000 characters"))
-    } else {
-        parser.top()
-    };
-    top.map_err(|(range, expected)| {
-        let found = text.get(range.clone()).filter(|s| !s.is_empty());
+    parser.whole().map_err(|Failure { range, reason }| {
+        let (key, place) = (key.to_owned(), Some((parser.place)(range.clone())));
+        let expected = match reason {
+            Reason::Expected(expected) => expected,
+            Reason::Beyond(limit) => {
+                let message = match limit.what == TEXT.what {
+                    true => limit.exceeded(&shorten(&key), text.len()),
+                    false => limit.beyond(&shorten(&key)),
+                };
+                return Diagnostic { code: LARGE, key, place, message, help: limit.fix.to_owned() };
+            }
+        };
+        let found = text.get(range).filter(|s| !s.is_empty());
         let found = found.map_or_else(|| "the end".to_owned(), |s| format!("`{}`", shorten(s)));
         Diagnostic {
             code: "syntax",
-            key: key.to_owned(),
-            place: Some((parser.place)(range)),
+            key,
+            place,
             message: format!("found {found} where {expected} should be"),
             help: "write a number, a name, a name with arguments such as `power(m=2)`, numbers separated by commas, or an expression such as `2*xi1 + sin(xi2)^2`"
                 .to_owned(),
@@ -50,7 +51,27 @@ pub fn parse(
     })
 }
 
-type Failure = (Range<usize>, &'static str);
+/// Where the text is wrong, and why.
+struct Failure {
+    range: Range<usize>,
+    reason: Reason,
+}
+
+enum Reason {
+    /// What should be there.
+    Expected(&'static str),
+    /// A bound that the text exceeds.
+    Beyond(&'static Limit),
+}
+
+/// There should be something else at `range`.
+fn expected(range: Range<usize>, what: &'static str) -> Failure {
+    Failure { range, reason: Reason::Expected(what) }
+}
+
+fn beyond(range: Range<usize>, limit: &'static Limit) -> Failure {
+    Failure { range, reason: Reason::Beyond(limit) }
+}
 
 struct Parser<'a> {
     text: &'a str,
@@ -63,6 +84,10 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
+    fn whole(&mut self) -> Result<Node, Failure> {
+        if TEXT.admits(self.text.len()) { self.top() } else { Err(beyond(0..0, &TEXT)) }
+    }
+
     /// A value, or several separated by commas: a list without brackets.
     fn top(&mut self) -> Result<Node, Failure> {
         let start = self.skip_space();
@@ -107,8 +132,8 @@ impl Parser<'_> {
             self.at += sign.len_utf8();
             let right = operand(self)?;
             height = height.max(self.height) + 1;
-            if height > MAX_HEIGHT {
-                return Err((at, "at most 200 operations in a row (brackets join parts of a sum)"));
+            if !HEIGHT.admits(height) {
+                return Err(beyond(at, &HEIGHT));
             }
             left = self.node(Value::Binary(*operator, Box::new(left), Box::new(right)), start);
         }
@@ -152,7 +177,7 @@ impl Parser<'_> {
                 self.at += 1;
                 let inner = self.nested(Self::sum)?;
                 if !self.eat(')') {
-                    return Err((self.here(), "`)`"));
+                    return Err(expected(self.here(), "`)`"));
                 }
                 Ok(inner)
             }
@@ -163,7 +188,7 @@ impl Parser<'_> {
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(start),
             Some(c) if c.is_ascii_alphabetic() || c == '_' => self.word(start),
-            _ => Err((self.here(), "a value")),
+            _ => Err(expected(self.here(), "a value")),
         }
     }
 
@@ -186,7 +211,9 @@ impl Parser<'_> {
         };
         match value {
             Some(value) => Ok(self.node(value, start)),
-            None => Err((start..end, "a decimal number (exponent at most 400)")),
+            None => {
+                Err(expected(start..end, "a decimal number (1000 digits and exponent 400 at most)"))
+            }
         }
     }
 
@@ -219,8 +246,8 @@ impl Parser<'_> {
     /// What stands one level deeper; the bound keeps the stack flat.
     fn nested<T>(&mut self, inner: fn(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
         self.depth += 1;
-        if self.depth > MAX_HEIGHT / 2 {
-            return Err((self.here(), "at most 100 levels of nesting"));
+        if !NESTING.admits(self.depth) {
+            return Err(beyond(self.here(), &NESTING));
         }
         let result = inner(self)?;
         self.depth -= 1;
@@ -238,7 +265,8 @@ impl Parser<'_> {
         let mut height = 0;
         while !self.eat(close) {
             if !items.is_empty() && !self.eat(',') {
-                return Err((self.here(), if close == ')' { "`,` or `)`" } else { "`,` or `]`" }));
+                let what = if close == ')' { "`,` or `)`" } else { "`,` or `]`" };
+                return Err(expected(self.here(), what));
             }
             // A comma may end the list, as where each item has its own line.
             if !items.is_empty() && self.eat(close) {
@@ -284,7 +312,7 @@ impl Parser<'_> {
     fn end(&mut self) -> Result<(), Failure> {
         match self.peek() {
             None => Ok(()),
-            Some(_) => Err((self.here(), "the end of the value")),
+            Some(_) => Err(expected(self.here(), "the end of the value")),
         }
     }
 
@@ -364,7 +392,9 @@ mod tests {
         let sum = vec!["x1"; 300].join("+");
         assert!(parsed(&sum).err().is_some_and(|m| m.contains("200 operations")));
         assert!(parsed(&vec!["x1"; 200].join("+")).is_ok());
-        assert!(parsed(&"1".repeat(30_000)).err().is_some_and(|m| m.contains("20000 characters")));
+        assert!(
+            parsed(&"1".repeat(30_000)).err().is_some_and(|m| m.contains("the limit is 20000"))
+        );
     }
 
     #[test]
@@ -389,7 +419,10 @@ mod tests {
             ("exp(", "found the end where a value should be"),
             ("exp(a=1", "found the end where `,` or `)` should be"),
             ("exp)", "found `)` where the end of the value should be"),
-            ("1e999", "found `1e999` where a decimal number (exponent at most 400) should be"),
+            (
+                "1e999",
+                "found `1e999` where a decimal number (1000 digits and exponent 400 at most) should be",
+            ),
             ("2^^3", "found `^` where a value should be"),
             ("x1 x2", "found `x2` where the end of the value should be"),
         ] {

@@ -34,30 +34,52 @@ const LOCALS: &str = "
     y_squared E T
 ";
 
+/// Headers of C and modules of Python, for which a controller's own files would be taken.
+const FILES: &str = "
+    assert complex ctype dataclasses errno fenv inttypes iso646 limits locale math numpy ptc setjmp
+    signal stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time
+    typing uchar wchar wctype
+";
+
+/// What the names of all statuses begin with.
+const STATUS: &str = "PTC_";
+
 /// Types that stand beside the controller's own in an emitted Rust file.
 const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
 
 /// Whether `word` is a keyword, or a name that C's headers declare as a macro.
 pub(super) fn is_word(word: &str) -> bool {
     RESERVED.split_whitespace().any(|one| one == word)
+        || word.starts_with(STATUS)
         || DECLARED.split_whitespace().any(|one| one == word)
 }
 
-/// Whether `word` means something in C, C++ or Rust or where the controller is emitted, or could
-/// never prefix a symbol.
+/// Whether `word` cannot name a controller.
 pub(super) fn is_reserved(word: &str) -> bool {
+    reason(word).is_some()
+}
+
+/// Why `word`, an identifier, cannot name a controller; none where it can.
+pub(super) fn reason(word: &str) -> Option<&'static str> {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
     let unnumbered = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
-    // POSIX reserves all names that end in _t. A leading underscore is reserved in C; a name of underscores alone names nothing in Rust.
-    word.starts_with('_')
-        || word.ends_with("_t")
-        || is_word(word)
-        || among(FUNCTIONS, word)
-        || among(FUNCTIONS, stem)
-        || among(LOCALS, word)
-        || among(LOCALS, unnumbered)
-        || TYPES.contains(&super::type_name(word).as_str())
+    let reasons = [
+        (word.starts_with('_'), "C reserves names that begin with an underscore"),
+        (word.ends_with("_t"), "POSIX reserves names that end in _t"),
+        (is_word(word), "it is a word of C, C++ or Rust, or what all controllers share"),
+        (among(FUNCTIONS, word) || among(FUNCTIONS, stem), "it is a function of C's math.h"),
+        (among(FILES, word), "its files would take the place of a header or module of that name"),
+        (
+            among(LOCALS, word) || among(LOCALS, unnumbered),
+            "the emitted functions call a value of their own so",
+        ),
+        (
+            TYPES.contains(&super::type_name(word).as_str()),
+            "its type would have the name of another one in Rust",
+        ),
+    ];
+    reasons.into_iter().find(|(applies, _)| *applies).map(|(_, reason)| reason)
 }
 
 #[cfg(test)]
@@ -67,8 +89,25 @@ mod tests {
     #[test]
     fn names_that_would_not_compile_are_reserved() {
         for word in [
-            "int", "fn", "_x", "__", "exp", "expf", "sqrtl", "size_t", "status", "Error", "self",
-            "x1", "c2_1", "t", "inv_T",
+            "int",
+            "fn",
+            "_x",
+            "__",
+            "exp",
+            "expf",
+            "sqrtl",
+            "size_t",
+            "status",
+            "Error",
+            "self",
+            "x1",
+            "c2_1",
+            "t",
+            "inv_T",
+            "stdint",
+            "math",
+            "PTC_STATUS_DEFINED",
+            "PTC_OK",
         ] {
             assert!(is_reserved(word), "{word}");
         }

@@ -3,9 +3,10 @@
 
 use num_traits::{One, Zero};
 
-use super::{Fixed, read::MAX_EXPONENT};
+use super::Fixed;
 use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::Place;
+use crate::limits::{DIGITS, EXPONENT};
 
 /// A value and the place where it was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,10 +69,13 @@ pub(super) fn decimal(text: &str) -> Option<BigRational> {
         None => (unsigned, 0),
     };
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    if !DIGITS.admits(whole.len() + fraction.len()) {
+        return None;
+    }
     let digits = format!("{whole}{fraction}");
     let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
     let scale = i32::try_from(fraction.len()).ok()?;
-    if !plain || exponent.abs() > MAX_EXPONENT || digits.len() > 1000 {
+    if !plain || u64::from(exponent.unsigned_abs()) > EXPONENT.most {
         return None;
     }
     let mut value = BigRational::from_integer(digits.parse::<BigInt>().ok()?);

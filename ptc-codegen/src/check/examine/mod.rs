@@ -19,6 +19,7 @@ use super::sampling::sampling;
 use super::{Outcome, Verdict};
 use crate::check::deadline::{ClosedLoop, deadline};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::effort::bounded;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::Family;
@@ -151,7 +152,7 @@ fn membership(spec: &Spec) -> Outcome {
             (None, None) => None,
         }
     };
-    Outcome::from(&prove(custom, spec.n, &ranges))
+    Outcome::from(&bounded(|| prove(custom, spec.n, &ranges)))
 }
 
 /// What the gains do at the deadline; where the rate is left to run time, the greatest with which

@@ -74,15 +74,6 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     if printed { Ok(()) } else { write::to_stdout(told) }
 }
 
-/// A design without `[plant]`.
-pub(crate) fn no_plant() -> Failure {
-    Failure::because(
-        "the design has no plant to verify".to_owned(),
-        "write `[plant]` into the design file, and under it `f = \"...\"`, or `f = 0` for a chain of \
-         integrators; or give --plant f=0",
-    )
-}
-
 /// What a run needs and lacks, all at once.
 fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
     let values = Values::of(spec, plant);

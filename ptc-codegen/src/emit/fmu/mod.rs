@@ -9,7 +9,7 @@ use askama::Template;
 use super::c;
 use super::example::Example;
 use super::frame::{Frame, Requirement, literal, parameter_text};
-use super::{Controller, File, Language, Target, stands_alone, tidy};
+use super::{Controller, File, Language, Target, stands_alone, text_of, tidy};
 use crate::program::number;
 use crate::spec::{Fixed, Parameter, Precision};
 use variables::{Unit, Variable};
@@ -123,7 +123,7 @@ fn with_token(
         start_reference,
         frame: &frame,
     };
-    let core = core.render().unwrap_or_default();
+    let core = text_of(core.render());
     let single = spec.precision == Precision::F32;
     let lang = if version == Version::Two { Language::Fmu2 } else { Language::Fmu3 };
     let description = format!(
@@ -176,7 +176,7 @@ fn with_token(
 }
 
 fn file(name: &str, text: askama::Result<String>) -> File {
-    File { name: name.to_owned(), text: tidy(&text.unwrap_or_default()) }
+    File { name: name.to_owned(), text: tidy(&text_of(text)) }
 }
 
 /// A token in the form of a UUID: the 128-bit FNV-1a hash of the texts.

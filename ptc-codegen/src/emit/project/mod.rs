@@ -7,7 +7,7 @@ mod templates;
 
 use askama::Template;
 
-use super::{Controller, File, Language, c, rust, stands_alone, tidy};
+use super::{Controller, File, Language, c, rust, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
@@ -108,7 +108,7 @@ fn constant(gain: &Expression) -> Option<&BigRational> {
 }
 
 fn file(name: &str, template: &impl Template) -> File {
-    File { name: name.to_owned(), text: tidy(&template.render().unwrap_or_default()) }
+    File { name: name.to_owned(), text: tidy(&text_of(template.render())) }
 }
 
 /// The emitted files in a folder of the project each, the header first.

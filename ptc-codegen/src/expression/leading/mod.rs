@@ -11,6 +11,7 @@ pub(crate) use self::scale::Scale;
 
 use self::scale::Product;
 use self::series::{Series, Term};
+use super::effort::{self, bounded};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
@@ -303,6 +304,7 @@ impl Walk<'_> {
     /// Takes the work of an operation on two coefficients from what is left.
     fn charge(&self, a: &Expression, b: &Expression) -> Option<()> {
         let size = a.size() + b.size();
+        effort::spend(size)?;
         // The work of a normal form grows faster than what it is taken of.
         self.spend(if size > MAX_SIZE { MAX_WORK } else { 1 + size / 4 })
     }
@@ -321,8 +323,8 @@ impl Walk<'_> {
 /// What `of` gives for the expansion with the fewest terms with which it gives something.
 fn search<T>(expression: &Expression, v: Variable, of: &dyn Fn(Series) -> Option<T>) -> Option<T> {
     let left = Cell::new(MAX_WORK);
-    let terms = TERMS.into_iter();
-    terms.map(|most| series(expression, &Walk { v, most, left: &left })).find_map(|s| of(s?))
+    let with = |most| series(expression, &Walk { v, most, left: &left });
+    bounded(|| TERMS.into_iter().map(with).find_map(|found| of(found?)))
 }
 
 fn half() -> Expression {

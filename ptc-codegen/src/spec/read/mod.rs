@@ -14,14 +14,11 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{
     After, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises, Spec,
-    TimeMapping, Value, What, reserved::is_reserved, shorten,
+    TimeMapping, Value, What, reserved::is_reserved, reserved::reason, shorten,
 };
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
 use crate::lower::has_associated;
-
-/// Largest decimal exponent of a number.
-pub(crate) const MAX_EXPONENT: i32 = 400;
 
 /// The checks that may be allowed to fail.
 pub(super) use crate::check::CHECKS;
@@ -334,7 +331,11 @@ impl<'a> Reader<'a> {
         }
         let message = format!("{} cannot name a controller", shown(&node.value));
         let legal = KeyInfo::find("name").map_or("", |info| info.legal);
-        self.wrong("name", Some(node.place), message, format!("a name is {legal}"));
+        let why = match &node.value {
+            Value::Word(word) => reason(word).map(|why| format!("{why}; ")).unwrap_or_default(),
+            _ => String::new(),
+        };
+        self.wrong("name", Some(node.place), message, format!("{why}a name is {legal}"));
         None
     }
 

@@ -1,0 +1,60 @@
+//! The effort of symbolic work, counted where it is done, so that no expression takes unbounded
+//! time or memory: what is left undone is unknown, and the form stays as it was written.
+
+use std::cell::Cell;
+
+use crate::limits::EFFORT;
+
+thread_local! {
+    /// What is left of the effort of the work that goes on; none where it is not bounded.
+    static LEFT: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// Sets the effort back where the work ends, however it ends.
+struct Outermost;
+
+impl Drop for Outermost {
+    fn drop(&mut self) {
+        LEFT.set(None);
+    }
+}
+
+/// Does `work` within [`EFFORT`]. Work within work has the effort of the whole.
+pub(crate) fn bounded<T>(work: impl FnOnce() -> T) -> T {
+    completed(work).0
+}
+
+/// The same, and whether the effort was enough.
+pub(crate) fn completed<T>(work: impl FnOnce() -> T) -> (T, bool) {
+    let _outermost = LEFT.get().is_none().then(|| {
+        LEFT.set(Some(EFFORT.size()));
+        Outermost
+    });
+    let result = work();
+    (result, LEFT.get() != Some(0))
+}
+
+/// Takes `steps` of the effort; `None` where so many are not left, nor will any be again.
+pub(crate) fn spend(steps: usize) -> Option<()> {
+    let Some(left) = LEFT.get() else { return Some(()) };
+    let rest = left.saturating_sub(steps);
+    LEFT.set(Some(rest));
+    (rest > 0).then_some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn effort_is_that_of_the_whole_and_ends_with_it() {
+        let ((), enough) = completed(|| {
+            assert!(bounded(|| spend(EFFORT.size() / 2)).is_some());
+            assert!(bounded(|| spend(EFFORT.size() / 2)).is_none());
+            assert!(spend(1).is_none());
+        });
+        assert!(!enough);
+        assert!(completed(|| spend(1)).1);
+        assert!(spend(usize::MAX).is_some());
+    }
+}

@@ -1,0 +1,96 @@
+//! How large an input may be, and how much work it may cause: one table, so that every input has a
+//! bound in time and memory, and every refusal for a size says which bound it is.
+
+/// A bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Limit {
+    /// What is counted, in the plural.
+    pub what: &'static str,
+    /// The largest count that is accepted.
+    pub most: u64,
+    /// Why the bound is where it is.
+    pub why: &'static str,
+    /// What to do about an input that is refused; empty where none is, as work beyond the bound is
+    /// left undone and the form stays as it was written.
+    pub fix: &'static str,
+}
+
+impl Limit {
+    /// Whether `size` is accepted.
+    pub fn admits(&self, size: usize) -> bool {
+        u64::try_from(size).is_ok_and(|size| size <= self.most)
+    }
+
+    /// The bound as a size in memory.
+    pub const fn size(&self) -> usize {
+        self.most as usize
+    }
+
+    /// `subject` is larger: what it has, and what it may have.
+    pub fn exceeded(&self, subject: &str, size: usize) -> String {
+        format!("{subject} has {size} {}; the limit is {}", self.what, self.most)
+    }
+
+    /// The same where nothing was counted beyond the limit.
+    pub fn beyond(&self, subject: &str) -> String {
+        format!("{subject} has more than {} {}", self.most, self.what)
+    }
+}
+
+macro_rules! table {
+    ($($(#[$doc:meta])* $name:ident = $most:literal $what:literal, $why:literal, $fix:literal;)*) => {
+        $($(#[$doc])* pub const $name: Limit =
+            Limit { what: $what, most: $most, why: $why, fix: $fix };)*
+
+        /// All bounds by their names.
+        pub const TABLE: &[(&str, Limit)] = &[$((stringify!($name), $name)),*];
+    };
+}
+
+table! {
+    /// Bytes of a design file.
+    DESIGN = 1_048_576 "bytes", "a design is a page of TOML",
+        "give the design itself: this is some other file";
+    /// Lines of a design, and flags of a command.
+    ENTRIES = 2_000 "keys and tables", "each may cause a search for what it means",
+        "a design has some forty keys: leave the others out";
+    /// Items of all lists of a design.
+    ITEMS = 2_000 "values in lists", "each may be wrong by itself; the order is at most 16",
+        "a list has one value for each state";
+    /// Characters of the text of a value.
+    TEXT = 20_000 "characters", "a law that a person wrote has a few hundred",
+        "write it shorter";
+    /// Operations on the longest way from the top of an expression to a leaf.
+    HEIGHT = 200 "operations in a row", "what walks an expression recurses that deep",
+        "brackets join parts of a sum: (a + b) + (c + d)";
+    /// Levels of brackets, signs and exponents.
+    NESTING = 100 "levels of nesting", "the parser recurses that deep",
+        "write it with fewer brackets, calls or signs in each other";
+    /// Decimal digits of a number.
+    DIGITS = 1_000 "digits", "a double has 17", "round the number";
+    /// Decimal exponent of a number.
+    EXPONENT = 400 "as a decimal exponent", "that of a double is from -324 to 308",
+        "give the number in a unit in which it is nearer to 1";
+    /// Arguments of min, max and mean.
+    ARGUMENTS = 99 "arguments", "each is an operation in a row",
+        "join parts: min(min(a, b), min(c, d))";
+    /// Operations and operands of an expression, its families written out.
+    SIZE = 10_000 "operations and operands", "families in families multiply it",
+        "write it shorter";
+    /// Bits of a constant over or under its fraction bar.
+    BITS = 4_096 "bits in a constant", "powers of powers multiply them",
+        "write it with constants of fewer digits";
+    /// Terms of a polynomial that is multiplied out.
+    TERMS = 64 "terms", "a longer normal form is no shorter than what it stands for", "";
+    /// Exponent of a polynomial that is multiplied out.
+    DEGREE = 4_096 "as its degree", "degrees stay small integers", "";
+    /// Names, calls and roots that a normal form tells apart.
+    KERNELS = 200 "names, calls and roots", "each is compared with all", "";
+    /// Whole power of a sum that is multiplied out.
+    POWER = 24 "as its power", "a sum to it has about as many terms as are kept", "";
+    /// Steps of the work on one expression, each of about a tenth of a microsecond.
+    EFFORT = 5_000_000 "steps", "a refusal takes less than a second and 500 MB",
+        "write it with fewer functions, powers and fractions in each other";
+    /// Messages about one input.
+    MESSAGES = 20 "messages", "the first ones are to be mended first", "";
+}

@@ -1,0 +1,141 @@
+//! Every input has a bound in time: what is too large is refused with its size and the limit, what
+//! is accepted ends.
+#![cfg(feature = "cli")]
+
+mod support;
+
+use std::fs;
+use std::process::Output;
+use std::time::{Duration, Instant};
+
+use support::{command, folder};
+
+/// Many times what a release takes: tests are built with little optimisation, and run beside others.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// What the command gives, without a panic, in time, and with an exit code that is documented.
+fn run(arguments: &[&str]) -> Output {
+    let began = Instant::now();
+    let output = command(arguments).output().expect("the command runs");
+    assert!(began.elapsed() < PATIENCE, "{:?} for {arguments:?}", began.elapsed());
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0..=2)), "{arguments:?}: {stderr}");
+    assert!(stderr.len() < 20_000, "{} bytes for {arguments:?}", stderr.len());
+    output
+}
+
+fn refused(arguments: &[&str], parts: &[&str]) {
+    let output = run(arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {stderr}");
+    assert!(output.stdout.is_empty());
+    for part in parts {
+        assert!(stderr.contains(part), "{part} in {stderr}");
+    }
+}
+
+/// `E` and `K` of `form`, replaced by the form itself and a number, `depth` times around `inner`.
+fn nested(form: &str, depth: usize, inner: &str) -> String {
+    (1..=depth).fold(inner.to_owned(), |e, k| form.replace('K', &k.to_string()).replace('E', &e))
+}
+
+#[test]
+fn expressions_that_grow_when_they_are_simplified_end() {
+    let places: [(&str, &str, &[&str]); 4] = [
+        ("--mu", "t", &[]),
+        ("--kappa", "dt", &[]),
+        ("--pi0", "xi1", &["--mu=exp"]),
+        ("--g", "x1", &["--mu=exp"]),
+    ];
+    for (flag, name, others) in places {
+        for form in [
+            nested("(E+K)^3", 20, name),
+            nested("(E+a)^3", 20, name),
+            nested("1/(K+E)", 60, name),
+            nested("tanh(E)", 80, name),
+            nested("atanh(E/2)", 40, name),
+            nested("cosh(E)", 30, name),
+            nested("ln(1+E)", 50, name),
+            nested("(E)^(E)", 8, name),
+            format!("{name}^1e8 - b"),
+            format!("({name}+1)^100000000"),
+            format!("({name}+1)^(100000001/3)"),
+            format!("({name}+1)^(1/100000007)"),
+            format!("{name}*exp(exp(exp(9)))"),
+            (1..30)
+                .map(|k| format!("sinh({k}*{name})/cosh({}*{name})", k + 1))
+                .collect::<Vec<_>>()
+                .join("*"),
+            (1..60).map(|k| format!("1/({name}+p{k})")).collect::<Vec<_>>().join("+"),
+        ] {
+            let own = format!("{flag}={form}");
+            run(&[&["check", "--n=2", &own], others].concat());
+        }
+    }
+}
+
+#[test]
+fn what_is_too_large_is_refused_with_its_size_and_the_limit() {
+    let nest = nested("(E)", 150, "t");
+    let row = vec!["t"; 300].join("+");
+    let least = format!("min({})", vec!["t"; 150].join(","));
+    for (mu, parts) in [
+        ("t+".repeat(30_000) + "1", &["[too-large]: mu has 60001 characters", "20000"][..]),
+        (nest, &["[too-large]: mu has more than 100 levels of nesting", "fewer brackets"]),
+        (row, &["[too-large]: mu has more than 200 operations in a row", "(a + b) + (c + d)"]),
+        (least, &["[too-large]: mu has 150 arguments", "99"]),
+        ("t*2^64^9".to_owned(), &[]),
+        ("t*((((7^7)^7)^7)^7)^7".to_owned(), &["bits in a constant", "4096"]),
+        (nested("cosh(E)", 30, "t"), &["steps to simplify", "fewer functions"]),
+        ("t*1e400000".to_owned(), &["exponent 400"]),
+        (format!("t*{}", "7".repeat(1001)), &["1000 digits"]),
+    ] {
+        let mu = format!("--mu={mu}");
+        match parts {
+            [] => drop(run(&["check", "--n=2", &mu])),
+            parts => refused(&["check", "--n=2", &mu], parts),
+        }
+    }
+}
+
+#[test]
+fn designs_of_any_size_are_read_in_time_or_refused() {
+    let folder = folder("bounds_designs");
+    let begin = "n = 2\nmu = \"exp\"\n";
+    let keys = |count| (0..count).map(|k| format!("k{k} = 1\n")).collect::<String>();
+    for (name, text, parts) in [
+        ("keys", keys(70_000), &["70002 keys and tables; the limit is 2000"][..]),
+        ("few", keys(1500), &["[unknown-key]", "1480 more", "mend these first"]),
+        ("long", format!("{} = 1\n", "k".repeat(900_000)), &["unknown key `kkkk"]),
+        ("dots", format!("[{}a]\n", "a.".repeat(400_000)), &["no table of a design"]),
+        ("list", format!("gains = [{}]\n", "true,".repeat(200_000)), &["200000 values in lists"]),
+        ("deep", format!("gains = {}", "[".repeat(500_000)), &["[toml]"]),
+        ("large", format!("# {}", "x".repeat(2_000_000)), &["more than 1048576 bytes"]),
+    ] {
+        let path = folder.join(format!("{name}.toml"));
+        fs::write(&path, format!("{begin}{text}")).expect("a file");
+        refused(&["check", &path.display().to_string()], parts);
+    }
+    #[cfg(unix)]
+    refused(&["check", "/dev/zero"], &["more than 1048576 bytes"]);
+}
+
+#[test]
+fn hidden_characters_are_written_out() {
+    let file = folder("bounds_hidden").join("a\u{202e}b\u{9b}\n.toml");
+    refused(&["check", &file.display().to_string()], &["a\\u{202e}b\\u{9b}\\n.toml"]);
+    fs::write(&file, "n = 2\nmu = \"t\u{9b}2J\"\n").expect("a file");
+    for mu in ["--mu=t\u{1b}[31m", "--mu=t*\u{202e}", "--mu=\u{2066}t"] {
+        refused(&["check", "--n=2", mu], &["\\u{"]);
+    }
+    for arguments in [
+        &["check", &*file.display().to_string()][..],
+        &["check", "--n=2", "--mu=t\u{1b}[31m\u{202e}"],
+        &["check\u{1b}[31m\u{202e}"],
+    ] {
+        let stderr = String::from_utf8_lossy(&run(arguments).stderr).into_owned();
+        let hidden =
+            |c: char| c.is_control() && c != '\n' || ('\u{202a}'..='\u{202e}').contains(&c);
+        assert!(!stderr.contains(hidden), "{stderr:?}");
+    }
+}
