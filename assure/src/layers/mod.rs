@@ -22,6 +22,7 @@ mod seeded;
 mod selftest;
 mod st;
 mod supply;
+mod verdicts;
 
 use crate::layer::Layer;
 
@@ -46,4 +47,5 @@ pub const LAYERS: &[Layer] = &[
     packages::LAYER,
     campaign::LAYER,
     report::LAYER,
+    verdicts::LAYER,
 ];

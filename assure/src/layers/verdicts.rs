@@ -1,0 +1,187 @@
+//! The verdicts of the command, attacked with designs of known truth.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context as _, Result};
+use serde_json::Value;
+
+use super::command::generator;
+use crate::context::{Context, workspace};
+use crate::harness::command::text;
+use crate::harness::runtime;
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::PYTHON;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "verdicts",
+    claim: "Of random designs and objectives just above and just below the true supremum, which \
+            mpmath, NumPy and SciPy compute, `verify` proves none that fails and fails none that \
+            holds; `check` knows which loops reach 0, and `simulate` ends where the plant does.",
+    tools: &[PYTHON],
+    run,
+};
+
+const PACKAGES: [&str; 3] = ["mpmath>=1.3", "numpy>=1.26", "scipy>=1.11"];
+
+/// How much is drawn: objectives on each side of the truth, the greatest order, designs for `check`,
+/// runs of `simulate` and of the truth by another route.
+struct Size {
+    each_way: usize,
+    order: usize,
+    growth: usize,
+    simulate: usize,
+    attained: usize,
+}
+
+const FULL: Size = Size { each_way: 500, order: 8, growth: 300, simulate: 100, attained: 40 };
+const BRIEF: Size = Size { each_way: 40, order: 4, growth: 60, simulate: 16, attained: 8 };
+/// Enough to meet a truth that is wrong by 2 %, where objectives have a room of 1 % and 5 %.
+const SEED: Size = Size { each_way: 12, order: 2, growth: 0, simulate: 4, attained: 0 };
+
+fn run(context: &Context) -> Result<Finding> {
+    let python = runtime::python(&context.shared("verdicts"), &PACKAGES)?;
+    let attack = Attack { python: &python, command: &generator()?, context };
+    let found = attack.run("true", if context.brief { &BRIEF } else { &FULL }, 1.0)?;
+    let mut finding = Finding::default();
+    finding.failures.extend(faults(&found));
+    tables(&found, &mut finding);
+    let seeds = [
+        (1.02, "falsely proved", "suprema that are taken 2 % too high"),
+        (0.98, "falsely failed", "suprema that are taken 2 % too low"),
+    ];
+    for (scale, kind, defect) in seeds {
+        let wrong = attack.run(kind.rsplit(' ').next().unwrap_or(kind), &SEED, scale)?;
+        let told = faults(&wrong);
+        let caught = |kind: &str| told.iter().find(|fault| fault.contains(kind)).cloned();
+        let first_line = |fault: String| fault.lines().next().unwrap_or_default().to_owned();
+        finding.seed(defect, caught(kind).map(first_line));
+        let defect = format!("final states that are scaled by {scale}");
+        finding.seed(&defect, caught("is off").map(first_line));
+    }
+    Ok(finding)
+}
+
+/// The campaign in Python.
+struct Attack<'a> {
+    python: &'a Path,
+    command: &'a Path,
+    context: &'a Context,
+}
+
+impl Attack<'_> {
+    /// What it finds with the truth multiplied by `scale`.
+    fn run(&self, name: &str, size: &Size, scale: f64) -> Result<Value> {
+        let mut run = Command::new(self.python);
+        run.arg(workspace().join("assure/verdicts/main.py"))
+            .arg(self.command)
+            .arg(self.context.scratch(&format!("verdicts/{name}")));
+        let numbers = [
+            ("--each-way", size.each_way),
+            ("--order", size.order),
+            ("--growth", size.growth),
+            ("--simulate", size.simulate),
+            ("--attained", size.attained),
+        ];
+        for (flag, number) in numbers {
+            run.arg(flag).arg(number.to_string());
+        }
+        run.arg("--seed").arg(self.context.seed.to_string()).arg("--scale").arg(scale.to_string());
+        let told = text(run.env("PYTHONDONTWRITEBYTECODE", "1"))?;
+        serde_json::from_str(&told).context("the campaign prints one object")
+    }
+}
+
+/// Each false verdict, with the design that shows it.
+fn faults(found: &Value) -> Vec<String> {
+    let mut faults = Vec::new();
+    for result in list(&found["verify"]["false"]) {
+        for fault in list(&result["faults"]) {
+            let (kind, number) = (&fault[0], &fault[1]);
+            let kind = kind.as_str().unwrap_or_default();
+            faults.push(format!("{kind}: {number}, of {}\n{}", result["name"], shown(result)));
+        }
+    }
+    for result in list(&found["growth"]["false"]) {
+        let truth = if result["holds"] == Value::Bool(true) { "goes" } else { "does not go" };
+        faults.push(format!(
+            "growth is {}, but the loop {truth} to 0: {}\n{}",
+            result["verdict"],
+            result["words"],
+            shown(result)
+        ));
+    }
+    for result in list(&found["growth"]["unconfirmed"]) {
+        faults.push(format!("the rate is not that of the mapping: {}", result["words"]));
+    }
+    for result in list(&found["simulate"]["false"]) {
+        let error = result["error"].as_f64().unwrap_or(f64::INFINITY);
+        faults.push(format!(
+            "simulate is off by {error:.1e} of what is allowed, or ends early, with exit code 0: {} {}\n{}",
+            result["name"],
+            result["words"],
+            shown(result)
+        ));
+    }
+    let missed = found["attained"]["miss"].as_f64().unwrap_or(0.0);
+    if missed > 1e-6 {
+        faults.push(format!("the two routes to the truth differ by {missed:.1e}"));
+    }
+    faults
+}
+
+fn list(value: &Value) -> impl Iterator<Item = &Value> {
+    value.as_array().into_iter().flatten()
+}
+
+/// The design of a result, and what the command printed of it.
+fn shown(result: &Value) -> String {
+    let text = |key: &str| result[key].as_str().unwrap_or_default();
+    format!("{}{}", text("design"), text("printed"))
+}
+
+fn tables(found: &Value, finding: &mut Finding) {
+    let (verify, growth, simulate) = (&found["verify"], &found["growth"], &found["simulate"]);
+    finding.summary = format!(
+        "{} objectives above and {} below the truth, {} designs of `check`, {} runs of `simulate`",
+        verify["above"], verify["below"], growth["designs"], simulate["designs"]
+    );
+    let mut rows = Vec::new();
+    for (command, counts) in [("verify", &verify["verdicts"]), ("check", &growth["verdicts"])] {
+        for (verdict, count) in counts.as_object().into_iter().flatten() {
+            rows.push(vec![command.to_owned(), verdict.clone(), count.to_string()]);
+        }
+    }
+    finding.tables.push(Table {
+        title: "Verdicts, and the truth".to_owned(),
+        head: vec!["command", "verdict, truth", "objectives or designs"],
+        rows,
+    });
+    let proved = verify["proved_with_room"].as_object().into_iter().flatten();
+    let rows =
+        proved.map(|(n, counts)| vec![n.clone(), counts[0].to_string(), counts[1].to_string()]);
+    finding.tables.push(Table {
+        title: "Objectives with 5 % of room".to_owned(),
+        head: vec!["n", "proved", "of"],
+        rows: rows.collect(),
+    });
+    let kinds = simulate["kinds"].as_object().into_iter().flatten();
+    let number =
+        |value: &Value| value.as_f64().map_or("-".to_owned(), |value| format!("{value:.1e}"));
+    let rows = kinds.map(|(kind, of)| {
+        let counts = [&of["runs"], &of["finished"]].map(Value::to_string);
+        [&[kind.clone()], &counts[..], &[number(&of["error"]), number(&of["tolerance"])]].concat()
+    });
+    finding.tables.push(Table {
+        title: "Runs of `simulate`".to_owned(),
+        head: vec!["kind", "runs", "finished", "greatest error", "allowed"],
+        rows: rows.collect(),
+    });
+    finding.notes.push(format!(
+        "{} objectives that fail by 1 % or 5 % were held by sampling, which claims a probability; \
+         {} routes by SciPy to the truth differ from it by at most {}.",
+        verify["held"],
+        found["attained"]["runs"],
+        number(&found["attained"]["miss"])
+    ));
+}

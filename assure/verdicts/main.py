@@ -1,0 +1,109 @@
+"""Attacks the verdicts of `ptc-codegen` with designs of known truth; prints a JSON of what it found.
+
+The truth comes from mpmath, NumPy and SciPy and shares no code with the project.
+"""
+
+import argparse
+import json
+import multiprocessing
+import sys
+from collections import Counter
+from pathlib import Path
+
+import attained
+import growth
+import simulate
+import verify
+
+
+def verdicts(pool, arguments):
+    """Designs for `verify` until enough objectives were judged on either side of the truth."""
+    jobs = ((arguments.command, arguments.folder, arguments.seed, f"verify{index}", arguments.order,
+             arguments.scale, arguments.seconds) for index in range(20 * arguments.each_way))
+    results, judged = [], Counter(above=0, below=0)
+    for result in each(pool, verify.trial, jobs, arguments):
+        results.append(result)
+        for row in result["rows"]:
+            if row[-1] is not None:
+                judged["above" if row[-2] > 0 else "below"] += 1
+        if min(judged.values()) >= arguments.each_way:
+            break
+    rows = [row for result in results for row in result["rows"]]
+    roomy = lambda n: [row[-1] for row in rows if row[0] == n and row[-2] == 0.05 and row[-1]]
+    return {
+        "designs": len(results), **judged,
+        "verdicts": Counter(f"{word}, {'above' if room > 0 else 'below'}" for *_, room, word in rows if word),
+        "proved_with_room": {n: [roomy(n).count("proved"), len(roomy(n))] for n in range(1, arguments.order + 1)},
+        "false": [result for result in results if any(kind != "held by sampling" for kind, _ in result["faults"])],
+        "held": sum(kind == "held by sampling" for result in results for kind, _ in result["faults"]),
+    }
+
+
+def rates(pool, arguments):
+    jobs = ((arguments.command, arguments.folder, arguments.seed, f"growth{index}", arguments.scale,
+             arguments.seconds) for index in range(arguments.growth))
+    results = list(each(pool, growth.trial, jobs, arguments))
+    return {
+        "designs": len(results),
+        "verdicts": Counter(f"{r['verdict']}, {'x and u go to 0' if r['holds'] else 'not'}" for r in results),
+        "unconfirmed": [r for r in results if not r["confirmed"]],
+        "false": [r for r in results if r["false"]],
+    }
+
+
+def runs(pool, arguments):
+    jobs = ((arguments.command, arguments.folder, arguments.seed, f"simulate{index}", arguments.scale,
+             arguments.seconds) for index in range(arguments.simulate))
+    results = list(each(pool, simulate.trial, jobs, arguments))
+    kinds = {}
+    for kind in sorted({r["kind"] for r in results}):
+        own = [r for r in results if r["kind"] == kind]
+        errors = [r["error"] * simulate.TOLERANCE[kind] for r in own if r["error"] is not None]
+        kinds[kind] = {"runs": len(own), "finished": len(errors), "error": max(errors, default=None),
+                       "tolerance": simulate.TOLERANCE[kind]}
+    return {
+        "designs": len(results), "kinds": kinds,
+        "false": [r for r in results if r["end"] == "short" or r["error"] is not None and r["error"] > 1],
+        "unfinished": [r for r in results if r["end"] in ("late", "refused")],
+    }
+
+
+def routes(pool, arguments):
+    results = list(pool.imap(attained.trial, [(arguments.seed, k) for k in range(arguments.attained)]))
+    return {"runs": len(results), "miss": max((r["miss"] for r in results), default=0.0)}
+
+
+def each(pool, trial, jobs, arguments):
+    for result in pool.imap(trial, jobs):
+        if arguments.verbose:
+            print({k: v for k, v in result.items() if k not in ("design", "printed")}, file=sys.stderr, flush=True)
+        yield result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("command", help="the path of ptc-codegen")
+    parser.add_argument("folder", type=Path, help="where designs are written")
+    parser.add_argument("--each-way", type=int, default=500, help="objectives above, and below, the truth")
+    parser.add_argument("--order", type=int, default=8, help="greatest order")
+    parser.add_argument("--growth", type=int, default=300, help="designs for `check`")
+    parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
+    parser.add_argument("--attained", type=int, default=40, help="suprema computed by another route")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=120, help="for one run of the command")
+    parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
+    parser.add_argument("--scale", type=float, default=1.0, help="a factor that makes the truth wrong")
+    parser.add_argument("--verbose", action="store_true")
+    arguments = parser.parse_args()
+    arguments.command = str(Path(arguments.command).resolve())
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    with multiprocessing.Pool(arguments.jobs) as pool:
+        # What lasts longest comes last; the pool is ended once enough was judged.
+        found = {"attained": routes(pool, arguments), "growth": rates(pool, arguments),
+                 "simulate": runs(pool, arguments), "verify": verdicts(pool, arguments)}
+        pool.terminate()
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    main()
