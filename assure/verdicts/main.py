@@ -11,7 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 import attained
-import growth
+import checks
 import simulate
 import verify
 
@@ -32,20 +32,23 @@ def verdicts(pool, arguments):
     roomy = lambda n: [row[-1] for row in rows if row[0] == n and row[-2] == 0.05 and row[-1]]
     return {
         "designs": len(results), **judged,
-        "verdicts": Counter(f"{word}, {'above' if room > 0 else 'below'}" for *_, room, word in rows if word),
+        "verdicts": Counter(f"{word}, {'true' if room > 0 else 'false'}" for *_, room, word in rows if word),
         "proved_with_room": {n: [roomy(n).count("proved"), len(roomy(n))] for n in range(1, arguments.order + 1)},
         "false": [result for result in results if any(kind != "held by sampling" for kind, _ in result["faults"])],
         "held": sum(kind == "held by sampling" for result in results for kind, _ in result["faults"]),
     }
 
 
-def rates(pool, arguments):
-    jobs = ((arguments.command, arguments.folder, arguments.seed, f"growth{index}", arguments.scale,
-             arguments.seconds) for index in range(arguments.growth))
-    results = list(each(pool, growth.trial, jobs, arguments))
+def checked(pool, arguments):
+    jobs = ((arguments.command, arguments.folder, arguments.seed, index, arguments.scale,
+             arguments.seconds) for index in range(arguments.checks))
+    results = list(each(pool, checks.trial, jobs, arguments))
+    words = {}
+    for result in results:
+        truth = "true" if result["holds"] else "false"
+        words.setdefault(result["check"], Counter())[f"{result['verdict']}, {truth}"] += 1
     return {
-        "designs": len(results),
-        "verdicts": Counter(f"{r['verdict']}, {'x and u go to 0' if r['holds'] else 'not'}" for r in results),
+        "designs": len(results), "verdicts": words,
         "unconfirmed": [r for r in results if not r["confirmed"]],
         "false": [r for r in results if r["false"]],
     }
@@ -86,7 +89,7 @@ def main():
     parser.add_argument("folder", type=Path, help="where designs are written")
     parser.add_argument("--each-way", type=int, default=500, help="objectives above, and below, the truth")
     parser.add_argument("--order", type=int, default=8, help="greatest order")
-    parser.add_argument("--growth", type=int, default=300, help="designs for `check`")
+    parser.add_argument("--checks", type=int, default=600, help="designs for `check`")
     parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
     parser.add_argument("--attained", type=int, default=40, help="suprema computed by another route")
     parser.add_argument("--seed", type=int, default=1)
@@ -99,7 +102,7 @@ def main():
     arguments.folder.mkdir(parents=True, exist_ok=True)
     with multiprocessing.Pool(arguments.jobs) as pool:
         # What lasts longest comes last; the pool is ended once enough was judged.
-        found = {"attained": routes(pool, arguments), "growth": rates(pool, arguments),
+        found = {"attained": routes(pool, arguments), "checks": checked(pool, arguments),
                  "simulate": runs(pool, arguments), "verify": verdicts(pool, arguments)}
         pool.terminate()
     print(json.dumps(found))

@@ -7,10 +7,10 @@ from supremum import corners, gain_at, norm_at, supremum
 
 
 class Drawn:
-    """An objective: its lines, whether it holds, its room as a part of the supremum, its kind."""
+    """An objective: its lines, whether it holds, its room as a part of `size`, the supremum."""
 
-    def __init__(self, lines, room, kind, at):
-        self.lines, self.room, self.kind, self.at = lines, room, kind, at
+    def __init__(self, lines, room, kind, size):
+        self.lines, self.room, self.kind, self.size = lines, room, kind, size
         self.holds = room > 0
 
 
@@ -18,14 +18,20 @@ def text(value):
     return f"{float(value):.12g}"
 
 
+# Below it a bound says nothing that an engineer asks, and doubles have no digits.
+TINY = 1e-60
+
+
 def objective(random, setting, room):
     """One objective whose bound is 1 + room times what is attained."""
     kinds = ["input", "attractive", "linear", "composed", "composed"]
     if setting.force is None:
         kinds += ["state"]
-    kind = random.choice(kinds)
-    return {"state": state, "input": input_, "attractive": attractive,
-            "linear": linear, "composed": composed}[kind](random, setting, room)
+    draw = {"state": state, "input": input_, "attractive": attractive, "linear": linear, "composed": composed}
+    while True:
+        found = draw[random.choice(kinds)](random, setting, room)
+        if found.size > TINY:
+            return found
 
 
 ZETAS = [
@@ -40,13 +46,13 @@ ZETAS = [
 
 def state(random, setting, room):
     zeta, shape = random.choice(ZETAS)
-    value, at = supremum(
+    value, _ = supremum(
         setting, lambda s, tau, rows: gain_at(setting, s, tau, rows) / shape(np.exp(-s)))
     if value <= 1.02:
         # At t0 the ratio is 1: a smaller sigma is bad input, a larger one says nothing of the loop.
         room = abs(room)
     lines = ['bound = "state"', f"sigma = {text(value * (1 + room))}"]
-    return Drawn(lines + ([f'zeta = "{zeta}"'] if zeta else []), room, "state", at)
+    return Drawn(lines + ([f'zeta = "{zeta}"'] if zeta else []), room, "state", value)
 
 
 def input_(random, setting, room):
@@ -55,14 +61,14 @@ def input_(random, setting, room):
     u = [0] * setting.loop.n + [1]
     worst = lambda s, tau, rows: max(
         setting.linear(u, s, tau, rows)[0], setting.linear([0] * setting.loop.n + [-1], s, tau, rows)[0])
-    value, at = supremum(setting, lambda s, tau, rows: worst(s, tau, rows) / shape(np.exp(-s)))
-    return Drawn(['bound = "input"', f'upsilon = "{text(value * (1 + room))}{shape_text}"'], room, "input", at)
+    value, _ = supremum(setting, lambda s, tau, rows: worst(s, tau, rows) / shape(np.exp(-s)))
+    return Drawn(['bound = "input"', f'upsilon = "{text(value * (1 + room))}{shape_text}"'], room, "input", value)
 
 
 def attractive(random, setting, room):
     end = np.array([setting.end])
     rows = setting.free(end)[0]
-    best, at = 0, None
+    best = 0
     taus = setting.taus()
     if len(taus) > 1:
         taus = np.exp(np.linspace(np.log(taus[0]), np.log(taus[-1]), 200))
@@ -72,9 +78,8 @@ def attractive(random, setting, room):
             value = norm_at(setting, end[0], tau, rows, vertices)
         else:
             value = forced_norm(random, setting, end[0], tau, rows)
-        if value > best:
-            best, at = value, (end[0], tau)
-    return Drawn(['bound = "attractive"', f"error = {text(best * sup.SCALE * (1 + room))}"], room, "attractive", at)
+        best = max(best, value)
+    return Drawn(['bound = "attractive"', f"error = {text(best * sup.SCALE * (1 + room))}"], room, "attractive", best)
 
 
 def forced_norm(random, setting, sigma, tau, rows):
@@ -120,28 +125,28 @@ def negated(c):
 
 
 def range_of(setting, c):
-    high, at = supremum(setting, lambda s, tau, rows: setting.linear(c, s, tau, rows)[0])
-    low, below = supremum(setting, lambda s, tau, rows: setting.linear(negated(c), s, tau, rows)[0])
-    return -low, high, below, at
+    high, _ = supremum(setting, lambda s, tau, rows: setting.linear(c, s, tau, rows)[0])
+    low, _ = supremum(setting, lambda s, tau, rows: setting.linear(negated(c), s, tau, rows)[0])
+    return -low, high
 
 
 def linear(random, setting, room):
     c, expression = row(random, setting)
-    low, high, below, at = range_of(setting, c)
+    low, high = range_of(setting, c)
     size = max(abs(low), abs(high))
     if random.random() < 0.5:
         lines = [f"high = {text(high + room * size)}"]
         if random.random() < 0.3:
             lines.append(f"low = {text(low - 0.2 * size)}")
     else:
-        lines, at = [f"low = {text(low - room * size)}"], below
-    return Drawn(['bound = "within"', f'h = "{expression}"'] + lines, room, "linear", at)
+        lines = [f"low = {text(low - room * size)}"]
+    return Drawn(['bound = "within"', f'h = "{expression}"'] + lines, room, "linear", size)
 
 
 def composed(random, setting, room):
     """h of a row L, at the threshold c = sup L + room: fails if and only if L reaches beyond c."""
     c, expression = row(random, setting)
-    low, high, _, at = range_of(setting, c)
+    low, high = range_of(setting, c)
     size = max(abs(low), abs(high))
     t = high + room * size
     L, edge = f"({expression})", text(t)
@@ -178,4 +183,4 @@ def composed(random, setting, room):
             (f"cosh({L}/{text(size)})", [f"high = {np.cosh(float(t) / float(size)):.14g}"]),
         ]
     h, bounds = random.choice(forms)
-    return Drawn(['bound = "within"', f'h = "{h}"'] + bounds, room, "composed " + h.replace(L, "L").replace(edge, "c"), at)
+    return Drawn(['bound = "within"', f'h = "{h}"'] + bounds, room, "composed " + h.replace(L, "L").replace(edge, "c"), size)

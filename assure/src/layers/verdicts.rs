@@ -29,15 +29,15 @@ const PACKAGES: [&str; 3] = ["mpmath>=1.3", "numpy>=1.26", "scipy>=1.11"];
 struct Size {
     each_way: usize,
     order: usize,
-    growth: usize,
+    checks: usize,
     simulate: usize,
     attained: usize,
 }
 
-const FULL: Size = Size { each_way: 500, order: 8, growth: 300, simulate: 100, attained: 40 };
-const BRIEF: Size = Size { each_way: 40, order: 4, growth: 60, simulate: 16, attained: 8 };
+const FULL: Size = Size { each_way: 500, order: 8, checks: 600, simulate: 100, attained: 40 };
+const BRIEF: Size = Size { each_way: 40, order: 4, checks: 60, simulate: 16, attained: 8 };
 /// Enough to meet a truth that is wrong by 2 %, where objectives have a room of 1 % and 5 %.
-const SEED: Size = Size { each_way: 12, order: 2, growth: 0, simulate: 4, attained: 0 };
+const SEED: Size = Size { each_way: 12, order: 2, checks: 36, simulate: 4, attained: 0 };
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("verdicts"), &PACKAGES)?;
@@ -46,18 +46,16 @@ fn run(context: &Context) -> Result<Finding> {
     let mut finding = Finding::default();
     finding.failures.extend(faults(&found));
     tables(&found, &mut finding);
-    let seeds = [
-        (1.02, "falsely proved", "suprema that are taken 2 % too high"),
-        (0.98, "falsely failed", "suprema that are taken 2 % too low"),
-    ];
-    for (scale, kind, defect) in seeds {
-        let wrong = attack.run(kind.rsplit(' ').next().unwrap_or(kind), &SEED, scale)?;
+    for (scale, proved) in [(1.02, "falsely proved"), (0.98, "falsely failed")] {
+        let wrong = attack.run(&format!("scaled by {scale}"), &SEED, scale)?;
         let told = faults(&wrong);
-        let caught = |kind: &str| told.iter().find(|fault| fault.contains(kind)).cloned();
-        let first_line = |fault: String| fault.lines().next().unwrap_or_default().to_owned();
-        finding.seed(defect, caught(kind).map(first_line));
-        let defect = format!("final states that are scaled by {scale}");
-        finding.seed(&defect, caught("is off").map(first_line));
+        let kinds =
+            [(proved, "suprema"), ("its condition", "edges of checks"), ("is off", "states")];
+        for (kind, what) in kinds {
+            let caught = told.iter().find(|fault| fault.contains(kind));
+            let first_line = caught.and_then(|fault| fault.lines().next()).map(str::to_owned);
+            finding.seed(&format!("true {what}, scaled by {scale}"), first_line);
+        }
     }
     Ok(finding)
 }
@@ -79,7 +77,7 @@ impl Attack<'_> {
         let numbers = [
             ("--each-way", size.each_way),
             ("--order", size.order),
-            ("--growth", size.growth),
+            ("--checks", size.checks),
             ("--simulate", size.simulate),
             ("--attained", size.attained),
         ];
@@ -102,17 +100,15 @@ fn faults(found: &Value) -> Vec<String> {
             faults.push(format!("{kind}: {number}, of {}\n{}", result["name"], shown(result)));
         }
     }
-    for result in list(&found["growth"]["false"]) {
-        let truth = if result["holds"] == Value::Bool(true) { "goes" } else { "does not go" };
-        faults.push(format!(
-            "growth is {}, but the loop {truth} to 0: {}\n{}",
-            result["verdict"],
-            result["words"],
-            shown(result)
-        ));
+    for result in list(&found["checks"]["false"]) {
+        let holds = if result["holds"] == Value::Bool(true) { "holds" } else { "does not hold" };
+        let text = |key: &str| result[key].as_str().unwrap_or_default();
+        let (check, verdict) = (text("check"), text("verdict"));
+        let (words, shown) = (&result["words"], shown(result));
+        faults.push(format!("{check} is {verdict}, but its condition {holds}: {words}\n{shown}"));
     }
-    for result in list(&found["growth"]["unconfirmed"]) {
-        faults.push(format!("the rate is not that of the mapping: {}", result["words"]));
+    for result in list(&found["checks"]["unconfirmed"]) {
+        faults.push(format!("two computations of the truth differ: {}", result["words"]));
     }
     for result in list(&found["simulate"]["false"]) {
         let error = result["error"].as_f64().unwrap_or(f64::INFINITY);
@@ -141,20 +137,26 @@ fn shown(result: &Value) -> String {
 }
 
 fn tables(found: &Value, finding: &mut Finding) {
-    let (verify, growth, simulate) = (&found["verify"], &found["growth"], &found["simulate"]);
+    let (verify, checks, simulate) = (&found["verify"], &found["checks"], &found["simulate"]);
     finding.summary = format!(
         "{} objectives above and {} below the truth, {} designs of `check`, {} runs of `simulate`",
-        verify["above"], verify["below"], growth["designs"], simulate["designs"]
+        verify["above"], verify["below"], checks["designs"], simulate["designs"]
     );
-    let mut rows = Vec::new();
-    for (command, counts) in [("verify", &verify["verdicts"]), ("check", &growth["verdicts"])] {
-        for (verdict, count) in counts.as_object().into_iter().flatten() {
-            rows.push(vec![command.to_owned(), verdict.clone(), count.to_string()]);
-        }
+    let counted = |title: &str, counts: &Value| {
+        let counts = counts.as_object().into_iter().flatten();
+        let row = |(verdict, count): (&String, &Value)| {
+            let (verdict, truth) = verdict.split_once(", ").unwrap_or((verdict, ""));
+            [title, verdict, truth, &count.to_string()].map(str::to_owned).to_vec()
+        };
+        counts.map(row).collect::<Vec<_>>()
+    };
+    let mut rows = counted("verify", &verify["verdicts"]);
+    for (check, counts) in checks["verdicts"].as_object().into_iter().flatten() {
+        rows.extend(counted(check, counts));
     }
     finding.tables.push(Table {
         title: "Verdicts, and the truth".to_owned(),
-        head: vec!["command", "verdict, truth", "objectives or designs"],
+        head: vec!["of", "verdict", "truth", "objectives or designs"],
         rows,
     });
     let proved = verify["proved_with_room"].as_object().into_iter().flatten();

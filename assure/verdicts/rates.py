@@ -3,12 +3,11 @@
 The rate is known by construction and confirmed by the numeric limit of -ln mu' over stretched time.
 """
 
-import random
-import subprocess
 from math import inf, log
 
 import mpmath
 
+from case import Case
 from draw import decimal, pole_text
 
 
@@ -46,6 +45,15 @@ def mu_forms(a, b, c):
         (f"tau*(1 - (1 - tanh({a}*t))^{c})", 2 * A * C, lambda t: C * (ln(2) - ln(1 + e(2 * A * t)))),
         (f"tau*(1 - exp(-{a}*t)^{c})", A * C, lambda t: -A * C * t),
         (f"tau*(1 - exp(-{a}*t/ln(3 + t)))", 0, lambda t: -A * t / ln(3 + t)),
+        (f"tau*(1 - exp(-{a}*t)*(1 + 0.1*sin({a}*t)))", A, lambda t: -A * t + ln(1 + mpmath.sin(A * t) / 10)),
+        (f"tau*(1 - exp(-{a}*t)*({big} + cos({c}*t)/9)/({big} + 1/9))", A,
+         lambda t: -A * t + ln((float(big) + mpmath.cos(C * t) / 9) / (float(big) + 1 / mpmath.mpf(9)))),
+        (f"tau*(1 - exp(-{a}*t - {c}*t*(1 - 1/(1 + t)^2)))", A + C, lambda t: -A * t - C * t * (1 - 1 / (1 + t) ** 2)),
+        (f"tau*(1 - sqrt(exp(-{a}*t)*exp(-{b}*t)))", (A + B) / 2, lambda t: -(A + B) / 2 * t),
+        (f"tau*(1 - 1/(1 + sinh({a}*t)))", A, lambda t: -ln(1 + mpmath.sinh(A * t))),
+        (f"tau*(1 - 1/(1 + t + {c}*t^3))", 0, lambda t: -ln(1 + t + C * t**3)),
+        (f"tau*(1 - exp(-atan(t) - {a}*t))", A, lambda t: -mpmath.atan(t) - A * t),
+        (f"tau*(1 - exp(-{a}*t*tanh(1 + t)))", A, lambda t: -A * t * mpmath.tanh(1 + t)),
         (f"exp(a={a})", A, lambda t: -A * t),
         (f"exp(a=ln({big}))", log(float(big)), lambda t: -t * log(float(big))),
         (f"tanh(a={a}/2)", A, lambda t: ln(2) - ln(1 + e(A * t))),
@@ -93,7 +101,8 @@ def confirm(form, is_mu):
             if is_mu:
                 # ln mu' = ln rest + ln(-(ln rest)')
                 value = lambda t: function(t) + mpmath.log(-mpmath.diff(function, t))
-                slopes.append(-mpmath.diff(value, mpmath.mpf(far), h=mpmath.mpf(10) ** -15))
+                far = mpmath.mpf(far)
+                slopes.append((value(far) - value(2 * far)) / far)
             else:
                 stretched = lambda l: function(l, mpmath.exp(-l))
                 slope = mpmath.diff(stretched, mpmath.mpf(far), h=mpmath.mpf(10) ** -12)
@@ -106,18 +115,14 @@ def confirm(form, is_mu):
         return abs(slopes[1] - rho) < 0.02 * rho
 
 
-class Case:
-    """A design with its poles, the rate and whether x and u go to 0."""
-
-
-def draw(source):
+def draw(source, scale):
     a, b, c = (decimal(source, 0.3, 2) for _ in range(3))
     is_mu = source.random() < 0.6
-    case = Case()
+    case = Case("growth")
     form = source.choice((mu_forms if is_mu else kappa_forms)(a, b, c))
-    case.mapping, rho, _ = form
-    case.key, case.rho = "mu" if is_mu else "kappa", float(rho)
-    case.confirmed = confirm(form, is_mu)
+    mapping, rho, _ = form
+    key, case.rho = "mu" if is_mu else "kappa", float(rho)
+    case.confirmed = bool(confirm(form, is_mu))
     case.n = source.randint(1, 4)
     edge = case.n * case.rho
     if rho == inf:
@@ -129,37 +134,10 @@ def draw(source):
         case.holds = source.random() < 0.5
         slow = edge * (source.choice([1.02, 1.05, 1.5]) if case.holds else source.choice([0.98, 0.95, 0.6]))
     slow = f"{-slow:.5f}"
-    case.slowest = float(slow)
+    slowest = float(slow)
     if rho not in (0, inf):
-        case.holds = case.slowest < -edge
+        case.holds = slowest < -edge * scale
     poles = [(slow, "0")] + [(f"{min(float(slow), -edge if rho != inf else 0) - 1 - k:.5f}", "0") for k in range(case.n - 1)]
-    case.poles = ",".join(pole_text(*pole).strip('"') for pole in poles)
-    case.words = ["--n", str(case.n), f"--{case.key}={case.mapping}", f"--poles={case.poles}"]
+    poles = ",".join(pole_text(*pole).strip('"') for pole in poles)
+    case.words = ["--n", str(case.n), f"--{key}={mapping}", f"--poles={poles}"]
     return case
-
-
-def verdict(printed):
-    """The word of the line `growth`."""
-    for line in printed.splitlines():
-        if line.startswith("growth"):
-            return line.split(None, 1)[1].partition(":")[0].strip()
-    return "no line"
-
-
-def trial(job):
-    """One design, checked: its verdict, and whether that is false."""
-    command, _, seed, name, scale, seconds = job
-    case = draw(random.Random(f"{seed}-{name}"))
-    holds = case.holds
-    if scale != 1 and case.rho not in (0, inf):
-        holds = case.slowest < -case.n * case.rho * scale
-    result = {"name": name, "words": case.words, "rho": str(case.rho), "holds": holds,
-              "confirmed": bool(case.confirmed)}
-    try:
-        done = subprocess.run([command, "check"] + case.words, capture_output=True, text=True, timeout=seconds)
-    except subprocess.TimeoutExpired:
-        return result | {"verdict": "late", "false": False}
-    printed = done.stdout + done.stderr
-    word = verdict(printed)
-    false = word == "no line" or word == "sound" and not holds or word in ("unsound", "refuted") and holds
-    return result | {"verdict": word, "false": false, "printed": printed[:1500] if false else ""}
