@@ -5,7 +5,7 @@ import numpy as np
 import mapping
 from loop import Loop
 from objectives import objective
-from supremum import Setting
+from supremum import Setting, supremum
 
 ROOMS = [0.05, 0.01, -0.01, -0.05]
 
@@ -47,7 +47,8 @@ def pole_text(re, im):
 
 
 class Design:
-    """A design file with objectives, their truth, and what it is made of."""
+    """A design file with objectives and their truth; `in_range`: u does not leave the range of its
+    precision, where nothing may be proved."""
 
 
 def draw(random, forced, objectives=2, n=None, family=None):
@@ -60,7 +61,11 @@ def draw(random, forced, objectives=2, n=None, family=None):
     tau = decimal(random, 0.3, 3)
     until = random.choice([1e-3, 1e-3, 1e-2])
     free_tau = random.random() < 0.4
-    tau_high = f"{float(tau) * random.uniform(1.1, 3):.2f}" if free_tau else tau
+    single = random.random() < 0.15
+    if single and random.random() < 0.4:
+        # u, which grows like tau^-n, comes near the end of single precision.
+        tau = f"{10 ** (-37.5 / (n + 1)) * random.uniform(0.5, 2):.3g}"
+    tau_high = f"{float(tau) * random.uniform(1.1, 3):.4g}" if free_tau else tau
     box = []
     for i in range(n):
         kind = random.random()
@@ -80,10 +85,14 @@ def draw(random, forced, objectives=2, n=None, family=None):
     design = Design()
     design.n, design.family, design.forced, design.setting = n, family, forced, setting
     design.objectives = [objective(random, setting, random.choice(ROOMS)) for _ in range(objectives)]
+    u = supremum(setting, lambda s, t, rows: setting.linear([0] * n + [1], s, t, rows)[0])[0]
+    design.in_range = not single or u < 3.4028234e38
     design.spelling = random.choice(made.spellings)
     interval = lambda lo, hi: f"{lo}" if lo == hi else f"[{lo}, {hi}]"
     lines = ['name = "stage"', f"n = {n}", design.spelling,
              f"poles = [{', '.join(pole_text(*p) for p in poles)}]"]
+    if single:
+        lines.append('precision = "f32"')
     if gain != "1":
         lines.append(f'g = "{gain}"')
     if forced:

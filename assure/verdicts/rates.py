@@ -54,6 +54,8 @@ def mu_forms(a, b, c):
         (f"tau*(1 - 1/(1 + t + {c}*t^3))", 0, lambda t: -ln(1 + t + C * t**3)),
         (f"tau*(1 - exp(-atan(t) - {a}*t))", A, lambda t: -mpmath.atan(t) - A * t),
         (f"tau*(1 - exp(-{a}*t*tanh(1 + t)))", A, lambda t: -A * t * mpmath.tanh(1 + t)),
+        (f"tau*sin(pi/2*(1 - exp(-{a}*t)))", 2 * A,
+         lambda t: ln(2) + 2 * ln(mpmath.sin(mpmath.pi / 4 * e(-A * t)))),
         (f"exp(a={a})", A, lambda t: -A * t),
         (f"exp(a=ln({big}))", log(float(big)), lambda t: -t * log(float(big))),
         (f"tanh(a={a}/2)", A, lambda t: ln(2) - ln(1 + e(A * t))),

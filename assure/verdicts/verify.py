@@ -7,9 +7,8 @@ import subprocess
 import supremum
 from draw import draw
 
-# The first of these words in a verdict decides.
-WORDS = [("undecided", "undecided"), ("fails", "fails"), ("impossible", "fails"),
-         ("refuted", "fails"), ("proved", "proved"), ("holds", "holds")]
+# What is bounded may be any text: the verdict is the first of these behind it.
+VERDICT = re.compile(r": (holds, proved|holds|fails|undecided)")
 
 
 def ask(command, folder, name, text, seconds):
@@ -25,14 +24,11 @@ def ask(command, folder, name, text, seconds):
     verdicts = {}
     for line in printed.splitlines():
         found = re.match(r"(error: | = note: )?objective (\d+), (.*)", line)
-        if not found:
-            continue
-        # What is bounded may have any text: the verdict is what follows it.
-        rest = re.split(r": (?=[a-z])", found[3])[-1] if not found[1] else found[3]
-        for word, verdict in WORDS:
-            if word in rest:
-                verdicts.setdefault(int(found[2]), verdict)
-                break
+        said = found and VERDICT.search(found[3])
+        if said:
+            verdicts[int(found[2])] = said[1].split(" ")[-1].rstrip(",")
+        elif found and found[1]:
+            verdicts.setdefault(int(found[2]), "fails")
     return verdicts, done.returncode, printed
 
 
@@ -41,7 +37,7 @@ def faults(design, verdicts, code, printed):
     out = []
     for number, one in enumerate(design.objectives, 1):
         verdict = verdicts.get(number)
-        if verdict == "proved" and not one.holds:
+        if verdict == "proved" and not (one.holds and design.in_range):
             out.append(("falsely proved", number))
         if verdict == "holds" and not one.holds:
             out.append(("held by sampling", number))

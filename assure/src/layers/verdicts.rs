@@ -171,8 +171,8 @@ fn tables(found: &Value, finding: &mut Finding) {
     let number =
         |value: &Value| value.as_f64().map_or("-".to_owned(), |value| format!("{value:.1e}"));
     let rows = kinds.map(|(kind, of)| {
-        let counts = [&of["runs"], &of["finished"]].map(Value::to_string);
-        [&[kind.clone()], &counts[..], &[number(&of["error"]), number(&of["tolerance"])]].concat()
+        let [runs, finished] = [&of["runs"], &of["finished"]].map(Value::to_string);
+        vec![kind.clone(), runs, finished, number(&of["error"]), number(&of["tolerance"])]
     });
     finding.tables.push(Table {
         title: "Runs of `simulate`".to_owned(),
@@ -186,4 +186,57 @@ fn tables(found: &Value, finding: &mut Finding) {
         found["attained"]["runs"],
         number(&found["attained"]["miss"])
     ));
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn each_kind_of_fault_is_named() {
+        let clean = json!({
+            "verify": { "false": [] }, "checks": { "false": [], "unconfirmed": [] },
+            "simulate": { "false": [] }, "attained": { "miss": 1e-9 },
+        });
+        assert_eq!(faults(&clean), Vec::<String>::new());
+        let wrong = json!({
+            "verify": { "false": [{ "name": "verify3", "faults": [["falsely proved", 2], ["exit code", 0]] }] },
+            "checks": {
+                "false": [{ "check": "growth", "verdict": "sound", "holds": false, "words": ["--n", "1"] }],
+                "unconfirmed": [{ "words": [] }],
+            },
+            "simulate": { "false": [{ "name": "simulate4", "error": 30.0, "words": [] }] },
+            "attained": { "miss": 1e-3 },
+        });
+        let told = faults(&wrong);
+        let kinds = [
+            "falsely proved: 2",
+            "exit code: 0",
+            "growth is sound, but its condition does not hold",
+            "two computations",
+            "simulate is off by 3.0e1",
+            "two routes",
+        ];
+        assert_eq!(told.len(), kinds.len());
+        kinds.iter().zip(&told).for_each(|(kind, told)| assert!(told.contains(kind), "{told}"));
+    }
+
+    #[test]
+    fn the_page_has_the_numbers_of_a_full_run() {
+        let page = include_str!("../../../docs/checks/soundness.md");
+        let Size { each_way, checks, simulate, attained, order } = FULL;
+        let numbers = [
+            format!("until {each_way} objectives above and {each_way} below"),
+            format!("n = 1..{order} "),
+            format!("for `check`: {checks} designs"),
+            format!("for `simulate`: {simulate} runs"),
+            format!("for the truth itself: {attained} suprema"),
+            // Two draws of six are for growth, one for each other check.
+            format!("| {} designs in over 50 spellings", checks / 3),
+            format!("| {} mappings that stop rising", checks / 6),
+        ];
+        numbers.iter().for_each(|number| assert!(page.contains(number), "{number}"));
+    }
 }
