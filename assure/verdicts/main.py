@@ -12,6 +12,7 @@ from pathlib import Path
 
 import attained
 import checks
+import design
 import simulate
 import verify
 
@@ -71,6 +72,17 @@ def runs(pool, arguments):
     }
 
 
+def wishes(pool, arguments):
+    jobs = ((arguments.command, arguments.folder, arguments.seed, index, arguments.scale,
+             10 * arguments.seconds) for index in range(arguments.design))
+    results = list(each(pool, design.trial, jobs, arguments))
+    reached = [r["most"] for r in results if r["most"] is not None]
+    return {
+        "wishes": len(results), "chosen": len(reached), "most": max(reached, default=None),
+        "false": [r for r in results if r["most"] is not None and r["most"] > 1],
+    }
+
+
 def routes(pool, arguments):
     results = list(pool.imap(attained.trial, [(arguments.seed, k) for k in range(arguments.attained)]))
     return {"runs": len(results), "miss": max((r["miss"] for r in results), default=0.0)}
@@ -91,6 +103,7 @@ def main():
     parser.add_argument("--order", type=int, default=8, help="greatest order")
     parser.add_argument("--checks", type=int, default=600, help="designs for `check`")
     parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
+    parser.add_argument("--design", type=int, default=20, help="wishes for `design`")
     parser.add_argument("--attained", type=int, default=40, help="suprema computed by another route")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=120, help="for one run of the command")
@@ -103,7 +116,8 @@ def main():
     with multiprocessing.Pool(arguments.jobs) as pool:
         # What lasts longest comes last; the pool is ended once enough was judged.
         found = {"attained": routes(pool, arguments), "checks": checked(pool, arguments),
-                 "simulate": runs(pool, arguments), "verify": verdicts(pool, arguments)}
+                 "simulate": runs(pool, arguments),
+                 "design": wishes(pool, arguments), "verify": verdicts(pool, arguments)}
         pool.terminate()
     print(json.dumps(found))
 

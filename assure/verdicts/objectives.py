@@ -58,14 +58,25 @@ def state(random, setting, room):
 def input_(random, setting, room):
     shape_text, shape = random.choice(
         [("", lambda w: 1.0), ("*(1 + T/tau)", lambda w: 1 + w), ("*exp(-dt/tau)", lambda w: np.exp(w - 1))])
-    u = [0] * setting.loop.n + [1]
-    worst = lambda s, tau, rows: max(
-        setting.linear(u, s, tau, rows)[0], setting.linear([0] * setting.loop.n + [-1], s, tau, rows)[0])
-    value, _ = supremum(setting, lambda s, tau, rows: worst(s, tau, rows) / shape(np.exp(-s)))
+    value = greatest_input(setting, shape)
     return Drawn(['bound = "input"', f'upsilon = "{text(value * (1 + room))}{shape_text}"'], room, "input", value)
 
 
+def greatest_input(setting, shape):
+    """The greatest |u|/shape(T/tau)."""
+    u = [0] * setting.loop.n + [1]
+    worst = lambda s, tau, rows: max(
+        setting.linear(u, s, tau, rows)[0], setting.linear(negated(u), s, tau, rows)[0])
+    return supremum(setting, lambda s, tau, rows: worst(s, tau, rows) / shape(np.exp(-s)))[0]
+
+
 def attractive(random, setting, room):
+    best = norm_at_end(random, setting)
+    return Drawn(['bound = "attractive"', f"error = {text(best * sup.SCALE * (1 + room))}"], room, "attractive", best)
+
+
+def norm_at_end(random, setting):
+    """The greatest |x| at the end of a run."""
     end = np.array([setting.end])
     rows = setting.free(end)[0]
     best = 0
@@ -79,7 +90,7 @@ def attractive(random, setting, room):
         else:
             value = forced_norm(random, setting, end[0], tau, rows)
         best = max(best, value)
-    return Drawn(['bound = "attractive"', f"error = {text(best * sup.SCALE * (1 + room))}"], room, "attractive", best)
+    return best
 
 
 def forced_norm(random, setting, sigma, tau, rows):
