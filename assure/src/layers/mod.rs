@@ -23,6 +23,7 @@ mod seeded;
 mod selftest;
 mod st;
 mod supply;
+mod verdicts;
 
 use crate::layer::Layer;
 
@@ -48,4 +49,5 @@ pub const LAYERS: &[Layer] = &[
     campaign::LAYER,
     attack::LAYER,
     report::LAYER,
+    verdicts::LAYER,
 ];
