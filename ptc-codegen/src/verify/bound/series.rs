@@ -1,7 +1,7 @@
 //! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
 
-use crate::expression::range::Range;
 use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expression::range::Range;
 use crate::expression::{Expression, Function, Variable};
 
 /// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
