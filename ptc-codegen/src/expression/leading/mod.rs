@@ -398,7 +398,7 @@ fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
             let limited = if function == F::Tanh {
                 // tanh u = 1 - 2w + 2w^2 - ... with w = e^(-2u).
                 let small = a.scaled(&sign.clone().mul(integer(-2)), walk)?.exponential(walk)?;
-                let two = |j: usize| integer(if j % 2 == 0 { 2 } else { -2 });
+                let two = |j: usize| integer(if j.is_multiple_of(2) { 2 } else { -2 });
                 small.composed(&mut |j| Some(if j == 0 { integer(1) } else { two(j) }), walk)?
             } else {
                 let inverse = a.scaled(&sign, walk)?.raised(&integer(-1), walk)?;
