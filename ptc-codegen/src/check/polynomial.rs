@@ -1,6 +1,6 @@
 //! Dense polynomials in one variable with exact rational coefficients.
 
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational};
 
@@ -56,6 +56,17 @@ impl Polynomial {
     pub fn derivative(&self) -> Self {
         let terms = self.0.iter().enumerate().skip(1);
         Self(terms.map(|(i, coefficient)| coefficient * BigInt::from(i)).collect())
+    }
+
+    /// Whether there may be a root from `low` to `high`: the other terms of its Taylor polynomial in
+    /// the middle can make up for the constant one.
+    pub fn may_vanish_between(&self, low: &BigRational, high: &BigRational) -> bool {
+        let two = BigInt::from(2);
+        let (middle, half) = ((low + high) / &two, (high - low) / &two);
+        let around = self.shifted(&middle);
+        let Some((constant, others)) = around.0.split_first() else { return true };
+        let reach = others.iter().rev().fold(BigRational::zero(), |sum, c| (sum + c.abs()) * &half);
+        constant.abs() <= reach
     }
 
     /// p(s + c), by repeated synthetic division.
@@ -173,6 +184,16 @@ mod tests {
         assert!(rest.degree() < q.degree());
         assert_eq!(q.divided(&p).expect("no division by 0"), (poly(&[]), q));
         assert_eq!(p.divided(&poly(&[])), None);
+    }
+
+    #[test]
+    fn where_a_root_may_be() {
+        let p = poly(&[6, 5, 1]);
+        let tenth = |i: i64| integer(i) / integer(10);
+        assert!(p.may_vanish_between(&tenth(-21), &tenth(-19)));
+        assert!(p.may_vanish_between(&integer(-2), &integer(-2)));
+        assert!(!p.may_vanish_between(&tenth(-19), &tenth(-18)));
+        assert!(!p.may_vanish_between(&tenth(-45), &tenth(-42)));
     }
 
     #[test]

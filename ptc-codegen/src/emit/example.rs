@@ -7,7 +7,7 @@ use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
 use crate::check::Verdict;
-use crate::check::examine::{Report, decay_rate, examine};
+use crate::check::examine::{Report, decay, examine};
 use crate::check::poles::{Pole, gains};
 use crate::program::number;
 use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
@@ -110,7 +110,7 @@ fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
     }
     let n = i64::try_from(spec.n).ok()?;
     // Where no rate is found, that of the common mappings is taken.
-    let rate = decay_rate(spec).0.unwrap_or_else(|| integer(1));
+    let rate = decay(spec).greatest().unwrap_or_else(|| integer(1));
     let right = (rate * integer(n)).ceil() + integer(left);
     let poles: Vec<_> = (1..=n).map(|i| Pole::real(-(&right + integer(i)))).collect();
     let gains = gains(&poles).ok()?;

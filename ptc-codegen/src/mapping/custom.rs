@@ -1,6 +1,7 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
 use crate::expression::decaying::decaying;
+use crate::expression::leading::{Decay, Limit};
 use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
 use crate::spec::Parameter;
 
@@ -90,11 +91,39 @@ impl Custom {
         Ok(Self { subject, given, form })
     }
 
-    /// The rate at which the derivative of mu falls, -lim (ln mu')'; none where it is not found.
-    pub fn decay_rate(&self) -> Option<Expression> {
+    /// How time-to-go and the first `order` derivatives of mu fall, once parameters are replaced as
+    /// `fixed` says; none where that is not found. The rate is -lim (ln mu')'.
+    pub(crate) fn decay(
+        &self,
+        order: usize,
+        fixed: &dyn Fn(&Expression) -> Option<Expression>,
+    ) -> Option<Decay> {
+        let oscillates = |form: &Expression, v, limit: fn(&Expression, Variable) -> _| {
+            form.any(&|e| {
+                let Expression::Call(Function::Sin | Function::Cos | Function::Tan, a) = e else {
+                    return false;
+                };
+                a.contains(v) && !matches!(limit(a, v), Some(Limit::Finite(_)))
+            })
+        };
         match &self.form {
-            Form::Complement(form) => leading::decay_rate(form, Variable::SinceStart),
-            Form::Kappa(kappa) => leading::decay_rate_of_inverse(&kappa.form, Variable::TimeToGo),
+            Form::Complement(form) => {
+                let (mut falling, t) = (form.substitute(fixed), Variable::SinceStart);
+                let decay = leading::decay(&falling, t)?;
+                // Without oscillations a function falls at the rate at which its derivative does.
+                if oscillates(&falling, t, leading::limit) {
+                    for _ in 0..order {
+                        falling = normal::normal(&falling.derivative(t));
+                        leading::decay(&falling, t).filter(|d| d.rate == decay.rate)?;
+                    }
+                }
+                Some(decay)
+            }
+            Form::Kappa(kappa) => {
+                let (kappa, to_go) = (kappa.form.substitute(fixed), Variable::TimeToGo);
+                let steady = !oscillates(&kappa, to_go, leading::limit_at_zero);
+                steady.then(|| leading::decay_of_inverse(&kappa, to_go))?
+            }
         }
     }
 

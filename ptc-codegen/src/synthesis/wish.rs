@@ -4,7 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::candidate::Candidate;
 use super::probe::Refused;
-use crate::check::examine::{decay_rate, examine};
+use crate::check::examine::{decay, examine};
 use crate::check::{digits, poles};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::plant;
@@ -113,7 +113,7 @@ impl<'a> Wish<'a> {
 
     /// The rate of the given mapping, and the decay rate of its mu' at a rate of 1.
     pub(super) fn rate(&self) -> (f64, f64) {
-        let decay = decay_rate(&self.spec).0.and_then(|rate| rate.to_f64()).unwrap_or(0.0);
+        let decay = decay(&self.spec).greatest().and_then(|rate| rate.to_f64()).unwrap_or(0.0);
         let rate = self.spec.fixed.get(&Parameter::A).and_then(Fixed::number);
         match rate.and_then(ToPrimitive::to_f64) {
             Some(rate) if self.spec.family().is_some() => (rate, decay / rate),

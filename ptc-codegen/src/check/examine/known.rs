@@ -4,9 +4,9 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
-use crate::expression::leading::{Limit, limit, limit_at_zero};
-use crate::expression::normal::normal;
-use crate::expression::{Expression, Function, Variable};
+use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expression::interval::Interval;
+use crate::expression::{Expression, Variable, leading};
 use crate::mapping::{Family, Form};
 use crate::spec::{Feedback, Fixed, Parameter, Spec, TimeMapping, number};
 
@@ -31,59 +31,114 @@ fn greatest(spec: &Spec, parameter: Parameter) -> Option<BigRational> {
     exact(spec, parameter).or(bound)
 }
 
-/// The greatest decay rate of mu', where it is known, and what a pole at a multiple of it does.
-pub(crate) fn decay_rate(spec: &Spec) -> (Option<BigRational>, Modes) {
-    match &spec.time_mapping {
-        TimeMapping::Family { family: Family::Exp, .. } => {
-            (greatest(spec, Parameter::A), Modes::Polynomial)
-        }
-        TimeMapping::Family { family: Family::Tanh, .. } => {
-            (greatest(spec, Parameter::A).map(|a| a * integer(2)), Modes::Analytic)
-        }
-        TimeMapping::Family { family: Family::ExpSum, rates } => {
-            let rates: Option<Vec<_>> =
-                (1..=*rates).map(|i| greatest(spec, Parameter::Rate(i))).collect();
-            (rates.and_then(|rates| rates.into_iter().min()), Modes::Other)
-        }
-        TimeMapping::Family { .. } => (Some(integer(0)), Modes::Other),
-        TimeMapping::Custom(custom) => {
-            let rate = custom.decay_rate().and_then(|rate| evaluate(spec, &rate));
-            // T decays at one rate from the start to the deadline: exp in another spelling.
-            let uniform = matches!(&custom.form, Form::Kappa(kappa)
-                if !kappa.rate.contains(Variable::TimeToGo));
-            let modes = match &rate {
-                _ if uniform => Modes::Polynomial,
-                Some(rate) if rate.is_positive() && !is_exponential(spec, &custom.form, rate) => {
-                    Modes::Open
-                }
-                _ => Modes::Other,
-            };
-            (rate, modes)
+/// What is known of the decay rate of mu'.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Rate {
+    /// The greatest one.
+    Exact(BigRational),
+    /// All of them lie between two numbers; how it is spelt, where it is one.
+    Between(BigRational, BigRational, Option<String>),
+    /// mu' falls faster than every exponential.
+    Infinite,
+    /// It depends on parameters that are left to run time.
+    Open,
+    /// It is not found.
+    NotFound,
+}
+
+/// The decay rate of mu', and what a pole at a multiple of it does.
+#[derive(Clone, Debug)]
+pub(crate) struct Decay {
+    pub(crate) rate: Rate,
+    pub(crate) modes: Modes,
+}
+
+impl Decay {
+    fn of_family(rate: Option<BigRational>, modes: Modes) -> Self {
+        Self { rate: rate.map_or(Rate::Open, Rate::Exact), modes }
+    }
+
+    /// The greatest rate, or a bound of it; none where there is none or it is not known.
+    pub(crate) fn greatest(self) -> Option<BigRational> {
+        match self.rate {
+            Rate::Exact(rate) | Rate::Between(_, rate, _) => Some(rate),
+            Rate::Infinite | Rate::Open | Rate::NotFound => None,
         }
     }
 }
 
-/// Whether T e^(rate t) is found to tend to a constant other than 0.
-fn is_exponential(spec: &Spec, form: &Form, rate: &BigRational) -> bool {
-    let fixed = |e: &Expression| match e {
-        Expression::Parameter(parameter) => exact(spec, *parameter).map(Expression::Number),
-        _ => None,
+/// How mu' falls.
+pub(crate) fn decay(spec: &Spec) -> Decay {
+    match &spec.time_mapping {
+        TimeMapping::Family { family: Family::Exp, .. } => {
+            Decay::of_family(greatest(spec, Parameter::A), Modes::Polynomial)
+        }
+        TimeMapping::Family { family: Family::Tanh, .. } => {
+            let rate = greatest(spec, Parameter::A).map(|a| a * integer(2));
+            Decay::of_family(rate, Modes::Analytic)
+        }
+        TimeMapping::Family { family: Family::ExpSum, rates } => {
+            let rates: Option<Vec<_>> =
+                (1..=*rates).map(|i| greatest(spec, Parameter::Rate(i))).collect();
+            Decay::of_family(rates.and_then(|rates| rates.into_iter().min()), Modes::Other)
+        }
+        TimeMapping::Family { .. } => Decay::of_family(Some(integer(0)), Modes::Other),
+        TimeMapping::Custom(custom) => {
+            let fixed = |e: &Expression| match e {
+                Expression::Parameter(parameter) => exact(spec, *parameter).map(Expression::Number),
+                _ => None,
+            };
+            // Limits are found for positive parameters.
+            let lowest = |p: &Parameter| match spec.bounds.get(p) {
+                Some((least, _)) => least.number().cloned(),
+                None => exact(spec, *p),
+            };
+            let positive = |p: &Parameter| lowest(p).is_none_or(|least| least.is_positive());
+            let found = custom.given.parameters().iter().all(positive);
+            let Some(found) = found.then(|| custom.decay(spec.n, &fixed)).flatten() else {
+                return Decay { rate: Rate::NotFound, modes: Modes::Open };
+            };
+            // T decays at one rate from the start to the deadline: exp in another spelling.
+            let uniform = matches!(&custom.form, Form::Kappa(kappa)
+                if !kappa.rate.contains(Variable::TimeToGo));
+            let rate = match found.rate {
+                leading::Rate::Infinite => Rate::Infinite,
+                leading::Rate::Finite(rate) => rate_of(spec, &rate),
+            };
+            let modes = match (uniform, found.pure || rate == Rate::Exact(integer(0))) {
+                (true, _) => Modes::Polynomial,
+                (false, true) => Modes::Other,
+                (false, false) => Modes::Open,
+            };
+            Decay { rate, modes }
+        }
+    }
+}
+
+/// The value of a rate in the parameters that are not fixed.
+fn rate_of(spec: &Spec, rate: &Expression) -> Rate {
+    if let Some(greatest) = evaluate(spec, rate) {
+        return Rate::Exact(greatest);
+    }
+    let range = |p: Parameter| {
+        let ends = match (exact(spec, p), spec.bounds.get(&p)) {
+            (Some(value), _) => (value.clone(), value),
+            (None, Some((least, most))) => (least.number()?.clone(), most.number()?.clone()),
+            (None, None) => return None,
+        };
+        Some((Expression::from(p), Interval::between(&ends.0, Some(&ends.1))))
     };
-    let rate = Expression::Number(rate.clone());
-    match form {
-        Form::Complement(falling) => {
-            let t = Variable::SinceStart;
-            let grown = Expression::call(Function::Exp, rate.mul(t.into()));
-            let scaled = normal(&falling.substitute(&fixed).mul(grown));
-            let zero = Expression::integer(0);
-            matches!(limit(&scaled, t), Some(Limit::Finite(value)) if normal(&value) != zero)
+    let Some(names) = rate.parameters().into_iter().map(range).collect::<Option<Names>>() else {
+        return Rate::Open;
+    };
+    let value = Evaluator::new().value(rate, &names);
+    let defined = value.filter(|value| !value.is_undefined && !value.may_divide_by_zero);
+    match defined.and_then(|value| value.interval.ends()) {
+        Some((low, high)) => {
+            let spelling = names.is_empty().then(|| rate.to_string());
+            Rate::Between(low, high, spelling)
         }
-        // T falls at kappa.rate, whose difference from the rate must vanish like T.
-        Form::Kappa(kappa) => {
-            let to_go = Variable::TimeToGo;
-            let share = kappa.rate.substitute(&fixed).sub(rate).div(to_go.into());
-            matches!(limit_at_zero(&normal(&share), to_go), Some(Limit::Finite(_)))
-        }
+        None => Rate::NotFound,
     }
 }
 

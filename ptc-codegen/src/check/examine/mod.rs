@@ -5,12 +5,12 @@ mod numbers;
 
 use std::collections::btree_map::Entry;
 
-pub(crate) use known::decay_rate;
-use known::{fixed_gains, is_known};
+pub(crate) use known::decay;
+use known::{Decay, Rate, fixed_gains, is_known};
 use numbers::Numbers;
 
 use super::envelope::{Interval, scan};
-use super::growth::growth;
+use super::growth::{self, Growth, Modes, growth, growth_between};
 use super::membership::prove;
 use super::sampling::sampling;
 use super::{Outcome, Verdict};
@@ -42,6 +42,15 @@ impl Report {
         let allowed = &self.spec.promises.allow;
         self.outcomes.iter().filter(move |outcome| {
             matches!(outcome.verdict, Verdict::Unsound | Verdict::Refuted)
+                && !allowed.iter().any(|name| name == outcome.name)
+        })
+    }
+
+    /// The outcomes that leave the design open, of those that are not allowed to.
+    pub fn undecided(&self) -> impl Iterator<Item = &Outcome> {
+        let allowed = &self.spec.promises.allow;
+        self.outcomes.iter().filter(move |outcome| {
+            outcome.verdict == Verdict::Undecided
                 && !allowed.iter().any(|name| name == outcome.name)
         })
     }
@@ -109,16 +118,32 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
     let Some(gains) = fixed_gains(spec) else {
         return lacks("the gains are left to run time: their poles must lie left of -n rho");
     };
-    let (rate, modes) = decay_rate(spec);
-    let zero = crate::algebra::integer(0);
+    // A pole that fails for the slowest mapping fails for every one.
+    let at_rest = growth(&gains, &crate::algebra::integer(0), Modes::Other);
+    let Decay { rate, modes } = decay(spec);
+    let known = matches!(rate, Rate::Exact(_) | Rate::Between(..));
+    if !known && !at_rest.x_to_zero {
+        return (Outcome::from(&at_rest), None);
+    }
+    let told = |growth: Growth| {
+        let rate = if spec.custom().is_some() { "a decay rate" } else { growth.rate };
+        (Outcome::from(&Growth { rate, ..growth }), None)
+    };
     match rate {
-        Some(rate) => (Outcome::from(&growth(&gains, &rate, modes)), None),
-        None => {
-            // A pole that fails for the slowest mapping fails for every one.
-            let at_rest = growth(&gains, &zero, modes);
-            if !at_rest.x_to_zero {
-                return (Outcome::from(&at_rest), None);
+        Rate::Exact(rate) => told(growth(&gains, &rate, modes)),
+        Rate::Between(low, high, spelling) => match growth_between(&gains, [&low, &high], modes) {
+            Some(found) => told(Growth { spelling, ..found }),
+            None => {
+                let rho = spelling.map_or_else(
+                    || "the parameters".to_owned(),
+                    |spelling| format!("rho = {spelling}"),
+                );
+                (growth::open(&rho), None)
             }
+        },
+        Rate::Infinite => (growth::too_fast(spec.n), None),
+        Rate::NotFound => (growth::without_rate(at_rest.largest_rho), None),
+        Rate::Open => {
             let Some(limit) = at_rest.largest_rho else {
                 return lacks("the rate is left to run time, and none is slow enough");
             };
@@ -130,10 +155,8 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
             };
             let greatest = share.and_then(|share| known::rounded_down(share * limit));
             let by = if greatest.is_some() { "; init refuses more" } else { "" };
-            let found = spec.custom().is_none_or(|custom| custom.decay_rate().is_some());
-            let why = if found { "is left to run time" } else { "of this mapping is not found" };
             let (outcome, _) = lacks(&format!(
-                "the rate {why}: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
+                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
             ));
             (outcome, greatest.map(|greatest| (Parameter::A, greatest)))
         }

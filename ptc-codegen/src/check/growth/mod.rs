@@ -27,6 +27,8 @@
 
 mod report;
 
+pub use self::report::{open, too_fast, without_rate};
+
 use nalgebra::Complex;
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -57,6 +59,10 @@ pub struct Growth {
     pub n: usize,
     /// Decay rate rho of mu'.
     pub rho: f64,
+    /// rho as an expression, where its value is rounded.
+    pub spelling: Option<String>,
+    /// What sets rho, in words.
+    pub rate: &'static str,
     /// What simple poles at -m rho do.
     pub modes: Modes,
     /// Whether x -> 0.
@@ -109,6 +115,12 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
     Growth {
         n,
         rho: rho.to_f64().unwrap_or(f64::NAN),
+        spelling: None,
+        rate: match modes {
+            Modes::Polynomial => "a",
+            Modes::Analytic => "2 a",
+            Modes::Other | Modes::Open => "a least rate",
+        },
         modes,
         x_to_zero: hurwitz_left_of(&p, n.saturating_sub(1)),
         u_bounded: open_or(if rest_bounded { excepted_bounded } else { Some(false) }),
@@ -117,6 +129,37 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
         poles: poles::numeric(gains),
         largest_rho: largest_rho(gains, &p),
     }
+}
+
+/// Decides the same for a rate of which only bounds are known, such as a rounded ln 100. `None` where
+/// they leave open whether x -> 0; what they leave open of u is `None` in the result.
+///
+/// All poles left of a line are left of every line further right, so that x and u go to 0 for all
+/// rates up to one for which they do. What fails at both bounds fails between them, but for a simple
+/// pole at -m rho: that one keeps u from growing, so the bounds decide u where p has no such root.
+pub fn growth_between(
+    gains: &[BigRational],
+    [low, high]: [&BigRational; 2],
+    modes: Modes,
+) -> Option<Growth> {
+    let (least, most) = (growth(gains, low, modes), growth(gains, high, modes));
+    if most.x_to_zero && most.u_bounded == Some(true) {
+        return Some(most);
+    }
+    if least.x_to_zero != most.x_to_zero {
+        return None;
+    }
+    let p = Polynomial::characteristic(gains);
+    let near = (1..gains.len())
+        .map(BigInt::from)
+        .any(|m| p.may_vanish_between(&-(high * &m), &-(low * &m)));
+    let common = |a: Option<bool>, b: Option<bool>| if a == b && !near { a } else { None };
+    Some(Growth {
+        u_bounded: common(least.u_bounded, most.u_bounded),
+        u_to_zero: common(least.u_to_zero, most.u_to_zero),
+        excepted: Vec::new(),
+        ..most
+    })
 }
 
 /// Bisects, with exact decisions, for the largest rho with all poles left of -n rho.
@@ -256,6 +299,25 @@ mod tests {
             let small = deadline(&closed_loop, &vec![1.0; poles.len()], 1e-3).largest_eps.is_some();
             prop_assert_eq!(small, found.x_to_zero);
         }
+    }
+
+    #[test]
+    fn bounds_of_the_rate_decide_as_far_as_they_can() {
+        let between = |poles: &[i64], low: i64, high: i64, modes| {
+            let ends = [low, high].map(|end| BigRational::new(end.into(), 10.into()));
+            let found = growth_between(&exact(poles), [&ends[0], &ends[1]], modes)?;
+            Some((found.x_to_zero, found.u_bounded))
+        };
+        use Modes::{Other, Polynomial};
+        assert_eq!(between(&[-3, -4], 9, 11, Other), Some((true, Some(true))));
+        // The line of u, at -2 rho, is between -1.8 and -2.2; that of x between -0.9 and -1.1.
+        assert_eq!(between(&[-2, -4], 9, 11, Other), Some((true, None)));
+        assert_eq!(between(&[-1, -4], 9, 11, Other), None);
+        assert_eq!(between(&[-1, -4], 6, 7, Other), Some((true, Some(false))));
+        assert_eq!(between(&[-1, -5], 12, 13, Other), Some((false, Some(false))));
+        // At -m rho there may be a mode that adds nothing to u.
+        assert_eq!(between(&[-1, -3, -4], 9, 11, Polynomial), Some((false, None)));
+        assert_eq!(between(&[-1, -3, -4], 12, 13, Polynomial), Some((false, Some(false))));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What a reader is told of [`Growth`].
 
 use super::super::{Outcome, Verdict, digits, poles, to_f64};
-use super::{Growth, Modes};
+use super::Growth;
 
 impl Growth {
     /// The line Re = -m rho.
@@ -49,18 +49,55 @@ impl Growth {
 
     fn fix(&self) -> String {
         let line = digits(self.line(self.n));
-        let rate = match self.modes {
-            Modes::Polynomial => "a",
-            Modes::Analytic => "2 a",
-            Modes::Other | Modes::Open => "a least rate",
-        };
         match self.largest_rho {
             Some(rho) if self.rho > 0.0 => format!(
-                "place every pole left of {line}, or, with these gains, take {rate} of at most {}",
+                "place every pole left of {line}, or, with these gains, take {} of at most {}",
+                self.rate,
                 digits(rho)
             ),
             _ => format!("place every pole left of {line}"),
         }
+    }
+}
+
+/// What is said where mu' falls faster than every exponential. With time-to-go T falling so, a mode
+/// e^(lambda t) of x_1 gives x_2 = lambda e^(lambda t)/mu' and more, which grows for any lambda but 0.
+pub fn too_fast(n: usize) -> Outcome {
+    let grows = match n {
+        1 => "u is unbounded at the deadline",
+        _ => "x does not go to 0 and u is unbounded at the deadline",
+    };
+    Outcome {
+        name: "growth",
+        verdict: Verdict::Unsound,
+        summary: format!(
+            "{grows}: mu' falls faster than every exponential, and no linear law follows it"
+        ),
+        details: Vec::new(),
+        fix: Some("take a mapping whose mu' falls like an exponential or more slowly".to_owned()),
+    }
+}
+
+/// What is said where bounds of rho leave open whether x -> 0.
+pub fn open(rho: &str) -> Outcome {
+    Outcome {
+        name: "growth",
+        verdict: Verdict::Undecided,
+        summary: format!("whether x goes to 0 depends on the exact value of {rho}"),
+        details: Vec::new(),
+        fix: Some("place every pole further left".to_owned()),
+    }
+}
+
+/// What is said where the decay rate of mu' is not found.
+pub fn without_rate(largest: Option<f64>) -> Outcome {
+    let up_to = largest.map(|rho| format!("; x and u go to 0 if it is at most {}", digits(rho)));
+    Outcome {
+        name: "growth",
+        verdict: Verdict::Undecided,
+        summary: "the decay rate of mu' is not found".to_owned() + &up_to.unwrap_or_default(),
+        details: Vec::new(),
+        fix: Some("write the mapping with fewer functions within functions".to_owned()),
     }
 }
 
@@ -102,7 +139,9 @@ impl From<&Growth> for Outcome {
             details.push(u.to_owned());
         }
         let poles: Vec<_> = growth.poles.iter().map(|pole| poles::text(*pole)).collect();
-        details.push(format!("poles {}; rho = {}", poles.join(", "), digits(growth.rho)));
+        let spelling = growth.spelling.as_ref().map(|text| format!("{text} = "));
+        let rho = spelling.unwrap_or_default() + &digits(growth.rho);
+        details.push(format!("poles {}; rho = {rho}", poles.join(", ")));
         Self {
             name: "growth",
             verdict,
@@ -116,7 +155,7 @@ impl From<&Growth> for Outcome {
 #[cfg(test)]
 mod tests {
     use crate::algebra::{BigRational, integer};
-    use crate::check::growth::{Modes, growth};
+    use crate::check::growth::{Modes, growth, too_fast};
     use crate::check::poles::{Pole, gains};
     use crate::check::{Outcome, Verdict};
 
@@ -172,6 +211,12 @@ mod tests {
                 "poles -1, -3; rho = 1",
             ]
         );
+    }
+
+    #[test]
+    fn faster_than_every_exponential() {
+        assert!(too_fast(1).summary.starts_with("u is unbounded"));
+        assert!(too_fast(2).summary.starts_with("x does not go to 0 and u is unbounded"));
     }
 
     #[test]

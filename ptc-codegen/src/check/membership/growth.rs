@@ -7,7 +7,7 @@ use super::pieces::Wanted;
 use super::problem::Problem;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
-use crate::expression::leading::{leading, leading_at_zero};
+use crate::expression::leading::{scale, scale_at_zero};
 use crate::expression::normal::normal;
 use crate::expression::sign::Sign;
 use crate::expression::{Expression, Function};
@@ -56,14 +56,14 @@ impl Problem<'_> {
     /// mu: what its sign is asked of on (0, 1], and close to 0.
     fn at_infinity(&self) -> Expression {
         let v = Expression::from(self.v);
-        let find = if self.is_mu { leading } else { leading_at_zero };
-        let term = self.positive.then(|| find(&self.slope, self.v)).flatten();
+        let find = if self.is_mu { scale } else { scale_at_zero };
+        let known = self.positive.then(|| find(&self.slope, self.v)).flatten();
         let one = Expression::integer(1);
         let inverse = one.clone().div(v.clone());
-        let scale = term.map_or(one, |term| {
+        let scale = known.map_or(one, |scale| {
             let turned = if self.is_mu { v.clone() } else { inverse.clone() };
-            let rate = Expression::call(Function::Exp, term.rate.mul(turned.clone()));
-            turned.power(term.power).mul(rate)
+            let rate = Expression::call(Function::Exp, scale.rate().mul(turned.clone()));
+            turned.power(scale.power()).mul(rate)
         });
         let scaled = normal(&self.slope.clone().div(scale));
         if !self.is_mu {

@@ -171,6 +171,19 @@ impl Interval {
         Self::new(BigFloat::from_f64(low, BITS), BigFloat::from_f64(high, BITS))
     }
 
+    /// Its ends, exactly; none where one of them is infinite.
+    pub(crate) fn ends(&self) -> Option<(BigRational, BigRational)> {
+        let exact = |end: &BigFloat| {
+            let (words, _, sign, exponent, _) = end.as_raw_parts()?;
+            let size = words.iter().rev().fold(BigInt::from(0), |size, word| (size << 64) + word);
+            let shift = exponent - i32::try_from(64 * words.len()).ok()?;
+            let size =
+                BigRational::from_integer(size) * BigRational::from_integer(2.into()).pow(shift);
+            Some(if sign.is_negative() { -size } else { size })
+        };
+        Some((exact(&self.low)?, exact(&self.high)?))
+    }
+
     /// Its ends, each rounded to a neighbouring double.
     #[cfg(feature = "campaign")]
     pub(crate) fn about(&self) -> [f64; 2] {
