@@ -22,6 +22,13 @@ pub struct Diagnostic {
     pub help: String,
 }
 
+impl Diagnostic {
+    /// Whether it refuses a design that is well-formed: a check fails, or a coefficient overflows.
+    pub fn refuses(&self) -> bool {
+        self.code == "overflow" || crate::check::CHECKS.contains(&self.code)
+    }
+}
+
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}\n{}", self.key, self.message, self.help)

@@ -136,6 +136,25 @@ fn a_full_standard_output_is_told() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("cannot write"));
 }
 
+/// 1 where the design is refused, 2 where it is none, as for `check`.
+#[test]
+fn exit_codes_say_what_is_wrong() {
+    let design = |rest: &[&str], code| {
+        let common = ["--n", "3", "--mu", "exp(a=2)", "--poles=-4,-5,-6"];
+        stderr(&[&["emit", "--lang", "c", "-o", "-"], &common[..], rest].concat(), code)
+    };
+    assert!(design(&[], 1).contains("error[growth]"));
+    assert!(design(&["--tau=-1"], 2).contains("error[bad-value]"));
+    // Both at once: the input is mended first.
+    assert!(!design(&["--tau=-1", "--sample-time", "x"], 2).contains("growth"));
+    let overflow = ["--n", "2", "--mu", "exp(a=1e-300)", "--poles=-4,-5"];
+    let emitted = [&["emit", "--lang", "c", "-o", "-"], &overflow[..]].concat();
+    assert!(stderr(&emitted, 1).contains("error[overflow]"));
+    for help in [&["--help"][..], &["emit", "--help"], &["check", "--help"], &["list", "--help"]] {
+        assert!(stdout(help).contains("  3  undecided: "), "{help:?}");
+    }
+}
+
 #[test]
 fn dump_shows_the_program_after_a_pass() {
     let args = |pass| ["emit", "--lang", "c", "--n", "2", "--mu", "power(m=3)", "--dump", pass];

@@ -17,6 +17,9 @@ pub mod stability;
 
 mod eigenvalues;
 
+/// The names of the checks, in the order in which they are run.
+pub const CHECKS: [&str; 5] = ["membership", "growth", "sampling", "deadline", "envelope"];
+
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {

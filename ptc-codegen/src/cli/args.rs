@@ -10,13 +10,13 @@ use ptc_codegen::program::passes::PASSES;
 use ptc_codegen::spec::{KEYS, KeyInfo};
 
 use super::engine::Engine;
-use super::report::quoted;
+use super::report::{quoted, with_exit_codes};
 use super::source::{Source, flag};
 
 /// Generates prescribed-time controllers: closed forms for an order and a time mapping, as source
 /// code in C, Rust, C++, MATLAB, Python or Structured Text.
 #[derive(Debug, Parser)]
-#[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = EXAMPLES)]
+#[command(name = "ptc-codegen", version, arg_required_else_help = true, after_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct CommandLine {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -32,16 +32,13 @@ Examples:
   ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
   ptc-codegen verify roll.toml                        its objectives, over scenarios
   ptc-codegen design wish.toml -o roll.toml           chooses mapping and poles for them
-  ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
-
-Exit codes: 0 done, 1 a design is refused, an objective fails or --check found drift, 2 bad input or
-a place that cannot be written.";
+  ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Generate the source of a controller
     #[command(
-        after_help = EMIT_EXAMPLES,
+        after_help = with_exit_codes(EMIT_EXAMPLES),
         override_usage = "ptc-codegen emit --lang <LANGUAGE> --n <N> --mu <MU> [OPTIONS]\n       \
                           ptc-codegen emit <DESIGN> --lang <LANGUAGE> [OPTIONS]\n       \
                           ptc-codegen emit <DESIGN> --project <PROJECT> [-o <DIR>] [OPTIONS]"
@@ -49,14 +46,14 @@ pub(crate) enum Command {
     Emit(Emit),
     /// Check a design: its mapping, its gains at the deadline, sampling, final error and overflow
     #[command(
-        after_help = CHECK_EXAMPLES,
+        after_help = with_exit_codes(CHECK_EXAMPLES),
         override_usage = "ptc-codegen check <DESIGN> [OPTIONS]\n       \
                           ptc-codegen check --n <N> --mu <MU> [OPTIONS]"
     )]
     Check(Check),
     /// Print the expansions behind a controller
     #[command(
-        after_help = SHOW_EXAMPLES,
+        after_help = with_exit_codes(SHOW_EXAMPLES),
         override_usage = "ptc-codegen show <SUBJECT> --n <N> [--mu <MU>] [--format <FORMAT>]\n       \
                           ptc-codegen show <SUBJECT> <DESIGN> [--format <FORMAT>]"
     )]
@@ -64,7 +61,7 @@ pub(crate) enum Command {
     /// Run the closed loop of a design with its plant
     #[cfg(feature = "simulation")]
     #[command(
-        after_help = super::simulate::EXAMPLES,
+        after_help = with_exit_codes(super::simulate::EXAMPLES),
         override_usage = "ptc-codegen simulate <DESIGN> --x0 <X1,...,XN> [OPTIONS]\n       \
                           ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
     )]
@@ -72,7 +69,7 @@ pub(crate) enum Command {
     /// Verify the closed loop against its objectives, for all that is uncertain
     #[cfg(feature = "campaign")]
     #[command(
-        after_help = super::verify::EXAMPLES,
+        after_help = with_exit_codes(super::verify::EXAMPLES),
         override_usage = "ptc-codegen verify <DESIGN> [OPTIONS]\n       \
                           ptc-codegen verify <DESIGN> --shard <I/N> --out <FILE> [OPTIONS]\n       \
                           ptc-codegen verify <DESIGN> --merge <FILES>... [OPTIONS]"
@@ -81,14 +78,15 @@ pub(crate) enum Command {
     /// Choose the mapping and the poles of a design so that its objectives hold
     #[cfg(feature = "campaign")]
     #[command(
-        after_help = super::design::EXAMPLES,
+        after_help = with_exit_codes(super::design::EXAMPLES),
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
     Design(super::design::Request),
     /// Write a design file to begin with, which tells every key
-    #[command(after_help = NEW_EXAMPLES)]
+    #[command(after_help = with_exit_codes(NEW_EXAMPLES))]
     New(New),
     /// Print the families of time mappings and their parameters
+    #[command(after_help = with_exit_codes(LIST_EXAMPLES))]
     List(List),
     /// Answers one request of the engine `symbolica`, in a process of its own
     #[cfg(feature = "symbolica")]
@@ -115,11 +113,16 @@ Examples:
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check
       writes nothing; exit code 1 if the files in out are not what would be written";
 
-const CHECK_EXAMPLES: &str = "\
-What lacks a value is not checked, and the report says which value. Exit codes: 0 the design is
-accepted, 1 it is refused, 2 bad input.
+const LIST_EXAMPLES: &str = "\
+Examples:
+  ptc-codegen list
+  ptc-codegen list --format json";
 
-JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"checks\":[{\"name\":\"growth\",
+const CHECK_EXAMPLES: &str = "\
+What lacks a value is not checked, and the report says which value. A check that is undecided and not
+allowed with --allow does not refuse the design; the exit code is 3.
+
+JSON: {\"name\":\"...\",\"command\":\"...\",\"accepted\":true,\"undecided\":[],\"checks\":[{\"name\":\"growth\",
 \"verdict\":\"sound\",\"summary\":\"...\",\"details\":[...],\"fix\":null},...]}; a verdict is sound, unsound,
 refuted, undecided or not checked.
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use ptc_codegen::check::Outcome;
 use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
@@ -11,7 +12,7 @@ use super::args::{Check, ListFormat};
 use super::report::Failure;
 use super::write;
 
-/// Runs `check`: exit code 1 where the design is refused.
+/// Runs `check`.
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
@@ -25,13 +26,13 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     if refused {
         return Err(Failure::refused(Vec::new()));
     }
-    // What is left is told by no check: coefficients that overflow.
-    match generate(&spec, Language::C) {
-        Ok(_) => Ok(()),
-        Err(found) => match given.finish::<()>(None, found) {
-            Err(failure) => Err(Failure::refused(failure.notices)),
-            Ok(()) => Ok(()),
-        },
+    // No check looks at coefficients that overflow.
+    if let Err(found) = generate(&spec, Language::C) {
+        return given.finish(None, found);
+    }
+    match report.undecided().next() {
+        Some(_) => Err(Failure::undecided(Vec::new())),
+        None => Ok(()),
     }
 }
 
@@ -48,9 +49,15 @@ fn text(report: &Report, refused: bool) -> String {
             let _ = writeln!(out, "            fix: {fix}");
         }
     }
-    let all: Vec<_> = report.refusals().map(|outcome| outcome.name).collect();
-    let verdict =
-        if refused { format!("refused: {}", all.join(", ")) } else { "accepted".to_owned() };
+    let names = |outcomes: &mut dyn Iterator<Item = &Outcome>| {
+        outcomes.map(|outcome| outcome.name).collect::<Vec<_>>().join(", ")
+    };
+    let open = names(&mut report.undecided());
+    let verdict = match (refused, open.is_empty()) {
+        (true, _) => format!("refused: {}", names(&mut report.refusals())),
+        (false, true) => "accepted".to_owned(),
+        (false, false) => format!("accepted; undecided: {open}"),
+    };
     let _ = writeln!(out, "\n{verdict}");
     out
 }
@@ -73,6 +80,7 @@ fn json(report: &Report, refused: bool) -> String {
         "name": report.spec.name(),
         "command": report.spec.command(),
         "accepted": !refused,
+        "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
         "checks": checks,
     });
     format!("{design}\n")

@@ -1,7 +1,6 @@
 //! The command line: flags and a design file in, files or text out; every mistake goes to the standard error.
 //!
-//! Exit codes: 0 done, 1 a check refuses the design, an objective fails or `--check` found drift, 2 bad input or a place
-//! that cannot be written.
+//! [`report`] has the exit codes.
 
 pub(crate) mod args;
 mod check;
@@ -44,7 +43,7 @@ pub(crate) fn run() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             report::print(&failure.notices);
-            ExitCode::from(failure.exit)
+            ExitCode::from(failure.exit as u8)
         }
     }
 }

@@ -5,11 +5,36 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
+/// What the exit codes mean, in every subcommand.
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  a check refuses the design, an objective fails, or --check finds files that differ
+  2  bad input, or a place that cannot be read or written
+  3  undecided: nothing fails, but a check or an objective cannot be decided";
+
+/// The end of a help text, with the exit codes.
+pub(crate) fn with_exit_codes(examples: &str) -> String {
+    format!("{examples}\n\n{EXIT_CODES}")
+}
+
+/// Why a command does not end with 0, the exit code of success.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(crate) enum Exit {
+    /// A check refuses the design, an objective fails, or files differ.
+    Failed = 1,
+    /// The input is wrong, or a place cannot be read or written.
+    BadInput = 2,
+    /// Nothing fails, but not everything could be decided.
+    Undecided = 3,
+}
+
 /// Why the command did not succeed.
 #[derive(Debug)]
 pub(crate) struct Failure {
     /// The exit code.
-    pub(crate) exit: u8,
+    pub(crate) exit: Exit,
     /// All that is to be told.
     pub(crate) notices: Vec<Notice>,
 }
@@ -17,22 +42,28 @@ pub(crate) struct Failure {
 impl Failure {
     /// The input is wrong.
     pub(crate) fn bad_input(notices: Vec<Notice>) -> Self {
-        Self { exit: 2, notices }
+        Self { exit: Exit::BadInput, notices }
     }
 
     /// `--check` found files that are not what would be written.
     pub(crate) fn drift(notices: Vec<Notice>) -> Self {
-        Self { exit: 1, notices }
+        Self { exit: Exit::Failed, notices }
     }
 
-    /// A check refuses the design.
+    /// A check refuses the design, or an objective fails.
     pub(crate) fn refused(notices: Vec<Notice>) -> Self {
-        Self { exit: 1, notices }
+        Self { exit: Exit::Failed, notices }
+    }
+
+    /// Nothing fails, but not everything could be decided.
+    pub(crate) fn undecided(notices: Vec<Notice>) -> Self {
+        Self { exit: Exit::Undecided, notices }
     }
 
     /// One thing went wrong that no flag's value is to blame for.
     pub(crate) fn because(title: String, help: &str) -> Self {
-        Self { exit: 2, notices: vec![Notice { help: Some(help.to_owned()), ..Notice::of(title) }] }
+        let notice = Notice { help: Some(help.to_owned()), ..Notice::of(title) };
+        Self::bad_input(vec![notice])
     }
 }
 

@@ -208,7 +208,10 @@ impl Parsed<'_> {
             Some(value) if all.is_empty() => Ok(value),
             _ => {
                 all.sort_by_key(|d| KEYS.iter().position(|info| info.key == root(&d.key)));
-                Err(Failure::bad_input(all.iter().map(|d| self.notice(d)).collect()))
+                let notices = all.iter().map(|d| self.notice(d)).collect();
+                let refused = !all.is_empty() && all.iter().all(Diagnostic::refuses);
+                let failure = if refused { Failure::refused } else { Failure::bad_input };
+                Err(failure(notices))
             }
         }
     }

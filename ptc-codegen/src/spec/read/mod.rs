@@ -23,7 +23,7 @@ use crate::lower::has_associated;
 pub(crate) const MAX_EXPONENT: i32 = 400;
 
 /// The checks that may be allowed to fail.
-pub(super) const CHECKS: [&str; 5] = ["membership", "growth", "sampling", "deadline", "envelope"];
+pub(super) use crate::check::CHECKS;
 
 /// One key with its value, as a front end found it. A key of a table of a design file is written
 /// `params.a` or `envelope.x_max`.
