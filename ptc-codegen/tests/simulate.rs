@@ -365,3 +365,19 @@ fn what_is_not_followed_is_undecided() {
         assert!(failure.message.contains(part), "{text}: {failure}");
     }
 }
+
+/// Between its limits u passes within 4e-6 tau here, which no step may overlook.
+#[test]
+fn the_passage_of_u_from_one_limit_to_the_other_is_not_stepped_over() {
+    let text = "n = 4\nmu = \"tan(a=0.97)\"\npoles = [-5.28, -7.21, -7.71, -8.92]\ntau = 1.78\nu_max = 3.98\n\
+                [plant]\nf = \"-0.09*x4 - 1.4*sign(x4) - 0.72\"\n";
+    let x0 = [0.465, 0.0, 0.0, 0.0];
+    let looked_at: Vec<_> = (0..=2000).map(|i| 0.2915 - 1e-6 * f64::from(i)).collect();
+    let passage = continuous(text, &[], &x0, &looked_at);
+    assert!(passage.iter().filter(|(_, _, u)| u.abs() < 3.98).count() >= 3);
+    let (_, wanted, _) = passage.last().expect("an end");
+    let (_, found, _) = &continuous(text, &[], &x0, &looked_at[2000..])[0];
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found - wanted).abs() <= 1e-10, "{found} {wanted}");
+    }
+}

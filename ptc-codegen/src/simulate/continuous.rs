@@ -196,7 +196,8 @@ impl Side for Continuous {
         let terms = xi.amax() / (slope.powi(order) * gain.abs());
         // A state at rest is one of x.
         let clipped = self.clipped() || slides;
-        let infinite = !clipped && !(self.u_max.is_finite() && terms > CANCELLED * self.u_max);
+        let cancelled = self.u_max.is_finite() && terms > CANCELLED * self.u_max;
+        let infinite = !(clipped || cancelled);
         let again = if clipped || infinite { f64::INFINITY } else { AGAIN };
         if infinite == self.infinite {
             return (*state, again);

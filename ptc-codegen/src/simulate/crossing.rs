@@ -12,40 +12,29 @@ pub(super) enum Step {
     Coarse,
     /// A function has no value.
     NoNumber,
-    /// One is the first to become negative, between two nodes as parts of the step.
-    Event { which: usize, low: f64, high: f64 },
+    /// Some are the first to become negative: before this node, and not before the node before it.
+    Event { node: usize },
 }
 
 /// Looks at the values of all functions at each node.
 pub(super) fn look(table: &[Vec<f64>]) -> Step {
     let count = table.first().map_or(0, Vec::len);
-    let mut first: Option<(usize, usize)> = None;
-    for which in 0..count {
-        let values: [f64; NODES] = std::array::from_fn(|node| table[node][which]);
+    let mut first: Option<usize> = None;
+    let functions = (0..count).map(|which| std::array::from_fn(|node| table[node][which]));
+    for values in functions {
+        let values: [f64; NODES] = values;
         if values.iter().any(|value| value.is_nan()) {
             return Step::NoNumber;
         }
         // What is not positive at the begin is a rounding of the event that led there.
         let negative = (1..NODES).find(|node| values[*node] < 0.0);
         let before = negative.unwrap_or(NODES);
-        if first.is_some_and(|(node, _)| node <= before) && negative.is_some() {
-            continue;
-        }
         if values.iter().all(|value| value.is_finite()) && coarse(&values, before) {
             return Step::Coarse;
         }
-        if let Some(node) = negative {
-            first = Some((node, which));
-        }
+        first = first.into_iter().chain(negative).min();
     }
-    match first {
-        None => Step::Clear,
-        Some((node, which)) => {
-            #[allow(clippy::cast_precision_loss)]
-            let share = |node: usize| node as f64 / (NODES - 1) as f64;
-            Step::Event { which, low: share(node - 1), high: share(node) }
-        }
-    }
+    first.map_or(Step::Clear, |node| Step::Event { node })
 }
 
 /// Whether the cubic through every other node misses the nodes between by so much that the sign

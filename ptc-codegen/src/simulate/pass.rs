@@ -1,12 +1,14 @@
 //! Steps of a method up to points and events.
+// A piece that ends early hands over its state, once.
+#![allow(clippy::result_large_err)]
 
 use differential_equations::interpolate::Interpolation;
 use differential_equations::ode::OrdinaryNumericalMethod;
 
 use super::Failure;
 use super::crossing::{NODES, Step, look};
+use super::mode::no_value;
 use super::solver::{Rates, State, failure, finite};
-use super::switching::no_value;
 
 /// A method with dense output.
 pub(super) trait Method:
@@ -22,10 +24,13 @@ pub(super) type Monitor<'a> = &'a dyn Fn(f64, &State, &mut Vec<f64>);
 /// What sees the state at each point.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(usize, f64, &State);
 
+/// Begins a method at a point in a state, with a step.
+pub(super) type Restart<'a, M> = &'a dyn Fn(&mut M, f64, &State, f64) -> Result<(), Failure>;
+
 /// What changes a method: gives it another step, begins it anew, and says what is accurate enough.
 pub(super) struct Change<'a, M> {
     pub(super) set_step: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
-    pub(super) restart: &'a dyn Fn(&mut M, f64, &State, f64) -> Result<(), Failure>,
+    pub(super) restart: Restart<'a, M>,
     pub(super) weigh: &'a dyn Fn(&mut M, f64) -> Result<(), Failure>,
 }
 
@@ -159,15 +164,13 @@ impl Pass<'_> {
         let mut values = Vec::new();
         let mut table: Vec<Vec<f64>> = Vec::with_capacity(NODES);
         for node in 0..NODES {
-            #[allow(clippy::cast_precision_loss)]
-            let share = node as f64 / (NODES - 1) as f64;
             let value = |method: &mut M, s: f64| method.interpolate(s.min(to));
             values.clear();
             match node {
                 0 => monitor(at, &state, &mut values),
                 _ if node + 1 == NODES => monitor(to, method.y(), &mut values),
                 _ => {
-                    let s = at + share * length;
+                    let s = at + share(node) * length;
                     let y = value(method, s).map_err(|error| wrong(failure(&error)))?;
                     monitor(s, &y, &mut values);
                 }
@@ -186,19 +189,29 @@ impl Pass<'_> {
                 Ok(None)
             }
             Step::Coarse => Ok(None),
-            Step::Event { which, low, .. } if low == 0.0 && table[0][which] <= 0.0 => {
-                (change.restart)(method, at, &state, length).map_err(wrong)?;
-                Ok(Some(which))
-            }
-            Step::Event { which, low, high } => {
-                let mut at_root = |share: f64| {
-                    let s = at + share * length;
-                    let y = method.interpolate(s.min(to)).unwrap_or(state);
-                    values.clear();
-                    monitor(s, &y, &mut values);
-                    values[which]
-                };
-                let share = root((low, table_at(&table, which, low)), high, &mut at_root);
+            Step::Event { node } => {
+                let (before, after) = (&table[node - 1], &table[node]);
+                let (low, high) = (share(node - 1), share(node));
+                let crossing = (0..after.len()).filter(|which| after[*which] < 0.0);
+                let mut first: Option<(f64, usize)> = None;
+                for which in crossing {
+                    let mut at_share = |share: f64| {
+                        let s = at + share * length;
+                        let y = method.interpolate(s.min(to)).unwrap_or(state);
+                        values.clear();
+                        monitor(s, &y, &mut values);
+                        values[which]
+                    };
+                    let root = match before[which] > 0.0 {
+                        true => root((low, before[which]), high, &mut at_share),
+                        // A rounding of the event that led here.
+                        false => low,
+                    };
+                    if first.is_none_or(|(least, _)| root < least) {
+                        first = Some((root, which));
+                    }
+                }
+                let Some((share, which)) = first else { return Ok(None) };
                 let mut goal = at + share * length;
                 // By steps of the method itself, as its dense output is less exact.
                 for _ in 0..6 {
@@ -211,7 +224,7 @@ impl Pass<'_> {
                     if off.abs() <= 1e-13 * goal.abs().max(1.0) {
                         return Ok(Some(which));
                     }
-                    if !(off.abs() <= 0.5 * (goal - at)) || goal + off > to {
+                    if off.is_nan() || off.abs() > 0.5 * (goal - at) || goal + off > to {
                         break;
                     }
                     goal += off;
@@ -273,10 +286,10 @@ fn distance<M: Method>(method: &mut M, monitor: Monitor<'_>, which: usize) -> Re
     }
 }
 
-fn table_at(table: &[Vec<f64>], which: usize, share: f64) -> f64 {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
-    let node = (share * (NODES - 1) as f64).round() as usize;
-    table[node][which]
+/// Where a node is, as a part of the step.
+#[allow(clippy::cast_precision_loss)]
+fn share(node: usize) -> f64 {
+    node as f64 / (NODES - 1) as f64
 }
 
 /// The root of a function that is positive, or 0, at `low` and negative at `high`: by Illinois'

@@ -3,9 +3,10 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
+use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::{First, State};
-use super::switching::{Mode, Piecewise, Walk};
+use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::plant::Plant;
 use crate::spec::{Parameter, Spec};

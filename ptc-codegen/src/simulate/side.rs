@@ -1,7 +1,8 @@
 //! What both sides of Theorem 1 share: a run in sigma = -ln(T/tau) that stops where it is looked at.
 
+use super::mode::Mode;
 use super::solver::{First, State};
-use super::switching::{Mode, Piecewise, Walk};
+use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Failure, Sample, Values};
 use crate::spec::Parameter;
 

@@ -3,6 +3,8 @@
 //!
 //! Where mu' decays like a power, stretched time reaches 1e9 s and more while time-to-go falls to
 //! 1e-9 tau; there an explicit method would take a step for every time constant of the loop.
+// A piece that ends early hands over its state, once.
+#![allow(clippy::result_large_err)]
 
 use differential_equations::error::Error;
 use differential_equations::linalg::Matrix;
@@ -10,8 +12,8 @@ use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use nalgebra::SVector;
 
+use super::mode::no_value;
 use super::pass::{Change, End, Method, Monitor, Pass, Reached, Visit, of};
-use super::switching::no_value;
 use super::{Accuracy, Failure};
 use crate::spec::MAX_ORDER;
 

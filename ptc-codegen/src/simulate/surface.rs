@@ -19,6 +19,10 @@ pub(super) struct Surface {
 /// Cosine of the angle within which two surfaces count as one.
 const SAME: f64 = 1e-7;
 
+/// Distance, in the scale of the state, within which they are at the same place. Close to the deadline
+/// u passes from one limit to the other within 1e-6 of that scale.
+const NEAR: f64 = 1e-11;
+
 impl Surface {
     /// The surface of a kink.
     pub(super) fn of<S: Piecewise>(system: &mut S, kink: usize, s: f64, state: &State) -> Self {
@@ -54,7 +58,7 @@ impl Surface {
         };
         let cosines: Vec<_> =
             (0..kinks).map(|other| if other == kink { 1.0 } else { cosine(other) }).collect();
-        let near = |other: usize| here[other].abs() <= 1e-7 * size(other);
+        let near = |other: usize| here[other].abs() <= NEAR * size(other);
         let members = (0..kinks)
             .map(|other| other == kink || (1.0 - cosines[other].abs() <= SAME && near(other)))
             .collect();

@@ -1,0 +1,262 @@
+//! Modes of a system with kinks: the sides on which they are held, and the slide along a jump.
+
+use super::Failure;
+use super::solver::State;
+use super::surface::{Surface, tangent};
+use super::switching::Piecewise;
+
+/// Sides on which the kinks are held.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Mode {
+    pub(super) above: Vec<bool>,
+    pub(super) slide: Option<Slide>,
+}
+
+/// Motion along a jump.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Slide {
+    /// The sides of all kinks beyond the jump.
+    pub(super) beyond: Vec<bool>,
+    /// A kink of the jump.
+    pub(super) kink: usize,
+}
+
+/// A function that is not defined where the state is.
+pub(super) fn no_value() -> Failure {
+    Failure::unfinished(
+        "f, g or the law has no finite value",
+        "see what they are at this instant, for example a quotient with 0 below, or the square root of a negative number",
+    )
+}
+
+fn several() -> Failure {
+    Failure::unfinished(
+        "the state slides along two jumps of f, g or the law at once",
+        "one jump at a time is followed; smooth one of them, for example tanh(x2/v) for sign(x2)",
+    )
+}
+
+/// The rates of a mode.
+pub(super) fn field<S: Piecewise>(
+    system: &mut S,
+    mode: &Mode,
+    s: f64,
+    state: &State,
+    rates: &mut State,
+) {
+    match &mode.slide {
+        None => system.rates(s, state, rates),
+        Some(slide) => *rates = Tangent::of(system, mode, slide, s, state).rates,
+    }
+}
+
+/// The motion along a jump at a point.
+pub(super) struct Tangent {
+    rates: State,
+    /// How far it is from the last rate of the mode to that beyond the jump: 0 to 1.
+    pub(super) part: f64,
+}
+
+impl Tangent {
+    pub(super) fn of<S: Piecewise>(
+        system: &mut S,
+        mode: &Mode,
+        slide: &Slide,
+        s: f64,
+        state: &State,
+    ) -> Self {
+        let last = system.order() - 1;
+        let (mut rates, mut beyond) = (State::zeros(), State::zeros());
+        system.choose(&slide.beyond);
+        system.rates(s, state, &mut beyond);
+        system.choose(&mode.above);
+        system.rates(s, state, &mut rates);
+        let (along, across, distance) = tangent(system, slide.kink, (s, state), (&rates, &beyond));
+        // What is left of the distance decays.
+        let kept = -(along + distance) / across;
+        let part = (kept - rates[last]) / (beyond[last] - rates[last]);
+        rates[last] = kept;
+        Self { rates, part }
+    }
+}
+
+/// What is positive as long as a mode lasts: the distances from the kinks, and of a slide, whose kinks
+/// do not count, how far it is to both sides.
+pub(super) fn margins<S: Piecewise>(
+    system: &mut S,
+    mode: &Mode,
+    s: f64,
+    state: &State,
+    values: &mut Vec<f64>,
+) {
+    let signed = |values: &mut Vec<f64>| {
+        for (value, above) in values.iter_mut().zip(&mode.above) {
+            *value *= if *above { 1.0 } else { -1.0 };
+        }
+    };
+    values.clear();
+    system.choose(&mode.above);
+    system.distances(s, state, values);
+    signed(values);
+    if let Some(slide) = &mode.slide {
+        let part = Tangent::of(system, mode, slide, s, state).part;
+        let mut beyond = Vec::new();
+        system.choose(&slide.beyond);
+        system.distances(s, state, &mut beyond);
+        signed(&mut beyond);
+        system.choose(&mode.above);
+        for (kink, value) in values.iter_mut().enumerate() {
+            let of_jump = mode.above[kink] != slide.beyond[kink];
+            *value = if of_jump { 1.0 } else { *value + part * (beyond[kink] - *value) };
+        }
+        values.extend([part, 1.0 - part]);
+    }
+}
+
+/// The mode after an event.
+pub(super) fn next<S: Piecewise>(
+    system: &mut S,
+    mode: &Mode,
+    which: usize,
+    s: f64,
+    state: &State,
+) -> Result<Mode, Failure> {
+    let kinks = mode.above.len();
+    if let (Some(slide), true) = (&mode.slide, which >= kinks) {
+        let above = if which == kinks { &mode.above } else { &slide.beyond };
+        return Ok(Mode { above: above.clone(), slide: None });
+    }
+    let flip = |sides: &[bool], surface: &Surface| {
+        let sides = sides.iter().zip(&surface.members);
+        sides.map(|(above, member)| above ^ member).collect::<Vec<_>>()
+    };
+    system.choose(&mode.above);
+    let surface = Surface::of(system, which, s, state);
+    let flipped = flip(&mode.above, &surface);
+    if let Some(slide) = &mode.slide {
+        let mut beyond = flip(&slide.beyond, &surface);
+        // The jump itself keeps its two sides.
+        for kink in 0..kinks {
+            if mode.above[kink] != slide.beyond[kink] {
+                beyond[kink] = !flipped[kink];
+            }
+        }
+        let other = Mode { above: flipped, slide: Some(Slide { beyond, kink: slide.kink }) };
+        let mut rates = State::zeros();
+        field(system, &other, s, state, &mut rates);
+        if surface.speed(&rates) * side(mode.above[which]) > surface.noise(&rates) {
+            return Err(several());
+        }
+        return Ok(other);
+    }
+    meet(system, &mode.above, flipped, (which, &surface), s, state)
+}
+
+/// Crosses a surface from the sides `from` to the sides `to`, or slides along it.
+fn meet<S: Piecewise>(
+    system: &mut S,
+    from: &[bool],
+    to: Vec<bool>,
+    (which, surface): (usize, &Surface),
+    s: f64,
+    state: &State,
+) -> Result<Mode, Failure> {
+    let last = system.order() - 1;
+    let (mut here, mut there) = (State::zeros(), State::zeros());
+    system.choose(from);
+    system.rates(s, state, &mut here);
+    system.choose(&to);
+    system.rates(s, state, &mut there);
+    let away = side(from[which]);
+    let continuous =
+        (here[last] - there[last]).abs() <= 1e-9 * (here[last].abs() + there[last].abs());
+    let [before, after] = [&here, &there].map(|rates| away * surface.speed(rates));
+    if continuous || after <= 0.0 {
+        return Ok(Mode { above: to, slide: None });
+    }
+    if before >= 0.0 {
+        return Ok(Mode { above: from.to_vec(), slide: None });
+    }
+    Ok(Mode { above: from.to_vec(), slide: Some(Slide { beyond: to, kink: which }) })
+}
+
+/// The mode in which a state begins.
+pub(super) fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Result<Mode, Failure> {
+    let kinks = system.kinks();
+    let mut above = vec![true; kinks];
+    let mut distances = Vec::new();
+    // A distance may depend on the sides of other kinks.
+    for _ in 0..=kinks {
+        system.choose(&above);
+        distances.clear();
+        system.distances(s, state, &mut distances);
+        let found: Vec<_> = distances.iter().map(|distance| *distance >= 0.0).collect();
+        if found == above {
+            break;
+        }
+        above = found;
+    }
+    let mut mode = Mode { above, slide: None };
+    let mut settled = vec![false; kinks];
+    for which in 0..kinks {
+        if settled[which] || distances[which] != 0.0 {
+            continue;
+        }
+        system.choose(&mode.above);
+        let surface = Surface::of(system, which, s, state);
+        settled.iter_mut().zip(&surface.members).for_each(|(settled, member)| *settled |= member);
+        // Kinks of one surface that face opposite ways are on opposite sides of it.
+        let sides = |on: bool| -> Vec<bool> {
+            let kinks = mode.above.iter().zip(&surface.members).zip(&surface.along);
+            kinks
+                .map(|((above, member), along)| if *member { *along == on } else { *above })
+                .collect()
+        };
+        let (up, down) = (sides(true), sides(false));
+        if let Some(slide) = &mode.slide {
+            let mut rates = State::zeros();
+            field(system, &mode, s, state, &mut rates);
+            let speed = surface.speed(&rates);
+            if speed != 0.0 {
+                let above = if speed > 0.0 { up } else { down };
+                let mut beyond = above.clone();
+                let sides = mode.above.iter().zip(&slide.beyond);
+                for (kept, (_, other)) in beyond.iter_mut().zip(sides).filter(|(_, (a, b))| a != b)
+                {
+                    *kept = *other;
+                }
+                let slide = Some(Slide { beyond, kink: slide.kink });
+                mode = Mode { above, slide };
+            }
+            continue;
+        }
+        let speed = |system: &mut S, sides: &[bool]| {
+            let mut rates = State::zeros();
+            system.choose(sides);
+            system.rates(s, state, &mut rates);
+            surface.speed(&rates)
+        };
+        let (rising, falling) = (speed(system, &up), speed(system, &down));
+        if rising.is_nan() || falling.is_nan() {
+            return Err(no_value());
+        }
+        mode = match () {
+            () if rising >= 0.0 && falling >= 0.0 => Mode { above: up, slide: None },
+            () if rising <= 0.0 && falling <= 0.0 => Mode { above: down, slide: None },
+            () if rising < 0.0 => {
+                Mode { above: up, slide: Some(Slide { beyond: down, kink: which }) }
+            }
+            () => {
+                return Err(Failure::unfinished(
+                    "two motions begin at a jump of f, g or the law, which pushes away on both sides",
+                    "begin the run beside it",
+                ));
+            }
+        };
+    }
+    Ok(mode)
+}
+
+fn side(above: bool) -> f64 {
+    if above { 1.0 } else { -1.0 }
+}
