@@ -269,7 +269,10 @@ fn an_objective_that_fails_is_reported_too() {
     let page = fs::read_to_string(folder.join("out.html")).expect("a report");
     let page = parse(&page);
     let told = text(section(&page, "run"));
-    assert!(told.contains("Not verified") && told.contains("2 of 2 draws and 1 of 1 corners fail it"), "{told}");
+    assert!(
+        told.contains("Not verified") && told.contains("2 of 2 draws and 1 of 1 corners fail it"),
+        "{told}"
+    );
     let verdicts: Vec<_> = named(section(&page, "run"), "td")
         .filter(|cell| cell.attribute("class") == Some("verdict bad"))
         .map(text)
