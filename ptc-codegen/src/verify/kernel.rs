@@ -235,7 +235,7 @@ impl Line {
             (1..).zip(&middle.slopes).map(|(j, slope)| (slope * b.time_to_go.powi(n - j)).abs());
         let exponent = length * scaled.sum::<f64>().max(1.0 / b.time_to_go);
         let count = (exponent / REACH).ceil().max(1.0);
-        if !(count <= MOST) {
+        if count.is_nan() || count > MOST {
             return None;
         }
         if count <= 1.0 {

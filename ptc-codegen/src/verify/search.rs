@@ -61,7 +61,7 @@ pub fn search(
             break;
         };
         search.switch(&scenario);
-        if search.best.as_ref().is_none_or(|found| !(found.excess > before + PROGRESS)) {
+        if search.best.as_ref().is_none_or(|found| found.excess <= before + PROGRESS) {
             break;
         }
     }
@@ -154,7 +154,7 @@ impl Search<'_> {
             };
             self.take(&next);
             let gained = self.best.as_ref().map(|found| found.excess).zip(before);
-            if left == 0 || gained.is_none_or(|(after, before)| !(after > before + PROGRESS)) {
+            if left == 0 || gained.is_none_or(|(after, before)| after <= before + PROGRESS) {
                 return;
             }
             from = self.best.as_ref().map_or(from, |found| found.scenario.clone());

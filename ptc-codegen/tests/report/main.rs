@@ -242,13 +242,13 @@ fn a_verification_has_its_verdicts() {
     alone(&page);
     let told = text(section(&page, "run"));
     for part in [
-        "Every objective holds: 2 scenarios of seed 0",
+        "Every objective holds: 2 draws of seed 0",
         "tau = 1; x1 = 1; x2 = 0.",
         "objective 1: |u|",
         "objective 2: |x|",
         "objective 3: x2",
         "Worst trajectory, tau = 1, x1 = 1, x2 = 0",
-        "both sides of Theorem 1 agree: by at most ",
+        "both sides of Theorem 1 agree: maximum difference ",
     ] {
         assert!(told.contains(part), "{part}: {told}");
     }
@@ -269,14 +269,17 @@ fn an_objective_that_fails_is_reported_too() {
     let page = fs::read_to_string(folder.join("out.html")).expect("a report");
     let page = parse(&page);
     let told = text(section(&page, "run"));
-    assert!(told.contains("Not verified") && told.contains("2 of 2 scenarios fail it"), "{told}");
+    assert!(
+        told.contains("Not verified") && told.contains("2 of 2 draws and 1 of 1 corners fail it"),
+        "{told}"
+    );
     let verdicts: Vec<_> = named(section(&page, "run"), "td")
         .filter(|cell| cell.attribute("class") == Some("verdict bad"))
         .map(text)
         .collect();
     assert_eq!(verdicts, ["fails"]);
     // The page says what the terminal does.
-    for line in stdout.lines().filter(|line| line.contains("worst drawn")) {
+    for line in stdout.lines().filter(|line| line.contains("worst draw:")) {
         assert!(told.contains(line.trim()), "{line}");
     }
     assert_eq!(run(&folder, &["verify", "stage.toml", "--report", "no.pdf"]).0, Some(2));
