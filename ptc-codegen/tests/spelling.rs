@@ -107,8 +107,8 @@ fn a_family_in_an_expression_does_not_divide_by_zero() {
 #[test]
 fn a_name_means_one_thing() {
     for (line, name) in [
-        ("--n 2 --mu=\"tau*(1 - exp(-eps*t))\"", "`eps` is the time-to-go"),
-        ("--n 2 --kappa=\"t0*dt/(tau - dt)\"", "`t0` is the start time"),
+        ("--n 2 --mu=\"tau*(1 - exp(-eps*t))\"", "`eps` is not known where mu"),
+        ("--n 2 --kappa=\"t0*dt/(tau - dt)\"", "`t0` is not known where kappa"),
         ("--n 1 --mu=\"tau*(1 - exp(-k*t))\"", "`k` is the gains"),
         ("--n 1 --mu exp_sum --pi0=\"-rates*xi1\"", "`rates` is the rates"),
         ("--n 1 --mu exp --g=\"2 + k\"", "`k` is the gains"),
