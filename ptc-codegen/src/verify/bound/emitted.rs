@@ -29,9 +29,9 @@ const NARROW: i64 = 256;
 pub(super) struct Emitted {
     /// Name of its precision.
     precision: &'static str,
-    /// T/tau of the cells, and how far u may be from that of the law in each; none where that is not
-    /// bounded.
-    errors: Vec<([BigRational; 2], Option<f64>)>,
+    /// T/tau of the cells, rounded outwards, and how far u may be from that of the law in each; none
+    /// where that is not bounded.
+    errors: Vec<([f64; 2], Option<f64>)>,
 }
 
 impl Emitted {
@@ -56,7 +56,7 @@ impl Emitted {
                 None => Some("x, which is not bounded,".to_owned()),
                 Some((states, _)) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {
-                        errors.push((share, error));
+                        errors.push((outwards(&share), error));
                         continue;
                     }
                     Err(what) => Some(what),
@@ -81,8 +81,9 @@ impl Emitted {
     }
 
     /// How far u may be from that of the law over a cell; none where that is not bounded.
-    pub(super) fn error(&self, [low, high]: &[BigRational; 2]) -> Option<f64> {
-        let met = self.errors.iter().filter(|([from, to], _)| from <= high && low <= to);
+    pub(super) fn error(&self, share: &[BigRational; 2]) -> Option<f64> {
+        let [low, high] = outwards(share);
+        let met = self.errors.iter().filter(|([from, to], _)| *from <= high && low <= *to);
         met.map(|(_, error)| *error).try_fold(0.0, |most: f64, error| Some(most.max(error?)))
     }
 
@@ -100,6 +101,13 @@ impl Emitted {
     }
 }
 
+/// Doubles that hold an interval; long fractions take long to compare.
+fn outwards([low, high]: &[BigRational; 2]) -> [f64; 2] {
+    let [low, _] = Exact::exact(low).about();
+    let [_, high] = Exact::exact(high).about();
+    [low.next_down().next_down(), high.next_up().next_up()]
+}
+
 /// The error of u over a cell, if it is bounded, or the first value that may leave the range.
 fn over(
     program: &Program,
@@ -109,9 +117,8 @@ fn over(
 ) -> Result<Option<f64>, String> {
     let precision = program.precision;
     let within = |low: &BigRational, high: &BigRational| {
-        let [low, _] = Exact::exact(low).about();
-        let [_, high] = Exact::exact(high).about();
-        outward(low.next_down(), high.next_up(), precision)
+        let [low, high] = outwards(&[low.clone(), high.clone()]);
+        outward(low, high, precision)
     };
     let of_tau = match tau[0] == tau[1] {
         true => Interval::point(number::round(&tau[0], precision)),

@@ -31,7 +31,7 @@ pub(super) enum Aim {
     State { sigma: f64, zeta: Form },
     Input { upsilon: Form },
     Attractive { error: f64 },
-    Within { h: Form, low: Option<Form>, high: Option<Form> },
+    Within { h: Box<Form>, low: Option<Box<Form>>, high: Option<Box<Form>> },
 }
 
 impl Aim {
@@ -42,9 +42,9 @@ impl Aim {
             Kind::Input { upsilon } => Self::Input { upsilon: form(upsilon) },
             Kind::Attractive { error } => Self::Attractive { error: *error },
             Kind::Within { h, low, high } => Self::Within {
-                h: form(h),
-                low: low.as_ref().map(form),
-                high: high.as_ref().map(form),
+                h: Box::new(form(h)),
+                low: low.as_ref().map(form).map(Box::new),
+                high: high.as_ref().map(form).map(Box::new),
             },
         }
     }

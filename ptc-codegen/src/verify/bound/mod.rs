@@ -248,6 +248,7 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], Strin
     let varying = campaign.disturbances.iter().map(|(symbol, interval, _)| (*symbol, *interval));
     let bounded: Vec<_> = of_constants.chain(varying).collect();
     let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
+    let other = || format!("f = {} is not a sum of bounded symbols", campaign.plant.f);
     // f with one of them 1, and the others 0.
     let with = |one: Option<Parameter>| {
         let value = |e: &Expression| {
@@ -255,7 +256,7 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], Strin
             Some(Expression::integer(i64::from(one == Some(*symbol))))
         };
         let f = normal(&known.substitute(&value));
-        f.number().cloned().ok_or_else(|| format!("f = {f} is not a sum of bounded symbols"))
+        f.number().cloned().ok_or_else(other)
     };
     let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is no number");
     let alone = with(None)?;
@@ -270,7 +271,7 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], Strin
     }
     let needs = existence::needs(&campaign.plant.f);
     if normal(&rest) != Expression::integer(0) || !needs.is_empty() {
-        return Err(format!("f = {} is not a sum of bounded symbols", campaign.plant.f));
+        return Err(other());
     }
     Ok([middle, most])
 }
