@@ -155,6 +155,12 @@ fn collisions_are_refused_before_anything_runs() {
         assert_eq!(fs::read_to_string(folder.join("stage.toml")).expect("there"), DESIGN);
     }
     drop(socket);
+    let script = "exec \"$0\" simulate /dev/stdin --x0=1 --plant=d=0 -o hard < stage.toml";
+    let mut shell = Command::new("sh");
+    shell.args(["-c", script, env!("CARGO_BIN_EXE_ptc-codegen")]);
+    let (code, _, wrong) = told(shell.current_dir(&folder));
+    assert_eq!(code, Some(2), "{wrong}");
+    assert!(wrong.contains(is_design), "{wrong}");
     // An emitted file that would replace the design.
     fs::write(folder.join("roll.c"), "name = \"roll\"\nn = 1\nmu = \"exp\"\n").expect("a design");
     let (code, _, wrong) = run_in(&folder, &["emit", "roll.c", "--lang=c"]);
@@ -213,6 +219,34 @@ fn a_limit_of_size_is_an_error_that_leaves_nothing() {
     assert_eq!(names(&folder), ["rows.parquet.chunks", "run.csv", "stage.toml"]);
     assert_eq!(run_in(&folder, &verify).0, Some(0));
     assert_eq!(names(&folder), ["rows.parquet", "run.csv", "stage.toml"]);
+}
+
+#[test]
+fn an_interrupt_of_the_search_runs_no_scenario_again() {
+    // Each objective has a search of its own.
+    let objective = DESIGN.find("[[objective]]").map_or("", |at| &DESIGN[at..]);
+    let design = format!("{DESIGN}{}", objective.repeat(60)).replace("search = 4", "search = 400");
+    let folder = support::folder_with("files_searched", "stage.toml", design);
+    let arguments = ["verify", "stage.toml", "--out", "rows.parquet"];
+    let rows = || fs::read(folder.join("rows.parquet.chunks")).expect("the rows are kept");
+    let mut kept: Option<Vec<u8>> = None;
+    for _ in 0..2 {
+        let mut child =
+            command_in(&folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
+        while !folder.join("rows.parquet").exists() {
+            assert!(child.try_wait().expect("a state").is_none(), "it is still running");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().expect("killed");
+        assert!(!child.wait().expect("ended").success(), "killed in its search");
+        fs::remove_file(folder.join("rows.parquet")).expect("the rows were whole");
+        // The first line names the process.
+        let after: Vec<u8> = rows().splitn(2, |byte| *byte == b'\n').last().expect("rows").into();
+        assert!(kept.is_none_or(|kept| kept == after));
+        kept = Some(after);
+    }
+    assert_eq!(run_in(&folder, &arguments).0, Some(0));
+    assert_eq!(names(&folder), ["rows.parquet", "stage.toml"]);
 }
 
 /// Starts a campaign and waits until some of its rows are kept.

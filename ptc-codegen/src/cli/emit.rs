@@ -136,14 +136,14 @@ fn place(
         (true, None) => output::write(&[(place, joined(files, language).as_bytes())])?,
         (false, Some(version)) => {
             let (archive, content) = fmu::archive(name, version, files)?;
-            outputs.into_folder(out, &[(&archive, content)])?
+            outputs.write_in(out, &[(&archive, content)])?
         }
         (false, None) => {
             let files: Vec<_> = files.iter().map(|f| (f.name.as_str(), &f.text)).collect();
-            outputs.into_folder(out, &files)?
+            outputs.write_in(out, &files)?
         }
     };
-    write::to_stdout(told)
+    write::to_stdout(&told)
 }
 
 /// Compares or writes the files of a project.

@@ -27,11 +27,11 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
     let text = design::template(name.map(|_| stem).filter(|stem| names_a_controller(stem)));
     let mut outputs = Outputs::default();
     if request.name.as_deref() == Some("-") {
-        return write::to_stdout(text);
+        return write::to_stdout(&text);
     }
     let out = outputs.folder("--out", &request.out)?;
     if out.is_stream() {
-        return write::to_stdout(output::write(&[(out, text.as_bytes())])?);
+        return write::to_stdout(&output::write(&[(out, text.as_bytes())])?);
     }
     let folder = request.out.join(path.parent().unwrap_or(Path::new("")));
     let file = format!("{stem}.toml");
@@ -42,7 +42,7 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
             "give another name, or `-` to print the file",
         ));
     }
-    write::to_stdout(outputs.into_folder(&folder, &[(&file, text)])?)
+    write::to_stdout(&outputs.write_in(&folder, &[(&file, text)])?)
 }
 
 fn names_a_controller(name: &str) -> bool {

@@ -15,7 +15,7 @@ pub(crate) fn write(place: &Place, files: &[File]) -> Result<(), Failure> {
     let (shown, folder) = (&place.shown, &place.path);
     let told = |word: &str| {
         let line = |file: &File| format!("{word} {}\n", shown.join(&file.name).display());
-        to_stdout(files.iter().map(line).collect::<String>())
+        to_stdout(&files.iter().map(line).collect::<String>())
     };
     let same = |file: &File| {
         let path = folder.join(&file.name);

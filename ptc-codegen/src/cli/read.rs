@@ -5,7 +5,6 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use super::report::Failure;
-use super::write::failed;
 
 /// The text of a file of at most `most` bytes.
 pub(crate) fn text(path: &Path, most: u64) -> Result<String, Failure> {
@@ -21,7 +20,8 @@ pub(crate) fn text(path: &Path, most: u64) -> Result<String, Failure> {
             Err(error) => io::Error::new(ErrorKind::InvalidData, error.utf8_error()),
         },
     };
-    Err(failed("cannot read", path, &error))
+    let title = format!("cannot read {}: {error}", path.display());
+    Err(Failure::because(title, "give a text file that can be read"))
 }
 
 /// The first `most` bytes of a regular file.

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::report::Failure;
 
 /// Prints `text`. A reader that has gone away, such as `head`, has got what it wanted.
-pub(crate) fn to_stdout(text: impl AsRef<[u8]>) -> Result<(), Failure> {
+pub(crate) fn to_stdout(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_ref()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

@@ -49,7 +49,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
     .map_err(|error| Failure::because(format!("no TOML: {error}"), "mend the design file"))?;
     let printed = out.is_standard_output();
     let written = output::write(&[(out, text.as_bytes())])?;
-    if printed { Ok(()) } else { write::to_stdout(format!("{told}{written}")) }
+    if printed { Ok(()) } else { write::to_stdout(&format!("{told}{written}")) }
 }
 
 /// The comment above a design that was completed.

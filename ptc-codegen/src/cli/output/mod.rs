@@ -8,7 +8,7 @@ mod temporary;
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 #[cfg(feature = "campaign")]
 pub(crate) use place::same_file;
@@ -30,12 +30,19 @@ pub(crate) struct Outputs {
 impl Outputs {
     /// Notes a file that the command reads. Whoever reads it says what is wrong with it.
     pub(crate) fn reads(&mut self, name: &str, path: &Path) {
-        if let Ok(place) = Place::of(path) {
+        if let Ok(mut place) = Place::of(path) {
+            // A shell may have opened a file as the standard input.
+            if let (Kind::Descriptor, Ok(there)) = (&place.kind, fs::metadata(path))
+                && there.is_file()
+            {
+                place.kind = Kind::Regular(there);
+            }
             self.inputs.push((name.to_owned(), place));
         }
     }
 
     /// Plans a file, if a flag gives one.
+    #[cfg(feature = "simulation")]
     pub(crate) fn optional(
         &mut self,
         name: &str,
@@ -48,6 +55,7 @@ impl Outputs {
     ///
     /// # Errors
     /// It cannot be written, is read by the command, or another output goes there.
+    #[cfg(feature = "simulation")]
     pub(crate) fn file(&mut self, name: &str, path: &Path) -> Result<Place, Failure> {
         let place = self.claim(name, path)?;
         match place.kind {
@@ -127,7 +135,7 @@ impl Outputs {
 
     /// Writes files into a folder of [`Self::folder`], each by its name, and returns one line a file.
     /// All are written in full beside the old ones before the first takes its place.
-    pub(crate) fn into_folder<T: AsRef<[u8]>>(
+    pub(crate) fn write_in<T: AsRef<[u8]>>(
         &mut self,
         folder: &Path,
         files: &[(&str, T)],
@@ -247,6 +255,7 @@ pub(crate) fn holds(path: &Path, there: &Metadata, content: &[u8]) -> bool {
 }
 
 /// Finds before the work what would fail after it.
+#[cfg(feature = "simulation")]
 fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     let wrong = |error: &io::Error| unwritable(name, &place.shown, error);
     match &place.kind {
@@ -266,6 +275,7 @@ fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     }
 }
 
+#[cfg(feature = "simulation")]
 fn not_a_file(name: &str, path: &Path, what: &str) -> Failure {
     Failure::because(
         format!("{name} {} is {what}", path.display()),
@@ -282,7 +292,7 @@ fn unwritable(name: &str, path: &Path, error: &io::Error) -> Failure {
 
 /// The path of a file beside another, whose name has `suffix` after it.
 #[cfg(feature = "campaign")]
-pub(crate) fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+pub(crate) fn with_suffix(path: &Path, suffix: &str) -> std::path::PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(suffix);
     path.with_file_name(name)

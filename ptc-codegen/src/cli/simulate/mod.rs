@@ -71,7 +71,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     // What is printed is the CSV or the page alone, for whatever reads it.
     let printed = files.iter().any(|(place, _)| place.is_standard_output());
     let told = output::write(&files)?;
-    if printed { Ok(()) } else { write::to_stdout(told) }
+    if printed { Ok(()) } else { write::to_stdout(&told) }
 }
 
 /// What a run needs and lacks, all at once.

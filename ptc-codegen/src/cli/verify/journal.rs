@@ -5,6 +5,9 @@
 //! and then one record a chunk: its range, a checksum, and the numbers of its rows. A record that ends
 //! too soon was being written; whatever else differs from what was written is damage.
 
+mod header;
+mod lock;
+
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
@@ -12,11 +15,13 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use fs4::{FileExt, TryLockError};
 use ptc_codegen::verify::record::{PROGRAM, Row, differing, hash};
 use ptc_codegen::verify::{Campaign, chunks};
 
-use crate::cli::output::{same_file, watch};
+use header::{Header, OWNER, owner, owner_line};
+use lock::lock;
+
+use crate::cli::output::watch;
 use crate::cli::report::Failure;
 
 /// The end of the name of its file.
@@ -25,14 +30,8 @@ pub(super) const SUFFIX: &str = ".chunks";
 /// Bytes before the numbers of a record: the two ends of its range, and the digits of its checksum.
 const HEAD: usize = 8 + 8 + 64;
 
-/// Bytes of the line that names the owner.
-const OWNER: usize = PROGRAM.len() + ", owner 0000000000, ".len() + 16 + 1;
-
 /// Most bytes of a header that is looked at to say how it differs.
 const MAX_HEADER: u64 = 1 << 20;
-
-/// How often a file that its last owner is about to remove is opened again.
-const TRIES: usize = 100;
 
 /// The rows under way.
 pub(super) struct Journal {
@@ -264,101 +263,6 @@ impl Journal {
             },
         )
     }
-}
-
-/// What a journal is of.
-struct Header {
-    version: String,
-    /// The scenarios in words.
-    range: String,
-    campaign: String,
-    /// As it is written.
-    text: String,
-}
-
-impl Header {
-    fn new(campaign: &Campaign, range: &Range<u64>) -> Self {
-        let version = env!("CARGO_PKG_VERSION").to_owned();
-        let range = format!("the scenarios from {} to below {}", range.start, range.end);
-        let campaign = campaign.text();
-        let design = hash(campaign.as_bytes());
-        let length = campaign.len();
-        let text =
-            format!("version {version}\n{range}\ndesign {design}, {length} bytes\n{campaign}\n");
-        let sum = hash(text.as_bytes());
-        Self { version, range, campaign, text: format!("{text}{sum}\n") }
-    }
-
-    /// The header that `bytes` begin with, if it is whole.
-    fn read(bytes: &[u8]) -> Option<Self> {
-        let mut lines = bytes.split_inclusive(|byte| *byte == b'\n');
-        let mut line = || std::str::from_utf8(lines.next()?).ok()?.strip_suffix('\n');
-        let (version, range, design) = (line()?, line()?, line()?);
-        let length: usize = design.rsplit_once(", ")?.1.strip_suffix(" bytes")?.parse().ok()?;
-        let start = version.len() + range.len() + design.len() + 3;
-        let end = start.checked_add(length)?.checked_add(1)?;
-        let campaign = std::str::from_utf8(bytes.get(start..end - 1)?).ok()?.to_owned();
-        let sum = bytes.get(end..end + 64)?;
-        if hash(&bytes[..end]).as_bytes() != sum {
-            return None;
-        }
-        let version = version.strip_prefix("version ")?.to_owned();
-        Some(Self { version, range: range.to_owned(), campaign, text: String::new() })
-    }
-}
-
-/// The first line of a journal: of one length, so that it is written at once.
-fn owner_line(process: u32) -> String {
-    let line = format!("{PROGRAM}, owner {process:010}, ");
-    let sum = hash(line.as_bytes());
-    format!("{line}{}\n", &sum[..16])
-}
-
-/// The process that such a line names.
-fn owner(line: &[u8]) -> Option<u32> {
-    let text = std::str::from_utf8(line).ok()?;
-    let number = text.strip_prefix(PROGRAM)?.strip_prefix(", owner ")?.get(..10)?;
-    let process = number.parse().ok()?;
-    (owner_line(process) == text).then_some(process)
-}
-
-/// The file at `path`, which no other process has.
-fn lock(path: &Path) -> Result<File, Failure> {
-    for _ in 0..TRIES {
-        if let Ok(there) = path.symlink_metadata() {
-            if there.is_dir() {
-                return Err(foreign(path, "is a folder, which this program did not make"));
-            }
-            if !there.is_file() {
-                return Err(foreign(path, "is not a file of this program"));
-            }
-        }
-        let options =
-            File::options().read(true).write(true).create(true).truncate(false).open(path);
-        let mut file = options.map_err(|error| unusable(path, &error.to_string()))?;
-        match FileExt::try_lock(&file) {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                let mut line = [0; OWNER];
-                let read = file.read_exact(&mut line);
-                let process = read.ok().and_then(|()| owner(&line));
-                let by = process.map_or(String::new(), |process| format!(", process {process}"));
-                return Err(Failure::because(
-                    format!("{} is in use by another run of verify{by}", path.display()),
-                    "wait for it to end, or give another --out",
-                ));
-            }
-            Err(TryLockError::Error(error)) => {
-                return Err(unusable(path, &format!("it cannot be locked: {error}")));
-            }
-        }
-        // Its last owner may have removed it after it was opened here.
-        let there = path.symlink_metadata().and_then(|there| Ok((there, file.metadata()?)));
-        if cfg!(not(unix)) || there.is_ok_and(|(there, own)| same_file(&there, &own)) {
-            return Ok(file);
-        }
-    }
-    Err(unusable(path, "it is removed again and again"))
 }
 
 fn foreign(path: &Path, what: &str) -> Failure {
