@@ -37,7 +37,7 @@ def trial(job):
     jumps = np.flatnonzero(np.diff(signal))
     ends = [float(sigmas[j] + sigmas[j + 1]) / 2 for j in jumps] + [float(end)]
     for until, d in zip(ends, [signal[j] for j in jumps] + [signal[-1]]):
-        slope = lambda s, x: tau * np.exp(-s) * np.append(x[1:], u(s, x) + float(d))
+        slope = lambda s, x, d=float(d): tau * np.exp(-s) * np.append(x[1:], u(s, x) + d)
         x = solve_ivp(slope, (begin, until), x, method="DOP853", rtol=1e-9, atol=1e-12).y[:, -1]
         begin = until
     time_to_go = tau * np.exp(-float(end))

@@ -1,6 +1,5 @@
 """Random designs with objectives of known truth."""
 
-import numpy as np
 
 import mapping
 from loop import Loop

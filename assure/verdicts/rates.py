@@ -83,7 +83,7 @@ def kappa_forms(a, b, c):
         (f"{w}^(-{c}) - 1", 0, lambda l, w: mpmath.exp(C * l) - 1),
         (f"-ln{w}/{a} + sqrt(1 - ln{w}) - 1", A, lambda l, w: l / A + sqrt(1 + l) - 1),
         (f"-ln{w}/{a} + ln(1 - ln{w})", A, lambda l, w: l / A + ln(1 + l)),
-        (f"ln(sqrt(1 + (dt/(tau - dt))^2) + dt/(tau - dt))", 1,
+        ("ln(sqrt(1 + (dt/(tau - dt))^2) + dt/(tau - dt))", 1,
          lambda l, w: ln(sqrt(1 + (1 / w - 1) ** 2) + 1 / w - 1)),
         (f"exp({s}/{w}) - 1", 0, None),
         (f"{a}*(atanh({s}) + atanh(({s})^3))", 1 / A,
@@ -94,7 +94,7 @@ def kappa_forms(a, b, c):
 
 def confirm(form, is_mu):
     """The numeric rate: the slope of -ln mu' over stretched time, far out at two places."""
-    text, rho, function = form
+    _, rho, function = form
     if function is None:
         return True
     with mpmath.workdps(60):

@@ -6,7 +6,6 @@ within bounds is centre plus radius by absolute values, which some state and som
 
 from itertools import product
 
-import mpmath
 import numpy as np
 
 POINTS = 900
@@ -173,16 +172,3 @@ def gain_at(setting, sigma, tau, rows):
     scale = np.longdouble(tau) ** np.arange(n, dtype=np.longdouble)
     phi = (rows[:n] / scale[:, None] * scale[None, :])[:, free].astype(float)
     return np.linalg.norm(phi, 2)
-
-
-def exact(setting, sigma, tau, row, worst):
-    """The value of a row in 60 digits, without a force."""
-    w = mpmath.mpf(float(np.exp(-sigma)))
-    rows = setting.loop.free(np.array([w], dtype=object))[0]
-    n, tau = setting.loop.n, mpmath.mpf(float(tau))
-    powers = [1 - i for i in range(1, n + 1)] + [-n]
-    total = mpmath.mpf(0)
-    for i, coefficient in enumerate(row):
-        c = coefficient(float(w * tau)) if callable(coefficient) else coefficient
-        total += c * tau ** powers[i] * sum(rows[i, j] * tau**j * mpmath.mpf(float(worst[j])) for j in range(n))
-    return total
