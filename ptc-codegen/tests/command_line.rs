@@ -3,12 +3,8 @@
 
 mod support;
 
-use std::fs;
-use std::path::Path;
-use std::process::Stdio;
-
 use support::words::{json, stderr, stdout};
-use support::{command, folder};
+use support::command;
 
 #[test]
 fn an_error_quotes_the_value_and_underlines_what_is_wrong() {
