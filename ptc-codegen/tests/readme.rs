@@ -20,7 +20,7 @@ const DESIGN: &str = include_str!("../../docs/design.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 15] = [
+const PAGES: [(&str, &str); 16] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("engines.md", include_str!("../../docs/engines.md")),
@@ -35,6 +35,7 @@ const PAGES: [(&str, &str); 15] = [
     ("checks/growth.md", include_str!("../../docs/checks/growth.md")),
     ("checks/sampling.md", include_str!("../../docs/checks/sampling.md")),
     ("checks/deadline.md", include_str!("../../docs/checks/deadline.md")),
+    ("checks/loop.md", include_str!("../../docs/checks/loop.md")),
     ("checks/envelope.md", include_str!("../../docs/checks/envelope.md")),
 ];
 
