@@ -378,6 +378,21 @@ fn what_jumps_or_has_no_value_is_not_proved() {
         "abs(x2 + 2.1093745)/(x2 + 2.1093745)",
         "max(x2, -2.1093745)/(x2 + 2.1093745) - 1",
         "tanh(1/(x1 - 0.5))",
+        "0*ln(0.9 - x1)",
+        "ln(0.9 - x1)*0",
+        "ln(0.9 - x1)^0",
+        "-(0*x2)*sqrt(0.9 - x1)",
+        "(0*sqrt(0.9 - x1))^0",
+        "min(0, 0*sqrt(0.9 - x1))",
+        "mean(1, 0*ln(0.9 - x1))",
+        "atanh(x1/0.9)*0",
+        "0*(1/x1)",
+        "(x1/x1)^(1 - 1)",
+        "0*tan(2*x1)",
+        "0/(x1 - 0.5)",
+        "0*x1^(-1)",
+        "0*(0.9 - x1)^x2",
+        "exp(0*ln(0.9 - x1)) - 1",
     ] {
         let text = within(h, "high = 2.5");
         if h.starts_with("sign") {
@@ -402,6 +417,9 @@ fn what_jumps_or_has_no_value_is_not_proved() {
         ("exp(-x2)", 8.5),
         ("x1^2", 1.01),
         ("x2^2/x1_0^2*x1_0^2 - 1", 3.6),
+        ("0*ln(1.1 - x1)", 0.001),
+        ("sqrt(1.1 - x1)^0", 1.001),
+        ("0*abs(x2) + (x1 - x2)^0", 1.001),
     ] {
         let expected = !h.contains("x1_0");
         assert_eq!(proved(&within(h, &format!("high = {high}"))), [expected], "{h}");
@@ -413,6 +431,13 @@ fn what_jumps_or_has_no_value_is_not_proved() {
         }
         assert_eq!(proved(&within("x1", &format!("high = \"1e9 + {bound}\""))), [false], "{bound}");
         assert_eq!(proved(&within("x1", &format!("low = \"{bound} - 1e9\""))), [false], "{bound}");
+    }
+    // What is multiplied by 0 has to exist too.
+    for bound in ["0*ln(dt)", "ln(T - 0.5)^0", "0*sqrt(T/tau - 0.5)"] {
+        for (kind, rest) in [("input", "upsilon"), ("state", "sigma = 1e9\nzeta")] {
+            let text = format!("[[objective]]\nbound = \"{kind}\"\n{rest} = \"1e9 + {bound}\"\n");
+            assert_eq!(proved(&of_two(&text)), [false], "{kind} {bound}");
+        }
     }
     let least = within("x2", "low = \"-3 + sqrt(dt) + 0*ln(t + 1)\"");
     assert_eq!(proved(&least), [true], "{}", why(&least));
@@ -428,6 +453,8 @@ fn what_has_no_value_fails_a_sample() {
         ("min(1, ln(x2 + 2))", "high = 9"),
         ("atan(1/(x1 - x1))", "high = 9"),
         ("sqrt(x2 + 2)^2", "high = 9"),
+        ("0*sqrt(x2 + 2)", "high = 9"),
+        ("ln(x2 + 2)^0", "high = 9"),
         ("x1", "low = \"ln(-1 - dt)\"\nhigh = 9"),
         ("x1", "low = -9\nhigh = \"max(9, sqrt(T - 0.5))\""),
     ] {
@@ -480,6 +507,8 @@ fn what_is_not_proved_says_why() {
     for (from, to, expected) in [
         ("poles = [-4, -5]", "pi0 = \"-20*xi1 - 9*xi2 - xi1^3\"", "pi0 is not a sum of gains"),
         ("f = 0", "f = \"x2\"", "f = x2 is not a sum of bounded symbols"),
+        ("f = 0", "f = \"0*sqrt(x1)\"", "f = 0*sqrt(x1) is not a sum of bounded symbols"),
+        ("f = 0", "f = 0\ng = \"1 + 0*ln(x1)\"", "the plant's g = 1 + 0*ln(x1) is not the number"),
         ("f = 0", "f = 0\ng = 2", "the plant's g = 2 is not the number"),
         ("upsilon = 100", "upsilon = 19", "no room is left at T/tau = "),
         ("upsilon = 100", "upsilon = \"100 + ln(T - 0.5)\"", "may have no value at T/tau = "),
@@ -526,4 +555,29 @@ fn a_proof_is_about_the_emitted_program() {
     let found = &verify::bound::proved(&campaign(&iterated))[0];
     let Proof::Proved { scope } = found else { panic!("{found:?}") };
     assert!(scope.contains("the rounding of its iteration is not included"), "{scope}");
+}
+
+#[test]
+fn a_mapping_that_is_written_out_is_proved_as_its_family_is() {
+    for (mapping, family, a) in [
+        ("kappa = \"tan(pi/2*dt/tau)/0.44\"", "tan", "0.44"),
+        ("mu = \"2*tau/pi*atan(2.12*t)\"", "tan", "2.12"),
+        ("mu = \"tau*0.81*t/sqrt(1 + (0.81*t)^2)\"", "algebraic", "0.81"),
+    ] {
+        for (tau, t0, precision) in
+            [("tau = 1.52", 0.0, "f64"), ("tau = 2.3", 7.7, "f32"), ("tau = 2.3", -0.6, "f64")]
+        {
+            let of = |mapping: &str| {
+                format!(
+                    "n = 3\n{mapping}\nprecision = \"{precision}\"\npoles = [-2, -3, -4]\n[params]\n\
+                     {tau}\nt0 = {t0}\n[plant]\nf = 0\n[verify]\nuntil = 0.05\nx1 = [-0.8, 0.8]\nx2 = 0\n\
+                     x3 = [-1.2, 1.2]\n[[objective]]\nbound = \"state\"\nsigma = 100\n"
+                )
+            };
+            for text in [of(&format!("mu = \"{family}(a={a})\"")), of(mapping)] {
+                let found = verify::bound::proved(&campaign(&text));
+                assert!(found[0].is_proved(), "{found:?}\n{text}");
+            }
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod compact;
 pub(crate) mod decaying;
 mod derivative;
 pub(crate) mod effort;
+pub(crate) mod existence;
 mod field;
 pub(crate) mod interval;
 pub(crate) mod leading;

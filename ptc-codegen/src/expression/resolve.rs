@@ -1,5 +1,6 @@
 //! From a parsed value to an expression: what each name means, and what is wrong with it.
 
+use super::existence::needs;
 use super::names::{self, Found};
 use super::{Expression, Function, Subject, Variable, power_bits};
 use crate::algebra::integer;
@@ -101,7 +102,18 @@ impl Resolver<'_, '_> {
                         return self.exceeded(&BITS, bits, node.place);
                     }
                 }
+                let zero = Expression::integer(0);
+                let boxed = |e: Expression| Box::new(e);
                 Some(match operator {
+                    Operator::Mul
+                        if left == zero && self.stays(&right)
+                            || right == zero && self.stays(&left) =>
+                    {
+                        Expression::Mul(boxed(left), boxed(right))
+                    }
+                    Operator::Power if right == zero && self.stays(&left) => {
+                        Expression::Power(boxed(left), boxed(right))
+                    }
                     Operator::Add => left.add(right),
                     Operator::Sub => left.sub(right),
                     Operator::Mul => left.mul(right),
@@ -110,6 +122,13 @@ impl Resolver<'_, '_> {
                 })
             }
         }
+    }
+
+    /// Whether 0*e and e^0 stay as they are written: where it counts whether e has a value, unless it
+    /// always has one. A mapping and a law are what they simplify to, and so is what is emitted.
+    fn stays(&self, e: &Expression) -> bool {
+        use Subject::{Bound, Drift, Objective, PlantGain};
+        matches!(self.scope.subject, Drift | PlantGain | Bound | Objective) && !needs(e).is_empty()
     }
 
     fn wrong(&mut self, place: Place, message: String, help: &str) -> Option<Expression> {

@@ -11,7 +11,6 @@
 pub mod bound;
 mod corner;
 mod course;
-mod existence;
 mod kernel;
 mod keys;
 pub mod objective;

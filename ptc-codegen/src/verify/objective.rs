@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::existence::{self, Condition};
 use crate::expression::Expression;
+use crate::expression::existence::{self, Condition};
 use crate::lower;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};

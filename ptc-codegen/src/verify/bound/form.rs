@@ -10,10 +10,10 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::algebra::BigRational;
+use crate::expression::existence::{self, Condition};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::spec::Parameter;
-use crate::verify::existence::{self, Condition};
 
 /// The values of what is fixed.
 pub(super) type Values = BTreeMap<Parameter, BigRational>;

@@ -26,10 +26,11 @@ use flow::Flow;
 use form::Values;
 use margin::{Aim, Bounds, Why};
 
-use super::{Campaign, Kind, Objective, existence};
+use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::digits;
 use crate::expression::Expression;
+use crate::expression::existence;
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::range::Range;
@@ -130,7 +131,7 @@ impl Prover {
         let gain = spec.input_gain.as_ref().map_or(Ok(integer(1)), number);
         let gain = gain.map_err(|g| format!("g = {g} is not a number"))?;
         if let Some(own) = &campaign.plant.g
-            && number(own).ok() != Some(gain.clone())
+            && (number(own).ok() != Some(gain.clone()) || !existence::needs(own).is_empty())
         {
             return Err(format!("the plant's g = {own} is not the number that the law divides by"));
         }

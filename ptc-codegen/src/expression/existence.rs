@@ -2,14 +2,14 @@
 //!
 //! An objective whose value does not exist fails. Sampling and proofs take this from one list, made
 //! from the expression as it was given: a normal form may exist where the expression does not, as
-//! that of sqrt(x)^2 does for x < 0.
+//! that of sqrt(x)^2 does for x < 0. The reader asks the same list before it drops a part.
 
-use crate::expression::interval::Interval;
-use crate::expression::{Expression, Function};
+use super::interval::Interval;
+use super::{Expression, Function};
 
 /// What a part of an expression has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Condition {
+pub(crate) enum Condition {
     NotZero,
     Positive,
     NotNegative,
@@ -19,7 +19,8 @@ pub(super) enum Condition {
 
 impl Condition {
     /// Whether a number meets it; NaN and infinities meet none.
-    pub(super) fn holds(self, value: f64) -> bool {
+    #[cfg(feature = "campaign")]
+    pub(crate) fn holds(self, value: f64) -> bool {
         value.is_finite()
             && match self {
                 Self::NotZero => value != 0.0,
@@ -30,7 +31,7 @@ impl Condition {
     }
 
     /// Whether every number of an interval meets it.
-    pub(super) fn is_certain(self, values: &Interval) -> bool {
+    pub(crate) fn is_certain(self, values: &Interval) -> bool {
         values.is_within_doubles()
             && match self {
                 Self::NotZero => !values.has_zero(),
@@ -44,7 +45,7 @@ impl Condition {
 }
 
 /// The conditions under which `expression` has a value: each part, and what it has to be.
-pub(super) fn needs(expression: &Expression) -> Vec<(Expression, Condition)> {
+pub(crate) fn needs(expression: &Expression) -> Vec<(Expression, Condition)> {
     let mut found = Vec::new();
     collect(expression, &mut found);
     found
@@ -57,7 +58,8 @@ fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
         E::Power(a, b) => {
             let part = (**a).clone();
             match (b.small_integer(), b.number()) {
-                (Some(k), _) if k > 0 => None,
+                // e^0 is 1 wherever e has a value.
+                (Some(k), _) if k >= 0 => None,
                 (Some(_), _) => Some((part, Condition::NotZero)),
                 (None, Some(b)) if num_traits::Signed::is_positive(b) => {
                     Some((part, Condition::NotNegative))
@@ -96,6 +98,7 @@ mod tests {
             ("1/t", "t NotZero"),
             ("t/2 + 3*t^2", ""),
             ("t^(-2)", "t NotZero"),
+            ("t^0", ""),
             ("t^1.5", "t NotNegative"),
             ("t^(-0.5)", "t Positive"),
             ("t^a", "t Positive"),
