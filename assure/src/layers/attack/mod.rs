@@ -2,7 +2,6 @@
 
 mod corruption;
 mod disk;
-mod inputs;
 mod kill;
 mod outputs;
 mod owners;
@@ -33,7 +32,6 @@ const ATTACKS: &[(&str, Attack)] = &[
     ("damage", corruption::attack),
     ("disk", disk::attack),
     ("outputs", outputs::attack),
-    ("inputs", inputs::attack),
 ];
 
 fn run(context: &Context) -> Result<Finding> {
