@@ -61,6 +61,7 @@
  *   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
+ *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
  * Operations of one step, without input checks and clipping: 23 additions or comparisons, 29

@@ -49,6 +49,7 @@
 //!   growth: not checked: the law is no sum of gains, so its poles are not known.
 //!   sampling: not checked: `sample_time` is not given.
 //!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a linear law.
 //!   envelope: not checked: `x_max` is not given.
 //!
 //! Operations of one step, without input checks and clipping: 5 additions or comparisons, 3

@@ -61,6 +61,7 @@
 //!   growth: sound: x and u go to 0 at the deadline.
 //!   sampling: not checked: `sample_time` is not given.
 //!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
 //! Operations of one step, without input checks and clipping: 5 additions or comparisons, 8
