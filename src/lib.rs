@@ -97,7 +97,11 @@ pub use error::Error;
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
 /// | `after` | what follows the deadline | `hold`: the gains stay; `zero`: u = 0; `extern`: `step` takes a closure of x and t | `hold` |
 /// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
-/// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, with `x0_max` | |
+/// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max` | |
+/// | `noise` | bounds of the noise of each measured state | a number >= 0, or one for each state | |
+/// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
+/// | `u_step` | step of the actuator | a number >= 0 | |
+/// | `delay` | samples between a measurement and the input that follows from it | an integer 0..=16 | |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `envelope` | none |

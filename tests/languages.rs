@@ -105,7 +105,7 @@ fn what_a_language_cannot_say_is_refused() {
         spec(&[("n", "1"), ("mu", "exp"), ("pi0", &law)])
     };
     let long = "a".repeat(48);
-    let associated = [("n", "2"), ("mu", "exp(a=1)"), ("pi0", "-xi1 - xi2")];
+    let associated = [("n", "2"), ("mu", "exp(a=1)"), ("pi0", "-12*xi1 - 7*xi2")];
     let with = |keys: &[(&str, &str)], more: &[(&str, &str)]| spec(&[keys, more].concat());
     let cases = [
         (Language::Python, named("lambda"), "params.lambda", "meaning of its own in python"),
