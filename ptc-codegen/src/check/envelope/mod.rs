@@ -301,7 +301,7 @@ mod tests {
                             low <= number && number <= high,
                             "{text} {t}: {number} {low} {high}"
                         );
-                        let close = !special && high - low <= 0.2 * number + 0.2;
+                        let close = !special && high - low <= 0.2 * number + 0.3;
                         assert!(close, "{text} {t}: {number} {low} {high}");
                     }
                 }
