@@ -581,3 +581,20 @@ fn a_mapping_that_is_written_out_is_proved_as_its_family_is() {
         }
     }
 }
+
+#[test]
+fn a_stretched_time_that_is_iterated_is_bounded_from_t0_on() {
+    for (mapping, precision) in [
+        ("mu = \"tau*(1 - (exp(-1.95*t) + exp(-0.76*t))/2)\"", "f32"),
+        ("mu = \"tau*(1 - exp(-t)/(1 + t))\"", "f64"),
+        ("mu = \"tau*(1 - (1 + 1.73*3*t)^(-1/3))\"", "f64"),
+    ] {
+        let text = format!(
+            "n = 1\n{mapping}\nprecision = \"{precision}\"\npoles = [-2]\n[params]\ntau = 6.2\n\
+             [plant]\nf = 0\n[verify]\nuntil = 0.1\nx1 = [-0.8, 0.8]\n\
+             [[objective]]\nbound = \"state\"\nsigma = 1.05\n"
+        );
+        let found = verify::bound::proved(&campaign(&text));
+        assert!(found[0].is_proved(), "{found:?}\n{text}");
+    }
+}

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::interval::{Interval, apply, outward};
+use crate::expression::Function;
 use crate::program::{Input, Op, Program, Root, Stage, Value, rows};
 
 /// A program's values as intervals.
@@ -144,11 +145,26 @@ impl<'a> Bounds<'a> {
             }
             scratch.get(root.residual)
         };
-        let left = edge(least, most, &mut |y| residual(y).low > 0.0);
-        let right = edge(most, least, &mut |y| residual(y).high < 0.0);
-        let reach = tolerance.high;
+        let size = &self.program.get(root.size).op;
+        let of_residual = *size == Op::Call(Function::Abs, root.residual);
+        // Where the last step begins, the residual may still have this size.
+        let last = if of_residual { tolerance.high } else { 0.0 };
+        let is_left = |found: Interval| !found.special && found.low > last;
+        let is_right = |found: Interval| !found.special && found.high < -last;
+        let far = beyond(least, most, &mut |y| is_right(residual(y)));
+        let left = edge(least, far, &mut |y| is_left(residual(y)));
+        let right = edge(far, left, &mut |y| is_right(residual(y)));
+        // A step to the root from where the residual is as small is no longer than all that stretch.
+        let reach = if of_residual { right - left } else { tolerance.high };
         outward((left - reach).max(least), (right + reach).min(most), self.program.precision)
     }
+}
+
+/// A point beyond `from` at which `certain` holds, of the size of the least one; `to` where none is
+/// found. A bracket may reach up to numbers with which what is computed leaves the range.
+fn beyond(from: f64, to: f64, certain: &mut dyn FnMut(f64) -> bool) -> f64 {
+    let steps = (-20..=50).map(|k| from + 16f64.powi(k));
+    steps.take_while(|y| *y < to).find(|y| certain(*y)).unwrap_or(to)
 }
 
 /// The last point from `from` towards `to` at which `certain` holds; `from` where it never does.

@@ -42,7 +42,7 @@ impl Interval {
 /// unknown and the root, which need more than operands, anything.
 ///
 /// Each operation is monotone in each operand where it is defined, but for |a| and even powers, which
-/// turn at 0: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
+/// turn at 0, and sines and cosines: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
 /// the program rounds bound what it computes, with nothing to add. The functions of a library are
 /// taken to be exact to two units in the last place.
 pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Interval {
@@ -61,9 +61,6 @@ pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
         }
         (Op::Call(Function::Tan, _), [a]) if a.low <= -QUARTER || a.high >= QUARTER => {
             return Interval::ANY;
-        }
-        (Op::Call(Function::Sin | Function::Cos, _), _) => {
-            return Interval { low: -1.0, high: 1.0, special };
         }
         (Op::Call(Function::Sqrt, _), [a]) if a.high < 0.0 => return Interval::ANY,
         (Op::Call(Function::Sqrt, _), [a]) if a.low < 0.0 => {
@@ -90,7 +87,25 @@ pub(crate) fn apply(op: &Op, operands: &[Interval], precision: Precision) -> Int
             high = -down(-high, precision);
         }
     }
+    if let (Op::Call(function @ (Function::Sin | Function::Cos), _), [a]) = (op, &operands[..]) {
+        let [has_least, has_most] = turns(*function, *a);
+        low = if has_least { -1.0 } else { low.max(-1.0) };
+        high = if has_most { 1.0 } else { high.min(1.0) };
+    }
     Interval { low, high, special: special || !low.is_finite() || !high.is_finite() }
+}
+
+/// Whether a sine or a cosine may have its least, and its greatest value within an interval.
+fn turns(function: Function, a: Interval) -> [bool; 2] {
+    use std::f64::consts::{FRAC_PI_2, TAU};
+    // Beyond it a turn in doubles has no digits left.
+    const FAR: f64 = 1e6;
+    let most = if function == Function::Sin { FRAC_PI_2 } else { 0.0 };
+    [most - 0.5 * TAU, most].map(|turn| {
+        // Far more than doubles of this size round.
+        let [first, last] = [(a.low - turn) / TAU - 1e-9, (a.high - turn) / TAU + 1e-9];
+        a.low < -FAR || a.high > FAR || first.ceil() <= last
+    })
 }
 
 /// The points at which the extremes of `op` lie.
@@ -134,6 +149,8 @@ pub(crate) fn outward(low: f64, high: f64, precision: Precision) -> Interval {
 mod tests {
     use proptest::prelude::*;
 
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
     use crate::algebra::integer;
     use crate::program::Value;
@@ -159,12 +176,43 @@ mod tests {
     }
 
     #[test]
+    fn sines_turn_at_their_extremes() {
+        for (function, shift) in [(Function::Sin, 0.0), (Function::Cos, -FRAC_PI_2)] {
+            for turn in [-40.0, -1.0, 0.0, 1.0, 300.0] {
+                let at = |low: f64, high: f64| {
+                    let by = std::f64::consts::TAU * turn + shift;
+                    let found = on(&Op::Call(function, A), &[(low + by, high + by)]);
+                    [found.low, found.high]
+                };
+                let close = |found: [f64; 2], least: f64, most: f64| {
+                    let within = found[0] <= least + 1e-12 && most - 1e-12 <= found[1];
+                    assert!(within, "{function:?} {turn}: {found:?}");
+                    let apart = (found[0] - least).abs().max((found[1] - most).abs());
+                    assert!(apart < 1e-12, "{function:?} {turn}: {found:?}");
+                };
+                close(at(0.1, 1.5), 0.1f64.sin(), 1.5f64.sin());
+                close(at(1.5, 1.6), 1.6f64.sin().min(1.5f64.sin()), 1.0);
+                close(at(2.0, 4.0), 4f64.sin(), 2f64.sin());
+                close(at(3.0, 5.0), -1.0, 3f64.sin());
+                close(at(-0.5, 0.25), -0.5f64.sin(), 0.25f64.sin());
+                close(at(1.0, 5.0), -1.0, 1.0);
+                close(at(0.0, 7.0), -1.0, 1.0);
+                close(at(FRAC_PI_2, FRAC_PI_2), 1.0, 1.0);
+            }
+            let far = on(&Op::Call(function, A), &[(1e17, 1e17)]);
+            assert_eq!(far, Interval::new(-1.0, 1.0));
+        }
+    }
+
+    #[test]
     fn outside_the_domain() {
         assert_eq!(on(&Op::Div(A, B), &[(1.0, 2.0), (-1.0, 1.0)]), Interval::ANY);
         assert_eq!(on(&Op::Call(Function::Ln, A), &[(0.0, 2.0)]), Interval::ANY);
         let root = on(&Op::Call(Function::Sqrt, A), &[(-1.0, 4.0)]);
         assert_eq!(root, Interval { low: 0.0, high: 2.0, special: true });
         assert!(on(&Op::Call(Function::Exp, A), &[(0.0, 800.0)]).special);
+        let infinite = Interval::new(0.0, f64::INFINITY);
+        assert!(apply(&Op::Call(Function::Sin, A), &[infinite], Precision::F64).special);
         let huge = Interval::new(0.0, 1e30);
         assert!(apply(&Op::Power(A, 2), &[huge], Precision::F32).special);
         assert!(!apply(&Op::Power(A, 2), &[huge], Precision::F64).special);

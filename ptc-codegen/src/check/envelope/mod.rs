@@ -176,11 +176,13 @@ mod tests {
 
     use super::*;
     use crate::check::{Outcome, Verdict};
+    use crate::expression::Subject;
+    use crate::expression::testing::mu;
     use crate::law::Law;
     use crate::lower;
-    use crate::mapping::Family;
+    use crate::mapping::{Custom, Family};
     use crate::program::passes;
-    use crate::spec::{Parameter, Spec};
+    use crate::spec::{Parameter, Spec, TimeMapping};
 
     fn program(n: usize, family: Family, precision: Precision) -> Program {
         let spec = Spec { precision, ..Spec::new(n, family) };
@@ -262,6 +264,49 @@ mod tests {
         let calm = inputs(f64::from(1e-3f32), 1.0, Interval::point(1.0));
         let outcome = Outcome::from(&scan(&program, &calm, f64::from(1e-3f32), 1.0, 30));
         assert_eq!(outcome.summary, "every value stays within f32 for T in [0.001, 1] s");
+    }
+
+    #[test]
+    fn an_iterated_stretched_time_is_within_close_bounds() {
+        for text in [
+            "tau*(1 - exp(-t)/(1 + t))",
+            "tau*(1 - 1/(1 + t + t^3)^0.1)",
+            "tau*(1 - 1/(1 + t + sinh(t)))",
+        ] {
+            let custom = Custom::new(Subject::Mu, mu(text)).expect(text);
+            for precision in [Precision::F32, Precision::F64] {
+                let time_mapping = TimeMapping::Custom(custom.clone());
+                let spec = Spec { precision, time_mapping, ..Spec::new(2, Family::Exp) };
+                let law = Law::of(&spec);
+                let program = passes::optimise(lower::lower(&spec, &law), &mut |_, _| {});
+                let of_root = |value: &Value| matches!(program.get(*value).op, Op::Root(_));
+                let Some(root) = program.needed(&[program.step]).into_iter().find(of_root) else {
+                    panic!("{text} is iterated")
+                };
+                let input = inputs(f64::from(1e-4f32), 10.0, Interval::new(1.0, 20.0));
+                let early = Bounds::new(&program, &input);
+                for t in [0.0f32, 0.01, 0.3, 0.9, 0.999] {
+                    let at = |asked: Input| match asked {
+                        Input::Time => f64::from(t),
+                        other => input(other).low,
+                    };
+                    let number = Interpreter::new(&program, &at).value(root);
+                    let time_to_go = 1.0 - f64::from(t);
+                    for slack in [1e-6, 4e-3] {
+                        let (low, high) = (time_to_go * (1.0 - slack), time_to_go * (1.0 + slack));
+                        let mut bounds = early.at(low, high);
+                        bounds.first_excess(&[root]);
+                        let Interval { low, high, special } = bounds.get(root);
+                        assert!(
+                            low <= number && number <= high,
+                            "{text} {t}: {number} {low} {high}"
+                        );
+                        let close = !special && high - low <= 0.2 * number + 0.3;
+                        assert!(close, "{text} {t}: {number} {low} {high}");
+                    }
+                }
+            }
+        }
     }
 
     proptest! {
