@@ -3,8 +3,8 @@
 
 mod support;
 
-use support::words::{json, stderr, stdout};
 use support::command;
+use support::words::{json, stderr, stdout};
 
 #[test]
 fn an_error_quotes_the_value_and_underlines_what_is_wrong() {
