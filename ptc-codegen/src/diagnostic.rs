@@ -110,6 +110,11 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
+/// The same on one line: no text of an input can add another.
+pub fn visible_line(text: &str) -> String {
+    visible(text).replace('\n', "\\n")
+}
+
 /// Whether a character is not seen but changes what is seen.
 fn is_hidden(c: char) -> bool {
     let of_format = matches!(

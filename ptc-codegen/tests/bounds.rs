@@ -139,3 +139,30 @@ fn hidden_characters_are_written_out() {
         assert!(!stderr.contains(hidden), "{stderr:?}");
     }
 }
+
+#[test]
+fn paths_on_the_standard_output_are_written_out() {
+    let odd = "a\u{202e}b\u{9b}\n\u{1b}[31m";
+    let folder = folder("bounds_shown").join(odd);
+    let out = format!("--out={}", folder.display());
+    let project = format!("--out={}", folder.join("project").display());
+    let controller = ["emit", "--n=2", "--mu=exp", "--lang=c", "--name=roll"];
+    let alone = ["--tau=1", "--gains=20,9", "--eps=1e-3", "--sample-time=1e-4"];
+    for (arguments, word) in [
+        ([&controller[..], &[&out]].concat(), "wrote"),
+        ([&controller[..], &[&out]].concat(), "unchanged"),
+        ([&controller[..], &[&out, "--check"]].concat(), "up to date:"),
+        (
+            [&["emit", "--n=2", "--mu=exp(a=1)", "--project=cmake", &project], &alone[..]].concat(),
+            "wrote",
+        ),
+    ] {
+        let output = run(&arguments);
+        let stdout = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(stdout.contains("a\\u{202e}b\\u{9b}\\n\\u{1b}[31m"), "{stdout:?}");
+        assert!(stdout.lines().all(|line| line.starts_with(word)), "{stdout:?}");
+        let hidden = |c: char| c.is_control() && c != '\n' || c == '\u{202e}';
+        assert!(!stdout.contains(hidden), "{stdout:?}");
+    }
+}

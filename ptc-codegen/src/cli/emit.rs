@@ -199,7 +199,7 @@ pub(super) fn compare(
         let path = folder.join(&file.name);
         match read(file) {
             Ok(there) if there == file.text.as_bytes() => {
-                same.push_str(&format!("up to date: {}\n", path.display()));
+                same.push_str(&format!("up to date: {}\n", write::shown(&path)));
             }
             Ok(there) => notices.push(difference(&path, &there, &file.text)),
             Err(error) if error.kind() == ErrorKind::NotFound => {

@@ -7,14 +7,14 @@ use ptc_codegen::emit::File;
 
 use super::output::{Kind, Place, TemporaryFolder, holds};
 use super::report::Failure;
-use super::write::{failed, to_stdout};
+use super::write::{self, failed, to_stdout};
 
 /// Makes the folder with the files in it. Where it is there with the same files, nothing is done;
 /// whatever else is in a folder is another's, and left alone.
 pub(crate) fn write(place: &Place, files: &[File]) -> Result<(), Failure> {
     let (shown, folder) = (&place.shown, &place.path);
     let told = |word: &str| {
-        let line = |file: &File| format!("{word} {}\n", shown.join(&file.name).display());
+        let line = |file: &File| format!("{word} {}\n", write::shown(&shown.join(&file.name)));
         to_stdout(&files.iter().map(line).collect::<String>())
     };
     let same = |file: &File| {

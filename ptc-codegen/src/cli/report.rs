@@ -3,7 +3,7 @@
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 
-use ptc_codegen::diagnostic::visible;
+use ptc_codegen::diagnostic::{visible, visible_line};
 use ptc_codegen::internal::{INTERNAL, Internal};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -108,7 +108,7 @@ impl Notice {
     fn visible(&self) -> Self {
         let text = |text: &String| visible(text).into_owned();
         // A line of the title is ours, so that no input can add one.
-        let title = text(&self.title).replace('\n', "\\n");
+        let title = visible_line(&self.title);
         Self {
             code: self.code,
             title,
@@ -147,7 +147,7 @@ impl Quote {
             (part(0..start), part(start..end), part(end..self.text.len()));
         let file = self.file.as_ref();
         Self {
-            file: file.map(|(path, line)| (visible(path).replace('\n', "\\n"), *line)),
+            file: file.map(|(path, line)| (visible_line(path), *line)),
             text: format!("{before}{marked}{after}"),
             range: before.len()..before.len() + marked.len(),
             label: self.label,

@@ -3,6 +3,8 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
+use ptc_codegen::diagnostic::visible_line;
+
 use super::report::Failure;
 
 /// Prints `text`. A reader that has gone away, such as `head`, has got what it wanted.
@@ -14,6 +16,11 @@ pub(crate) fn to_stdout(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failur
         }
         _ => Ok(()),
     }
+}
+
+/// A path on a line of the standard output, where the terminal would take its control characters.
+pub(crate) fn shown(path: &Path) -> String {
+    visible_line(&path.display().to_string())
 }
 
 /// What is told of an error of the file system.

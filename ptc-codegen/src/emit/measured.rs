@@ -46,6 +46,13 @@ impl Measured {
         let mut cells = line.splitn(5, '\t');
         let mut cell = |what: &str| cells.next().ok_or(format!("no {what}"));
         let target = cell("target")?.to_owned();
+        // It stands in comments of every language.
+        let plain = |c: char| c.is_ascii_alphanumeric() || " ._+-".contains(c);
+        if target.is_empty() || target.len() > 64 || !target.chars().all(plain) {
+            return Err(format!(
+                "target `{target}` is not 1..=64 letters, digits, spaces, `.`, `_`, `+` and `-`"
+            ));
+        }
         let mut number = |what: &str| {
             let text = cell(what)?;
             text.parse().map_err(|_| format!("{what} `{text}` is not a whole number"))
@@ -88,6 +95,10 @@ mod tests {
             Err("line 2: instructions `many` is not a whole number".to_owned())
         );
         assert_eq!(Measured::table(&format!("{HEAD}\nx\t1")), Err("line 2: no stack".to_owned()));
+        for target in ["", "M0 */ system(0); /*", "M0 *)", "M0\"\"\"", "a\r", &"x".repeat(65)] {
+            let wrong = Measured::table(&format!("{HEAD}\n{target}\t1\t1\t1\t--n 3\n"));
+            assert!(wrong.is_err_and(|wrong| wrong.contains("is not 1..=64 letters")), "{target}");
+        }
         assert!(Measured::table("").is_err());
     }
 }

@@ -8,37 +8,33 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context as _, Result};
 
+use super::world::World;
 use crate::harness::random::Random;
 use crate::layer::Finding;
 
-/// Seconds of processor time of one command that is built as a release, and of another one.
+/// Processor seconds of one command: of a release build, and of a debug build.
 const SECONDS: [u64; 2] = [2, 20];
 /// Address space of one command, KB.
 const MEMORY: u64 = 500_000;
 /// How long inputs are drawn.
 const TIME: Duration = Duration::from_secs(600);
 const BRIEF: Duration = Duration::from_secs(30);
-/// How many failures are told before it ends.
+/// How many failures end it.
 const ENOUGH: usize = 5;
 /// Characters beyond which an expression is not drawn on; a word of a command has 128 KB.
 const LONG: usize = 20_000;
 /// The command under limits: the first word is the program, the others are its arguments.
 const LIMITED: &str = "ulimit -v \"$1\"; ulimit -t \"$2\"; shift 2; exec \"$@\"";
 
-/// Draws inputs for `command`, in `folder`, and records what goes wrong; says how many were drawn.
-pub(super) fn run(
-    command: &Path,
-    folder: &Path,
-    seed: u64,
-    brief: bool,
-    finding: &mut Finding,
-) -> Result<String> {
+pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
+    let World { command, seed, brief, .. } = world;
+    let folder = &world.folder("inputs")?;
     let release = command.components().any(|part| part.as_os_str() == "release");
     let seconds = SECONDS[usize::from(!release)];
-    let mut random = Random(seed);
+    let mut random = Random(*seed);
     let (mut drawn, mut accepted, mut failed) = (0, 0, 0);
     let began = Instant::now();
-    while began.elapsed() < if brief { BRIEF } else { TIME } && failed < ENOUGH {
+    while began.elapsed() < if *brief { BRIEF } else { TIME } && failed < ENOUGH {
         let words = command_line(&mut random, folder)?;
         let output = limited(command, &words, folder, seconds)?;
         drawn += 1;
@@ -81,7 +77,8 @@ fn fault(output: &Output) -> Option<String> {
         _ if stderr.contains(hidden) => Some(format!("a control character: {stderr:?}")),
         None => Some(format!("beyond its limits: {}", output.status)),
         Some(0) if output.stdout.is_empty() => Some("no output".to_owned()),
-        Some(0 | 1) => None,
+        // 1 and 3 are verdicts, which are printed.
+        Some(0 | 1 | 3) => None,
         Some(2) if stderr.is_empty() => Some("refused without a message".to_owned()),
         Some(2) if !output.stdout.is_empty() => Some("refused with output".to_owned()),
         Some(2) => None,

@@ -17,7 +17,8 @@ pub(super) const LAYER: Layer = Layer {
     name: "attack",
     claim: "A campaign that is killed at any instant resumes to the bytes, verdict and exit code of \
             one run; one process at a time has it; every flipped bit of its files is reported; and a \
-            full disk, a read-only folder, devices, links and colliding outputs lose no file.",
+            full disk, a read-only folder, devices, links and colliding outputs lose no file. Every \
+            input ends in 2 s and 500 MB, with output or a message and a documented exit code.",
     tools: &[],
     run,
 };

@@ -18,7 +18,7 @@ pub(crate) use temporary::watch;
 pub(crate) use temporary::{Temporary, TemporaryFolder, commit};
 
 use super::report::Failure;
-use super::write::{failed, to_stdout};
+use super::write::{failed, shown, to_stdout};
 
 /// The files that a command reads and writes, each by the flag that names it.
 #[derive(Default)]
@@ -160,7 +160,7 @@ pub(crate) fn write(files: &[(Place, &[u8])]) -> Result<String, Failure> {
     for (planned, content) in files {
         let wrong = |error: &io::Error| failed("cannot write", &planned.shown, error);
         let place = Place::of(&planned.shown).map_err(|error| wrong(&error))?;
-        let mut line = |word: &str| told.push_str(&format!("{word} {}\n", place.shown.display()));
+        let mut line = |word: &str| told.push_str(&format!("{word} {}\n", shown(&place.shown)));
         match &place.kind {
             Kind::StandardOutput => streams.push((place, *content)),
             Kind::Device | Kind::Fifo | Kind::Descriptor => {

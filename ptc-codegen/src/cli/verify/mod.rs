@@ -54,7 +54,8 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
         let count = drawn.scenarios;
-        outputs.tell(&format!("wrote {}, part {shard} with {count} scenarios\n", out.display()))?;
+        outputs
+            .tell(&format!("wrote {}, part {shard} with {count} scenarios\n", write::shown(out)))?;
         journal.into_iter().for_each(Journal::finish);
         return Ok(());
     }
