@@ -2,6 +2,7 @@
 
 mod corruption;
 mod disk;
+mod inputs;
 mod kill;
 mod outputs;
 mod owners;
@@ -33,6 +34,7 @@ const ATTACKS: &[(&str, Attack)] = &[
     ("damage", corruption::attack),
     ("disk", disk::attack),
     ("outputs", outputs::attack),
+    ("inputs", inputs::attack),
 ];
 
 fn run(context: &Context) -> Result<Finding> {
