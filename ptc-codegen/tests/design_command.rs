@@ -99,7 +99,7 @@ fn what_is_no_design_is_told() {
         (b"\xef\xbb\xbfn = 2\r\n", "`mu` is missing"),
         (&[b'['; 1 << 16], "[toml]"),
         (&[b'\0'; 1000], "[toml]"),
-        (&[b'x'; 10 << 20], "larger than"),
+        (&[b'x'; 10 << 20], "more than 1048576 bytes"),
     ];
     for (bytes, part) in odd {
         let folder = folder("odd", bytes);

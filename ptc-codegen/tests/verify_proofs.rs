@@ -458,7 +458,7 @@ fn what_has_no_value_fails_a_sample() {
         ("x1", "low = \"ln(-1 - dt)\"\nhigh = 9"),
         ("x1", "low = -9\nhigh = \"max(9, sqrt(T - 0.5))\""),
     ] {
-        let campaign = campaign(&format!("{}", within(h, bounds)));
+        let campaign = campaign(&within(h, bounds));
         let mut trial = Trial::new(&campaign).expect("a trial");
         // Scenario 0 is a corner of the box.
         let outcome = trial.run(&campaign.setting(&campaign.scenario(0)));

@@ -100,7 +100,7 @@ pub fn examine(spec: &Spec) -> Report {
         None => sampled::outcome(&spec),
     };
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
-    let [sampling, deadline] = [sampling, deadline].map(|outcome| superseded(outcome, decided));
+    let deadline = superseded(deadline, decided);
     let envelope = envelope(&spec);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
@@ -109,7 +109,7 @@ pub fn examine(spec: &Spec) -> Report {
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop
-/// itself is decided.
+/// itself is decided. What follows the deadline is for `sampling` to judge.
 fn superseded(outcome: Outcome, decided: bool) -> Outcome {
     if !decided || outcome.verdict == Verdict::NotChecked {
         return outcome;

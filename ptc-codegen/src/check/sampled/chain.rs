@@ -153,14 +153,12 @@ impl Matrix {
     }
 
     fn largest(&self, later: &[f64], earlier: &[f64], of: impl Fn(f64, f64) -> f64) -> f64 {
-        let mut most = 0.0_f64;
-        for i in 0..self.size {
-            let row = i * self.size..(i + 1) * self.size;
-            let entries = self.entries[row.clone()].iter().zip(&self.errors[row]);
-            let sum: f64 =
-                entries.zip(earlier).map(|((entry, error), d)| of(*entry, *error) / d).sum();
-            most = most.max(later[i] * sum);
-        }
+        let rows = self.entries.chunks_exact(self.size).zip(self.errors.chunks_exact(self.size));
+        let sums = rows.zip(later).map(|((entries, errors), own)| {
+            let entries = entries.iter().zip(errors).zip(earlier);
+            own * entries.map(|((entry, error), d)| of(*entry, *error) / d).sum::<f64>()
+        });
+        let most = sums.fold(0.0, f64::max);
         most * (1.0 + 1e-12)
     }
 }

@@ -189,6 +189,6 @@ fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
 
 /// A library function: `exact` for the exact operand, `near` for all operands the code may have.
 fn called(exact: Range, near: Range, unit: f64) -> Rounded {
-    let width = (near - near).high();
+    let width = (Range::from(near.high()) - Range::from(near.low())).high();
     Rounded { exact, error: up(width + up(2.0 * LIBRARY * unit * near.size().high())) }
 }
