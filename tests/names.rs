@@ -2,10 +2,16 @@
 
 mod support;
 
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Entry, parse, read};
+use ptc_codegen::spec::{Entry, Spec, parse, read};
 use support::{STRICT, c_compiler, folder, in_pairs, rustc, write};
 
 /// Names that C, Rust or the emitted code itself use for something of their own.
@@ -60,14 +66,20 @@ const MEANINGFUL: [&str; 48] = [
     "x1",
 ];
 
+/// The design of these keys; none where it is refused.
+fn spec_of(given: &[(&str, &str)]) -> Option<Spec> {
+    let entry = |(key, text): &(&str, &str)| {
+        let value = parse(key, text, &mut |_| Place(0)).ok()?;
+        Some(Entry { key: (*key).to_owned(), place: Place(0), value })
+    };
+    read(&given.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()
+}
+
 /// The compilers that refuse a controller of this name; none where the name is not taken at all.
 fn refusals(name: &str) -> Vec<String> {
-    let given = [("n", "9"), ("mu", "exp_sum"), ("name", name)];
-    let entry = |(key, text): &(&str, &str)| {
-        let value = parse(key, text, &mut |_| Place(0)).expect("a value");
-        Entry { key: (*key).to_owned(), place: Place(0), value }
+    let Some(spec) = spec_of(&[("n", "9"), ("mu", "exp_sum"), ("name", name)]) else {
+        return Vec::new();
     };
-    let Ok(spec) = read(&given.iter().map(entry).collect::<Vec<_>>()) else { return Vec::new() };
     let folder = folder(&format!("name_{name}"));
     write(&folder, &spec, Language::C);
     write(&folder, &spec, Language::Rust);
@@ -101,4 +113,99 @@ fn refusals(name: &str) -> Vec<String> {
 fn a_name_that_is_taken_compiles() {
     let refused: Vec<_> = in_pairs(&MEANINGFUL, |name| refusals(name)).concat();
     assert!(refused.is_empty(), "{}", refused.join("\n"));
+}
+
+/// Emitted files whose identifiers are tried as names: loops, an iteration, functions and a state
+/// of the user's, and a gain of the input.
+const SOURCES: [&str; 7] = [
+    "rust/ptc_exp_sum2.rs",
+    "rust/ptc_power2_by_root.rs",
+    "rust/ptc_tanh3_extern.rs",
+    "rust/ptc_own_law1_latched.rs",
+    "python/ptc_exp_sum2.py",
+    "python/ptc_tanh3_extern.py",
+    "python/ptc_own_law1_latched.py",
+];
+
+/// The identifiers in the code of the emitted files, and those of the same type name.
+fn identifiers() -> BTreeSet<String> {
+    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated");
+    let mut found = BTreeSet::new();
+    for source in SOURCES {
+        let text = fs::read_to_string(generated.join(source)).expect("an emitted file");
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        for word in code.flat_map(|l| l.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))) {
+            if word.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                found.insert(word.to_owned());
+                found.insert(word.to_lowercase());
+            }
+        }
+    }
+    found
+}
+
+/// Compiles every module, and finds a name of the module that one of its functions hides.
+const PYTHON: &str = r#"
+import ast, pathlib, sys
+for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
+    text = path.read_text()
+    try:
+        compile(text, path.name, "exec")
+        tree = ast.parse(text)
+    except SyntaxError as error:
+        print(path.name, error)
+        continue
+    own = [n.name for n in tree.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))]
+    for node in tree.body:
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            own += [alias.asname or alias.name for alias in node.names]
+        if isinstance(node, ast.Assign):
+            own += [target.id for target in node.targets]
+    twice = {name for name in own if own.count(name) > 1}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            fields = [n.target.id for n in node.body if isinstance(n, ast.AnnAssign)]
+            twice |= {name for name in fields if fields.count(name) > 1}
+        if isinstance(node, ast.FunctionDef):
+            names = {a.arg for a in node.args.args}
+            names |= {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+            twice |= names & set(own)
+    if twice:
+        print(path.name, "means two things:", *sorted(twice))
+"#;
+
+#[test]
+fn internal_identifiers_as_names_compile_in_rust_and_python() {
+    let folder = folder("names_internal");
+    let mut library = String::new();
+    let mut taken = [0, 0];
+    for name in identifiers() {
+        let mapping = format!("tau*{name}*t/(1 + {name}*t)");
+        let by_name = spec_of(&[("n", "2"), ("mu", "exp_sum"), ("name", &name)]);
+        let by_parameter = spec_of(&[("n", "2"), ("mu", &mapping), ("name", "host")]);
+        for (index, spec) in [by_name, by_parameter].into_iter().enumerate() {
+            let Some(spec) = spec else { continue };
+            taken[index] += 1;
+            let module = format!("{}_{name}", ["controller", "parameter"][index]);
+            if let Ok(files) = ptc_codegen::generate(&spec, Language::Rust) {
+                fs::write(folder.join(format!("{module}.rs")), &files[0].text).expect("a file");
+                writeln!(library, "#[path = \"{module}.rs\"]\npub mod {module};").expect("text");
+            }
+            if let Ok(files) = ptc_codegen::generate(&spec, Language::Python) {
+                fs::write(folder.join(format!("{module}.py")), &files[0].text).expect("a file");
+            }
+        }
+    }
+    assert!(taken.iter().all(|count| *count > 30), "{taken:?} names are taken");
+    fs::write(folder.join("lib.rs"), format!("#![allow(non_snake_case)]\n{library}"))
+        .expect("a file");
+    let mut rust = rustc();
+    rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);
+    rust.arg(folder.join("lib.rs")).arg("-o").arg(folder.join("named.rmeta"));
+    let output = rust.output().expect("a compiler");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let output = Command::new("python3").args(["-c", PYTHON]).arg(&folder).output();
+    let output = output.expect("python3");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
 }

@@ -6,14 +6,17 @@ use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::program::Input;
-use crate::spec::{After, Guard, Precision, Spec};
+use crate::spec::{After, Guard, Precision, Spec, type_name};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Python,
     name: "python",
     about: "one typed module on NumPy, for batches of times and states",
     comment: ("# ", ""),
-    is_word: |word| WORDS.split_whitespace().any(|one| one == word),
+    is_word: |word| {
+        WORDS.split_whitespace().any(|one| one == word)
+            || CLASSES.split_whitespace().any(|one| one == type_name(word))
+    },
     refuse: |_, _| {},
     files,
 };
@@ -23,6 +26,11 @@ const WORDS: &str = "
     False None True and as assert async await break class continue def del elif else except finally
     for from global if import in is lambda nonlocal not or pass raise return try while with yield
     any array array_like callable int_enum named_tuple sequence cmath collections dataclasses enum math np numpy typing
+";
+
+/// The module's own classes and those that it imports: one of a controller would hide them.
+const CLASSES: &str = "
+    Array ArrayLike Callable Control Gains IntEnum NDArray NamedTuple Params Rate Sequence Status
 ";
 
 fn files(controller: &Controller<'_>) -> Vec<File> {
