@@ -154,10 +154,13 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
         (
             &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=1,2,3"],
-            &["3 bounds for 2 states"],
+            &["3 numbers for 2 states"],
         ),
-        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=-1"], &["below 0"]),
-        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--u-step=0"], &["not > 0"]),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=-1"], &["not finite and >= 0"]),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--u-step=-1"],
+            &["no finite number >= 0"],
+        ),
         (
             &["stage.toml", "--x0=1,0", "--pi0=extern"],
             &["`pi0 = extern` is a function of your program"],

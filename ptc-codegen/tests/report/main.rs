@@ -166,7 +166,7 @@ fn a_report_makes_itself_again() {
     assert_eq!(run(&folder, &[&AT[..], &flags].concat()).0, Some(2), "no comparison is legal");
     let flags = ["--tau", "0.5,2", "--plant", "f=-w*x2 + sin(3*t)", "--plant", "w=0.5"];
     let sampled =
-        ["simulate", "stage.toml", "--x0=-1,0", "--sample-time", "0.01", "--delay", "--eps"];
+        ["simulate", "stage.toml", "--x0=-1,0", "--sample-time", "0.01", "--delay=1", "--eps"];
     let noise = ["0.05", "--noise", "1e-3", "--seed", "9", "--u-step", "0.1"];
     for arguments in [[&AT[..], &flags].concat(), [&sampled[..], &noise].concat()] {
         let page = report(&folder, &arguments);
