@@ -106,7 +106,11 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         [] => String::new(),
         absent => format!("; without {}, not given", absent.join(", ")),
     };
-    format!("the chain of integrators over {samples} samples, f = 0{absent}")
+    let start = match spec.fixed.get(&Parameter::StartTime) {
+        Some(start) => start.to_string(),
+        None => "0 (left to run time)".to_owned(),
+    };
+    format!("the chain of integrators over {samples} samples, f = 0, t0 = {start}{absent}")
 }
 
 /// Where the worst case of a state comes from.
