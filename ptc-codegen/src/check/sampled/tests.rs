@@ -45,7 +45,8 @@ fn final_errors_are_those_of_the_reference() {
         let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), rows);
         sampled.x0 = numbers(&case["x0_max"]);
         sampled.noise = numbers(&case["noise"]);
-        sampled.actuator = case["u_step"].as_str().unwrap().parse::<f64>().unwrap() / 2.0;
+        let step = case["u_step"].as_str().and_then(|step| step.parse::<f64>().ok());
+        sampled.actuator = step.expect("a step") / 2.0;
         for i in 1..=n {
             let output = sampled.state(i);
             let fading = sampled.fading(Some(&output), samples);
