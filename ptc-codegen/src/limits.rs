@@ -84,7 +84,7 @@ table! {
     TERMS = 64 "terms", "a longer normal form is no shorter than what it stands for", "";
     /// Exponent of a polynomial that is multiplied out.
     DEGREE = 4_096 "as its degree", "degrees stay small integers", "";
-    /// Names, calls and roots that a normal form tells apart.
+    /// Names, calls and roots that a normal form distinguishes.
     KERNELS = 200 "names, calls and roots", "each is compared with all", "";
     /// Whole power of a sum that is multiplied out.
     POWER = 24 "as its power", "a sum to it has about as many terms as are kept", "";

@@ -1,4 +1,4 @@
-//! Writing to the standard output, and what is told of a file that cannot be written.
+//! Writing to the standard output, and the error for a file that cannot be written.
 
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;

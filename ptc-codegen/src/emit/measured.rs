@@ -46,7 +46,7 @@ impl Measured {
         let mut cells = line.splitn(5, '\t');
         let mut cell = |what: &str| cells.next().ok_or(format!("no {what}"));
         let target = cell("target")?.to_owned();
-        // It stands in comments of every language.
+        // It is printed in comments of every language.
         let plain = |c: char| c.is_ascii_alphanumeric() || " ._+-".contains(c);
         if target.is_empty() || target.len() > 64 || !target.chars().all(plain) {
             return Err(format!(

@@ -37,7 +37,7 @@ pub enum Judgement {
 }
 
 impl Status {
-    /// As it stands in a row.
+    /// As it is written to a row.
     pub fn code(self) -> f64 {
         match self {
             Self::Finished => 0.0,

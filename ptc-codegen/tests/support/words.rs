@@ -11,7 +11,7 @@ pub(crate) fn stdout(arguments: &[&str]) -> String {
     super::stdout(&mut command(arguments))
 }
 
-/// What it tells where it fails with `code`.
+/// The standard error of a command that fails with `code`.
 pub(crate) fn stderr(arguments: &[&str], code: i32) -> String {
     super::stderr(&mut command(arguments), code)
 }

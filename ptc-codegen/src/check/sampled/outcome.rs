@@ -1,4 +1,4 @@
-//! What a reader is told of the sampled loop.
+//! The worst case of the sampled loop as the outcome of a check.
 
 use num_traits::ToPrimitive;
 

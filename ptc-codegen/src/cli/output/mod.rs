@@ -76,7 +76,7 @@ impl Outputs {
         self.claim(name, path).map(|_| ())
     }
 
-    /// Prints what is told of the work: to the standard error where a file has the standard output.
+    /// Prints the result: to the standard error if a file is written to the standard output.
     #[cfg(feature = "campaign")]
     pub(crate) fn tell(&self, text: &str) -> Result<(), Failure> {
         if self.outputs.iter().any(|(_, place)| place.is_standard_output()) {

@@ -196,7 +196,7 @@ impl Journal {
             _ => return Err(foreign(path, "is not a file of this program")),
         }
         self.index(range).map_err(wrong)?;
-        // The owner is told to whoever finds the file locked, and to nobody else.
+        // Only a process that finds the file locked reads its owner.
         let state = &mut *self.state();
         let line = owner_line(std::process::id());
         let renamed = state.file.rewind().and_then(|()| state.file.write_all(line.as_bytes()));

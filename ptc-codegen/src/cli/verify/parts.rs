@@ -53,7 +53,7 @@ impl Rows {
 }
 
 /// Runs the scenarios of `range`. With `out` every chunk that is done is kept in a journal, which the
-/// caller ends once the verdict is told, and is not run again.
+/// caller ends once the verdict is printed, and is not run again.
 pub(super) fn run(
     campaign: &Campaign,
     trial: &Trial,

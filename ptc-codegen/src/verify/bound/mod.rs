@@ -163,7 +163,7 @@ impl Prover {
         })
     }
 
-    /// Proves an objective, or says what stands in the way.
+    /// Proves an objective, or says what prevents it.
     fn of_kind(&mut self, kind: &Kind, values: &Values) -> Result<(), String> {
         let aim = Aim::new(kind, values);
         let mut left = match kind {
