@@ -173,7 +173,7 @@ fn seed() -> RngSeed {
 #[test]
 fn nothing_of_a_design_is_read_as_code() {
     let config = ProptestConfig {
-        cases: 25,
+        cases: 60,
         failure_persistence: None,
         rng_seed: seed(),
         ..ProptestConfig::default()
