@@ -11,6 +11,7 @@
 
 pub mod algebra;
 pub mod check;
+pub mod code;
 pub mod design;
 pub mod diagnostic;
 pub mod emit;
@@ -26,6 +27,7 @@ pub mod plant;
 pub mod plot;
 pub mod program;
 pub mod reference;
+pub mod samples;
 pub mod selftest;
 #[cfg(feature = "simulation")]
 pub mod simulate;
@@ -35,7 +37,7 @@ pub mod synthesis;
 #[cfg(feature = "campaign")]
 pub mod verify;
 
-use check::examine::examine;
+use check::examine::{Report, examine};
 use diagnostic::{Diagnostic, Diagnostics};
 use emit::measured::Measured;
 use emit::{Controller, File, Language, Project};
@@ -50,7 +52,7 @@ use spec::Spec;
 /// Everything in the spec that cannot be generated, in this language or at all, and every check that
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, |controller| emit::emit(controller, language))?
+    generate_measured(spec, language, &[])
 }
 
 /// The same, with what a step was measured to cost in the head of the files.
@@ -62,6 +64,9 @@ pub fn generate_measured(
     language: Language,
     measured: &[Measured],
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
+    if spec.sampled().is_some() {
+        return sampled(spec, |report| emit::emit_sampled(report, language))?;
+    }
     emitted(spec, |controller| emit::emit(&Controller { measured, ..*controller }, language))?
 }
 
@@ -70,6 +75,7 @@ pub fn generate_measured(
 /// # Errors
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+    needs_time(spec, "a project")?;
     project.accepts(spec)?;
     emitted(spec, |controller| project.files(controller))
 }
@@ -81,6 +87,7 @@ pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnosti
 /// Everything in the spec that cannot be generated, every check that refuses it, and what has no
 /// self-test.
 pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    needs_time(spec, "the self-test")?;
     emitted(spec, |controller| {
         let test = selftest::SelfTest::new(controller)?;
         Ok(emit::emit_selftest(controller, &test))
@@ -93,6 +100,7 @@ pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
+    needs_time(spec, "the proof of run-time errors")?;
     emitted(spec, emit::emit_with_proof)
 }
 
@@ -102,7 +110,26 @@ pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
+    if spec.sampled().is_some() {
+        return sampled(spec, emit::emit_sampled_items);
+    }
     emitted(spec, emit::emit_items)
+}
+
+/// What `emit` makes of the controller in samples that `spec` asks for.
+fn sampled<T>(spec: &Spec, emit: impl FnOnce(&Report) -> T) -> Result<T, Vec<Diagnostic>> {
+    let work = || Ok(emit(&examine(spec).accepted()?));
+    guarded(work).map_err(|fault| vec![fault.into()])?
+}
+
+/// Refuses a clock in samples for what knows time alone.
+fn needs_time(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    if spec.sampled().is_some() {
+        let message = format!("{what} does not know a clock in samples yet");
+        found.push("clock", "clock", None, message, "leave `clock` out, or emit C or Rust");
+    }
+    found.finish(Some(()))
 }
 
 /// What `emit` makes of the controller that `spec` asks for.

@@ -136,6 +136,7 @@ fn ranges(controller: &Controller<'_>, prefix: &str) -> Vec<Range> {
         #[allow(clippy::cast_precision_loss)]
         Parameter::Rate(i) => (i as f64 - 0.5, i as f64 - 0.5),
         Parameter::Gain(_) => (-100.0, 100.0),
+        Parameter::Samples | Parameter::SampleTime | Parameter::Deadbeat => (1.0, 1.0),
     };
     let of_time =
         |p: &Parameter| matches!(p, Parameter::Tau | Parameter::StartTime | Parameter::Eps);

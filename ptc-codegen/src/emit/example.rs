@@ -90,6 +90,9 @@ fn default(spec: &Spec, parameter: Parameter) -> Option<Fixed> {
         Parameter::UMax => fixed(UNBOUNDED),
         Parameter::A | Parameter::M | Parameter::Named(_) => Some(1.into()),
         Parameter::Rate(i) => exact(&integer(i64::try_from(i).unwrap_or(1))),
+        Parameter::Samples => Some(1000.into()),
+        Parameter::SampleTime => fixed("1e-3"),
+        Parameter::Deadbeat => Some(0.into()),
         Parameter::Eps | Parameter::Gain(_) => None,
     }
 }

@@ -3,7 +3,7 @@
 use super::declared::{declared, meaning};
 use super::measured::Measured;
 use super::{Controller, Language, formulas};
-use crate::check::examine::held_period;
+use crate::check::examine::{Report, held_period};
 use crate::check::{Verdict, digits};
 use crate::expression::Function;
 use crate::program::{Op, Stage, cost};
@@ -36,7 +36,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
         rest.extend(formulas::mapping(controller));
         rest.extend(formulas::law(controller));
         rest.extend(behaviour(controller, language));
-        rest.extend(checks(controller));
+        rest.extend(checks(controller.report));
         rest.extend(count(controller));
         if !controller.measured.is_empty() {
             rest.push(
@@ -183,10 +183,10 @@ fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
 }
 
 /// The verdicts of the checks. What they could not check is a condition for the user.
-fn checks(controller: &Controller<'_>) -> Vec<String> {
+pub(super) fn checks(report: &Report) -> Vec<String> {
     let mut lines =
         vec![String::new(), "Checks of the design (details: ptc-codegen check):".to_owned()];
-    for outcome in &controller.report.outcomes {
+    for outcome in &report.outcomes {
         // A design that is emitted in spite of a failed check says so loudly.
         let verdict = match outcome.verdict {
             Verdict::Unsound | Verdict::Refuted => {
@@ -233,7 +233,7 @@ fn count(controller: &Controller<'_>) -> Vec<String> {
 }
 
 /// A long line broken at spaces, continued with an indent.
-fn wrap(line: &str) -> Vec<String> {
+pub(super) fn wrap(line: &str) -> Vec<String> {
     const WIDTH: usize = 92;
     let mut lines = Vec::new();
     let mut rest = line.to_owned();

@@ -5,6 +5,7 @@
 
 mod acsl;
 mod c;
+mod code;
 mod cpp;
 mod declared;
 mod eva;
@@ -20,6 +21,7 @@ mod print;
 mod project;
 mod python;
 mod rust;
+mod sampled;
 mod selftest;
 mod st;
 #[cfg(test)]
@@ -205,6 +207,34 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
     (target.refuse)(controller, &mut found);
     found.finish(Some(()))?;
     Ok((target.files)(controller))
+}
+
+/// The files of a controller in samples in `language`.
+///
+/// # Errors
+/// The language, where it cannot express it.
+pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let Some(controller) = sampled::program(report, language) else {
+        fault("a controller without samples")
+    };
+    match language {
+        Language::C => Ok(code::c(&controller)),
+        Language::Rust => Ok(vec![code::rust(&controller)]),
+        other => {
+            let mut found = Diagnostics::default();
+            let message = format!("{} has no controller in samples yet", other.name());
+            found.push("clock", "clock", None, message, "emit C or Rust");
+            found.finish(None)
+        }
+    }
+}
+
+/// The items of the Rust file of a controller in samples on the types of the facade crate `ptc`.
+pub fn emit_sampled_items(report: &Report) -> String {
+    match sampled::program(report, Language::Rust) {
+        Some(controller) => code::rust_items(&controller),
+        None => fault("a controller without samples"),
+    }
 }
 
 /// The names that the user gave, or that were made for him, each by its key.

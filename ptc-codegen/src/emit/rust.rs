@@ -22,19 +22,24 @@ pub(super) const TARGET: Target = Target {
 /// The file of a controller, which stands alone.
 pub(super) fn file(controller: &Controller<'_>) -> File {
     let name = controller.spec().name();
-    let real = real(controller.spec());
     let items = render(controller, "");
+    let head = header::lines(controller, Language::Rust);
+    let text = module_text(&head, controller.spec().precision, &items);
+    File { name: format!("{name}.rs"), text }
+}
+
+/// A module that stands alone: its head, the types that the items stand on, and the items.
+pub(super) fn module_text(head: &[String], precision: Precision, items: &str) -> String {
     let calls = |function: &str| items.contains(&format!("math::{function}("));
     let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow"]);
     let functions = names.filter(|f| calls(f));
-    let head = header::lines(controller, Language::Rust);
     let module = Module {
-        head: &documented(&head),
-        real,
-        functions: functions.map(|f| MathFunction::new(f, controller.spec().precision)).collect(),
-        items: &items,
+        head: &documented(head),
+        real: real_of(precision),
+        functions: functions.map(|f| MathFunction::new(f, precision)).collect(),
+        items,
     };
-    File { name: format!("{name}.rs"), text: tidy(&text_of(module.render())) }
+    tidy(&text_of(module.render()))
 }
 
 /// The head as rustdoc, its formulas as they stand.
@@ -65,7 +70,11 @@ fn render(controller: &Controller<'_>, runtime: &'static str) -> String {
 }
 
 pub(super) fn real(spec: &Spec) -> &'static str {
-    match spec.precision {
+    real_of(spec.precision)
+}
+
+fn real_of(precision: Precision) -> &'static str {
+    match precision {
         Precision::F32 => "f32",
         Precision::F64 => "f64",
     }

@@ -65,6 +65,9 @@ impl<'a> Chosen<'a> {
             Parameter::UMax => f64::INFINITY,
             Parameter::A => 0.75,
             Parameter::M => 1.5,
+            Parameter::Samples => 1000.0,
+            Parameter::SampleTime => 1e-3,
+            Parameter::Deadbeat => 0.0,
             Parameter::Rate(i) => 0.375 * number(i) + 0.125,
             // Those of the poles -1.5, ..., -1.5: k_i = C(n, i-1) 1.5^(n+1-i).
             Parameter::Gain(i) => (1..i)

@@ -1,6 +1,8 @@
 //! The command line that gives a spec.
 
-use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping, What};
+use super::{
+    After, Clock, Feedback, Fixed, Guard, Parameter, Precision, Sampled, Spec, TimeMapping, What,
+};
 use crate::algebra::BigRational;
 use crate::expansion::Expanded;
 use crate::expression::Subject;
@@ -15,6 +17,9 @@ impl Spec {
         }
         if self.what == What::Associated {
             words.push("--what associated".to_owned());
+        }
+        if let Clock::Samples(sampled) = &self.clock {
+            words.extend(self.sampled_words(sampled));
         }
         if self.precision == Precision::F32 {
             words.push("--precision f32".to_owned());
@@ -73,17 +78,39 @@ impl Spec {
         words
     }
 
+    fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
+        let mut words = vec!["--clock samples".to_owned()];
+        if sampled.force != BigRational::default() {
+            words.push(format!("--f={}", sampled.force));
+        }
+        let deadbeat = self.fixed.get(&Parameter::Deadbeat);
+        words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));
+        if sampled.measured < self.n {
+            let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
+            words.push(format!("--measured={}", names.join(",")));
+        }
+        if sampled.disturbance {
+            words.push("--disturbance constant".to_owned());
+        }
+        if let Some(observer) = &sampled.observer {
+            words.push(format!("--observer-poles={}", written(&observer.poles)));
+            let samples = observer.samples;
+            words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
+            words.extend(observer.eps.iter().map(|eps| format!("--observer-eps={eps}")));
+        }
+        words
+    }
+
     /// The poles as they are written for `--poles`, exact.
     pub fn written_poles(&self) -> String {
-        let poles: Vec<_> = self.poles.iter().map(|(re, im)| pole(re, im)).collect();
-        poles.join(",")
+        written(&self.poles)
     }
 
     fn gain_words(&self) -> Option<String> {
         if !self.poles.is_empty() {
             return Some(format!("--poles={}", self.written_poles()));
         }
-        let gains = (1..=self.n).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
+        let gains = (1..=self.loop_order()).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
         list(gains).map(|gains| format!("--gains={gains}"))
     }
 
@@ -144,6 +171,11 @@ impl Spec {
 fn list<'a>(values: impl Iterator<Item = &'a Fixed>) -> Option<String> {
     let values: Vec<_> = values.map(ToString::to_string).collect();
     (!values.is_empty()).then(|| values.join(","))
+}
+
+fn written(poles: &[(BigRational, BigRational)]) -> String {
+    let poles: Vec<_> = poles.iter().map(|(re, im)| pole(re, im)).collect();
+    poles.join(",")
 }
 
 /// A complex number as it is written for `--poles`, exact.

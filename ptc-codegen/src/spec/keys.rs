@@ -14,7 +14,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order in which they are told.
-pub static KEYS: [KeyInfo; 25] = [
+pub static KEYS: [KeyInfo; 33] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -44,6 +44,12 @@ pub static KEYS: [KeyInfo; 25] = [
         meaning: "what is generated: the controller, or the infinite-time system on which pi0 is designed",
         legal: "controller or associated",
         example: "associated",
+    },
+    KeyInfo {
+        key: "clock",
+        meaning: "what a call is given: time t, or the number k of the sample",
+        legal: "time or samples",
+        example: "samples",
     },
     KeyInfo {
         key: "precision",
@@ -80,6 +86,12 @@ pub static KEYS: [KeyInfo; 25] = [
         meaning: "input gain of the plant xn' = f + g*u",
         legal: "an expression in x1..xn and t, not 0",
         example: "2 + cos(x1)",
+    },
+    KeyInfo {
+        key: "f",
+        meaning: "known constant of the plant xn' = f + g*u, cancelled; with clock = samples",
+        legal: "a finite number",
+        example: "-9.81",
     },
     KeyInfo {
         key: "tau",
@@ -141,6 +153,42 @@ pub static KEYS: [KeyInfo; 25] = [
         meaning: "samples between a measurement and the input that follows from it",
         legal: "an integer 0..=16",
         example: "1",
+    },
+    KeyInfo {
+        key: "deadbeat",
+        meaning: "samples to go at which deadbeat takes over; with clock = samples",
+        legal: "an integer of at least the order of the loop",
+        example: "12",
+    },
+    KeyInfo {
+        key: "measured",
+        meaning: "states that are measured; an observer gives the others; with clock = samples",
+        legal: "x1, or x1 to x_m without a gap",
+        example: "x1",
+    },
+    KeyInfo {
+        key: "disturbance",
+        meaning: "what is added to u and not known: it is estimated and cancelled; with clock = samples",
+        legal: "none or constant",
+        example: "constant",
+    },
+    KeyInfo {
+        key: "observer_poles",
+        meaning: "poles of the observer in stretched time; with clock = samples",
+        legal: "one for each state that is estimated; complex ones in pairs",
+        example: "-4,-5,-6",
+    },
+    KeyInfo {
+        key: "observer_samples",
+        meaning: "samples after which the estimates are exact; with clock = samples",
+        legal: "an integer; by default the last with which the controller ends exactly",
+        example: "200",
+    },
+    KeyInfo {
+        key: "observer_eps",
+        meaning: "time-to-go in s at which the gains of the observer are held; with clock = samples",
+        legal: "a number > 0",
+        example: "0.03",
     },
     KeyInfo {
         key: "x0_max",

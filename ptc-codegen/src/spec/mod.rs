@@ -131,6 +131,61 @@ pub struct Promises {
     pub allow: Vec<String>,
 }
 
+/// What a call of the controller is given beside the state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// Time t.
+    Time,
+    /// The number of the sample.
+    Samples(Sampled),
+}
+
+/// What a controller in samples knows beside the law.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sampled {
+    /// Samples between a measurement and the input that follows from it.
+    pub delay: usize,
+    /// Constant input gain g of the plant.
+    pub gain: BigRational,
+    /// Constant f of the plant.
+    pub force: BigRational,
+    /// x1..x_m are measured.
+    pub measured: usize,
+    /// Whether a constant that is added to u is estimated and cancelled.
+    pub disturbance: bool,
+    /// The greatest exponent p = -Re(pole)/a of the controller; none at generation.
+    pub greatest: Option<BigRational>,
+    /// The observer; none where every state is measured.
+    pub observer: Option<Observer>,
+}
+
+impl Sampled {
+    /// Whether there is an observer.
+    pub fn observes(&self) -> bool {
+        self.observer.is_some()
+    }
+
+    /// Samples after which the estimates are exact, where they are given.
+    pub fn observer_samples(&self) -> Option<u32> {
+        self.observer.as_ref().and_then(|observer| observer.samples)
+    }
+}
+
+/// The observer of a controller in samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Observer {
+    /// Its poles in stretched time.
+    pub poles: Vec<(BigRational, BigRational)>,
+    /// The gains that its poles give.
+    pub gains: Vec<BigRational>,
+    /// The greatest exponent p = -Re(pole)/a.
+    pub greatest: BigRational,
+    /// Samples after which the estimates are exact; the default where none.
+    pub samples: Option<u32>,
+    /// Time-to-go at which its gains are held; none ends in deadbeat.
+    pub eps: Option<Fixed>,
+}
+
 /// One controller to generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spec {
@@ -142,6 +197,8 @@ pub struct Spec {
     pub name: Option<String>,
     /// What is generated.
     pub what: What,
+    /// What a call is given beside the state.
+    pub clock: Clock,
     /// Floating-point type.
     pub precision: Precision,
     /// Run-time checks.
@@ -178,6 +235,7 @@ impl Spec {
             time_mapping,
             name: None,
             what: What::Controller,
+            clock: Clock::Time,
             precision: Precision::F64,
             guard: Guard::Full,
             feedback: Feedback::Linear,
@@ -280,6 +338,9 @@ impl Spec {
 
     /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
     pub fn parameters(&self) -> Vec<Parameter> {
+        if let Clock::Samples(sampled) = &self.clock {
+            return self.sampled_parameters(sampled);
+        }
         let mut all = vec![Parameter::Tau, Parameter::StartTime];
         if self.what == What::Controller {
             all.extend([Parameter::Eps, Parameter::UMax]);
@@ -290,6 +351,32 @@ impl Spec {
         }
         let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
         all.extend(named.into_iter().filter(|p| matches!(p, Parameter::Named(_))));
+        all
+    }
+
+    /// Order of the loop that the gains close: a sample of delay that a controller in samples
+    /// keeps is a state more.
+    pub fn loop_order(&self) -> usize {
+        match &self.clock {
+            Clock::Time => self.n,
+            Clock::Samples(sampled) => self.n + sampled.delay,
+        }
+    }
+
+    /// What a controller in samples knows; none where the clock is time.
+    pub fn sampled(&self) -> Option<&Sampled> {
+        match &self.clock {
+            Clock::Time => None,
+            Clock::Samples(sampled) => Some(sampled),
+        }
+    }
+
+    fn sampled_parameters(&self, sampled: &Sampled) -> Vec<Parameter> {
+        use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax};
+        let mut all = vec![Samples, SampleTime, Eps, UMax, A];
+        all.extend((1..=self.n + sampled.delay).map(Gain));
+        // The exponents of known poles give it.
+        all.extend(sampled.greatest.is_none().then_some(Deadbeat));
         all
     }
 

@@ -26,6 +26,12 @@ pub enum Parameter {
     Rate(usize),
     /// Gain k_i, from 1.
     Gain(usize),
+    /// Samples N from the start to rest.
+    Samples,
+    /// Sample period h.
+    SampleTime,
+    /// Samples to go at which deadbeat takes over.
+    Deadbeat,
     /// A parameter of the user's own expressions.
     Named(Name),
 }
@@ -80,6 +86,9 @@ impl Parameter {
             Self::M => "m",
             Self::Rate(_) => "rates",
             Self::Gain(_) => "k",
+            Self::Samples => "samples",
+            Self::SampleTime => "h",
+            Self::Deadbeat => "deadbeat",
             Self::Named(name) => name.text(),
         }
     }
@@ -113,7 +122,8 @@ impl Parameter {
     /// Unit, for every order n.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Tau | Self::StartTime | Self::Eps => "s",
+            Self::Tau | Self::StartTime | Self::Eps | Self::SampleTime => "s",
+            Self::Samples | Self::Deadbeat => "samples",
             Self::UMax => "unit of u",
             Self::A | Self::Rate(_) => "1/s",
             Self::M => "1",
@@ -142,6 +152,9 @@ impl Parameter {
             Self::M => "exponent of the power mapping",
             Self::Rate(_) => "rates a_i of stretched time",
             Self::Gain(_) => "gains k_i of pi0 = -sum k_i xi_i",
+            Self::Samples => "samples N from the start to rest",
+            Self::SampleTime => "sample period",
+            Self::Deadbeat => "samples to go at which deadbeat takes over, 0 for a safe default",
             Self::Named(_) => "parameter of an expression of the design",
         }
     }
@@ -149,8 +162,10 @@ impl Parameter {
     /// Legal values.
     pub fn domain(self) -> Domain {
         match self {
-            Self::Tau | Self::A | Self::M | Self::Rate(_) => Domain::Positive,
-            Self::StartTime | Self::Gain(_) | Self::Named(_) => Domain::Finite,
+            Self::Tau | Self::A | Self::M | Self::Rate(_) | Self::SampleTime | Self::Samples => {
+                Domain::Positive
+            }
+            Self::StartTime | Self::Deadbeat | Self::Gain(_) | Self::Named(_) => Domain::Finite,
             Self::Eps => Domain::BelowTau,
             Self::UMax => Domain::PositiveOrInfinite,
         }

@@ -24,7 +24,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::Family;
 use crate::program::{Input, number, passes};
-use crate::spec::{Feedback, Fixed, Parameter, Spec, What};
+use crate::spec::{Clock, Feedback, Fixed, Parameter, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -90,6 +90,9 @@ pub(crate) fn guarded(spec: &Spec) -> (Spec, Outcome, Outcome) {
 
 /// Runs every check on `spec`. What lacks a value is not checked, and says which value.
 pub fn examine(spec: &Spec) -> Report {
+    if spec.sampled().is_some() {
+        return in_samples(spec);
+    }
     let mut spec = spec.clone();
     let membership = membership(&spec);
     let (growth, greatest) = check_growth(&spec);
@@ -106,6 +109,26 @@ pub fn examine(spec: &Spec) -> Report {
     let greatest = greatest.filter(|_| !allowed);
     let outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     Report { spec, outcomes, greatest, worst }
+}
+
+/// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
+/// error of a period or of eps has nothing to say.
+fn in_samples(spec: &Spec) -> Report {
+    let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
+    let (growth, _) = check_growth(&continuous);
+    let exact = |name| Outcome::not_checked(name, "the law is exact in samples, at any period");
+    let lacks = |name| {
+        Outcome::not_checked(name, "it does not examine a clock in samples yet: simulate the loop")
+    };
+    let outcomes = vec![
+        membership(&continuous),
+        growth,
+        exact("sampling"),
+        exact("deadline"),
+        lacks(sampled::NAME),
+        lacks("envelope"),
+    ];
+    Report { spec: spec.clone(), outcomes, greatest: None, worst: None }
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop

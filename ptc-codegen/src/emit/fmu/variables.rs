@@ -58,9 +58,9 @@ fn unit_name(exponent: i64) -> String {
 fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
     let order = |i: usize| i64::try_from(i).ok();
     match parameter {
-        Parameter::Tau | Parameter::StartTime | Parameter::Eps => Some(1),
+        Parameter::Tau | Parameter::StartTime | Parameter::Eps | Parameter::SampleTime => Some(1),
         Parameter::A | Parameter::Rate(_) => Some(-1),
-        Parameter::M => Some(0),
+        Parameter::M | Parameter::Samples | Parameter::Deadbeat => Some(0),
         Parameter::Gain(i) => Some(order(i)? - 1 - order(n)?),
         Parameter::UMax | Parameter::Named(_) => None,
     }

@@ -54,7 +54,10 @@ impl Reader<'_> {
         let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
         match self.only_one(&["gains", "poles", "pi0"]) {
             Some(("gains", node)) => law.gains = self.gains(n, node).into_iter().collect(),
-            Some(("poles", node)) => (law.poles, law.gains) = self.poles(n, node),
+            Some(("poles", node)) => {
+                let (poles, gains) = self.pole_gains("poles", n, node);
+                (law.poles, law.gains) = (poles, fixed(gains));
+            }
             Some((_, node)) if matches!(&node.value, Value::Word(word) if word == "extern") => {
                 law.feedback = Feedback::Extern;
             }
@@ -84,13 +87,14 @@ impl Reader<'_> {
         (gain != Expression::integer(1)).then_some(gain)
     }
 
-    /// Gains from poles, exactly.
-    fn poles(
+    /// The poles under `key`, and the gains that they give, exactly.
+    pub(super) fn pole_gains(
         &mut self,
+        key: &'static str,
         n: Option<usize>,
         node: &Node,
-    ) -> (Vec<(BigRational, BigRational)>, FixedValues) {
-        let nothing = (Vec::new(), BTreeMap::new());
+    ) -> (Vec<(BigRational, BigRational)>, Vec<BigRational>) {
+        let nothing = (Vec::new(), Vec::new());
         let items = items(node);
         if let Some(n) = n
             && items.len() != n
@@ -98,15 +102,15 @@ impl Reader<'_> {
             let message = format!("{} poles for order n = {n}", items.len());
             let help =
                 format!("give {n} poles; a complex one counts with its conjugate: -1+2i, -1-2i");
-            self.wrong("poles", Some(node.place), message, help);
+            self.wrong(key, Some(node.place), message, help);
             return nothing;
         }
         let mut poles = Vec::with_capacity(items.len());
         for (index, item) in items.iter().enumerate() {
             let Some(pole) = constant::complex(item) else {
-                let message = format!("poles[{index}] = {} is no number", shown(&item.value));
+                let message = format!("{key}[{index}] = {} is no number", shown(&item.value));
                 let help = "a pole is a number such as -4, or -1+2i".to_owned();
-                self.wrong("poles", Some(item.place), message, help);
+                self.wrong(key, Some(item.place), message, help);
                 continue;
             };
             poles.push(pole);
@@ -117,10 +121,10 @@ impl Reader<'_> {
         let of =
             |(re, im): &(BigRational, BigRational)| poles::Pole { re: re.clone(), im: im.clone() };
         match poles::gains(&poles.iter().map(of).collect::<Vec<_>>()) {
-            Ok(gains) => (poles, fixed(gains)),
+            Ok(gains) => (poles, gains),
             Err(wrong) => {
                 self.wrong(
-                    "poles",
+                    key,
                     Some(node.place),
                     wrong.to_string(),
                     "complex poles come in pairs: -1+2i, -1-2i".to_owned(),

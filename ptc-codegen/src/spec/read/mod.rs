@@ -4,6 +4,7 @@ mod constant;
 mod law;
 mod mapping;
 mod parameters;
+mod sampled;
 
 use std::collections::BTreeMap;
 
@@ -13,8 +14,8 @@ pub(crate) use parameters::known;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{
-    After, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises, Spec,
-    TimeMapping, Value, What, reserved::is_reserved, reserved::reason, shorten,
+    After, Clock, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises,
+    Spec, TimeMapping, Value, What, reserved::is_reserved, reserved::reason, shorten,
 };
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
@@ -138,14 +139,18 @@ impl<'a> Reader<'a> {
             &[("hold", After::Hold), ("zero", After::Zero), ("extern", After::Extern)],
         );
         let precision = precision.unwrap_or(Precision::F64);
-        let law = self.law(n, order, &known);
-        let input_gain = self.input_gain(order, &known);
         let promises = self.promises(n);
+        let samples = self.counts_samples();
+        // A sample of delay is a state more.
+        let late = if samples { promises.delay.unwrap_or(0) } else { 0 };
+        let law = self.law(n.map(|n| n + late), order + late, &known);
+        let input_gain = self.input_gain(order, &known);
         let mut spec = Spec {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
             name,
             what: what.unwrap_or(What::Controller),
+            clock: Clock::Time,
             precision,
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
@@ -163,6 +168,10 @@ impl<'a> Reader<'a> {
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
+        match samples {
+            true => self.sampled(&mut spec),
+            false => self.not_sampled(),
+        }
         self.representable(&spec.fixed, precision);
         (n.is_some() && mapping.is_some()).then_some(spec)
     }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use num_traits::Zero;
+
 use super::{FixedValues, Reader, constant, shown, suggestion};
 use crate::diagnostic::near_miss;
 use crate::expression::Expression;
@@ -22,6 +24,9 @@ impl Reader<'_> {
     pub(super) fn parameters(&mut self, spec: &mut Spec, complete: bool) {
         for parameter in COMMON {
             if let Some(node) = self.keys.get(parameter.key()).copied() {
+                if parameter == Parameter::Eps && self.holds_nothing(node) {
+                    continue;
+                }
                 let value = self.parameter(parameter.key(), parameter, node);
                 spec.fixed.extend(value.map(|v| (parameter, v)));
             }
@@ -89,6 +94,13 @@ impl Reader<'_> {
             let help = "the error at the deadline is bounded from the bounds of |x_i| at the start";
             self.wrong("error", place, message, help.to_owned());
         }
+    }
+
+    /// Whether eps is the 0 of a clock in samples, which ends in deadbeat.
+    fn holds_nothing(&self, node: &Node) -> bool {
+        let clock = self.keys.get("clock").map(|node| &node.value);
+        matches!(clock, Some(Value::Word(word)) if word == "samples")
+            && constant::real(node).and_then(|eps| eps.number().map(Zero::is_zero)) == Some(true)
     }
 
     /// A parameter of an expression must not have the name of another one of the controller.

@@ -1,0 +1,287 @@
+//! Expressions and tests, folded as they are made: numbers that are known stay exact until they are
+//! printed.
+
+use num_traits::{One, Signed, Zero};
+
+use crate::algebra::{BigRational, integer};
+
+/// An operation on two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// a + b.
+    Add,
+    /// a - b.
+    Sub,
+    /// a * b.
+    Mul,
+    /// a / b.
+    Div,
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// An exact number, rounded once.
+    Number(BigRational),
+    /// An unsigned integer.
+    Count(u32),
+    /// A local value, or an argument.
+    Local(String),
+    /// An element of an argument, from 0.
+    Element(String, usize),
+    /// A field of the controller.
+    Field(String),
+    /// A parameter given to `init`.
+    Parameter(String),
+    /// An element of a parameter, from 0.
+    ParameterElement(String, usize),
+    /// -a.
+    Neg(Box<Expr>),
+    /// An operation on floating-point numbers.
+    Binary(Operator, Box<Expr>, Box<Expr>),
+    /// a - b of counts, modulo 2^32.
+    CountSub(Box<Expr>, Box<Expr>),
+    /// a - b of counts, 0 where b is greater.
+    CountLeft(Box<Expr>, Box<Expr>),
+    /// A count as a floating-point number.
+    Real(Box<Expr>),
+    /// The first where the test holds, else the second.
+    Choose(Box<Test>, Box<Expr>, Box<Expr>),
+}
+
+/// What is true or false of values.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Test {
+    /// a < b, of floating-point numbers.
+    Less(Expr, Expr),
+    /// a <= b, of floating-point numbers.
+    AtMost(Expr, Expr),
+    /// a < b, of counts.
+    CountLess(Expr, Expr),
+    /// a == b, of counts.
+    CountEqual(Expr, Expr),
+    /// Neither infinite nor no number.
+    Finite(Expr),
+    /// All of them; holds where there is none.
+    All(Vec<Test>),
+}
+
+impl Expr {
+    /// A whole number.
+    pub fn integer(value: i64) -> Self {
+        Self::Number(integer(value))
+    }
+
+    /// A local value.
+    pub fn local(name: impl Into<String>) -> Self {
+        Self::Local(name.into())
+    }
+
+    /// A field.
+    pub fn field(name: impl Into<String>) -> Self {
+        Self::Field(name.into())
+    }
+
+    /// Its value, where it is known.
+    pub fn number(&self) -> Option<&BigRational> {
+        match self {
+            Self::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.number().is_some_and(Zero::is_zero)
+    }
+
+    fn binary(operator: Operator, a: Self, b: Self) -> Self {
+        Self::Binary(operator, Box::new(a), Box::new(b))
+    }
+
+    /// -a.
+    #[must_use]
+    pub fn neg(self) -> Self {
+        match self {
+            Self::Number(value) => Self::Number(-value),
+            Self::Neg(a) => *a,
+            a => Self::Neg(Box::new(a)),
+        }
+    }
+
+    /// a + b.
+    #[must_use]
+    pub fn add(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a + b),
+            (a, b) if a.is_zero() => b,
+            (a, b) if b.is_zero() => a,
+            (a, Self::Neg(b)) => Self::binary(Operator::Sub, a, *b),
+            (a, Self::Number(b)) if b.is_negative() => {
+                Self::binary(Operator::Sub, a, Self::Number(-b))
+            }
+            (a, Self::Binary(Operator::Mul, k, b))
+                if k.number().is_some_and(Signed::is_negative) =>
+            {
+                Self::binary(Operator::Sub, a, Self::binary(Operator::Mul, k.neg(), *b))
+            }
+            (a, b) => Self::binary(Operator::Add, a, b),
+        }
+    }
+
+    /// a - b.
+    #[must_use]
+    pub fn sub(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a - b),
+            (a, b) if a.is_zero() => b.neg(),
+            (a, b) => a.add(b.neg()),
+        }
+    }
+
+    /// a b.
+    #[must_use]
+    pub fn mul(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a * b),
+            (a, b) if a.is_zero() || b.is_zero() => Self::integer(0),
+            (Self::Number(a), b) if a.is_one() => b,
+            (a, Self::Number(b)) if b.is_one() => a,
+            (Self::Number(a), b) if a == integer(-1) => b.neg(),
+            (a, Self::Number(b)) if b == integer(-1) => a.neg(),
+            (a, Self::Number(b)) => Self::binary(Operator::Mul, Self::Number(b), a),
+            (a, b) => Self::binary(Operator::Mul, a, b),
+        }
+    }
+
+    /// a / b.
+    #[must_use]
+    pub fn div(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Number(a), Self::Number(b)) if !b.is_zero() => Self::Number(a / b),
+            (a, _) if a.is_zero() => a,
+            (a, Self::Number(b)) if b.is_one() => a,
+            (a, b) => Self::binary(Operator::Div, a, b),
+        }
+    }
+
+    /// a - b of counts, modulo 2^32.
+    #[must_use]
+    pub fn count_sub(self, b: Self) -> Self {
+        Self::CountSub(Box::new(self), Box::new(b))
+    }
+
+    /// a - b of counts, 0 where b is greater.
+    #[must_use]
+    pub fn count_left(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Count(a), Self::Count(b)) => Self::Count(a.saturating_sub(b)),
+            (a, b) => Self::CountLeft(Box::new(a), Box::new(b)),
+        }
+    }
+
+    /// A count as a floating-point number.
+    #[must_use]
+    pub fn real(self) -> Self {
+        match self {
+            Self::Count(count) => Self::integer(i64::from(count)),
+            count => Self::Real(Box::new(count)),
+        }
+    }
+
+    /// The greater of two floating-point numbers.
+    #[must_use]
+    pub fn max(self, b: Self) -> Self {
+        match (self, b) {
+            (Self::Number(a), Self::Number(b)) => Self::Number(a.max(b)),
+            (a, b) if a == b => a,
+            (a, b) => Self::choose(Test::Less(a.clone(), b.clone()), b, a),
+        }
+    }
+
+    /// `yes` where the test holds, else `no`.
+    pub fn choose(test: Test, yes: Self, no: Self) -> Self {
+        Self::Choose(Box::new(test), Box::new(yes), Box::new(no))
+    }
+
+    /// The same with local values in place of fields.
+    #[must_use]
+    pub fn local_fields(&self) -> Self {
+        let local = |e: &Self| Box::new(e.local_fields());
+        match self {
+            Self::Field(name) => Self::Local(name.clone()),
+            Self::Neg(a) => Self::Neg(local(a)),
+            Self::Real(a) => Self::Real(local(a)),
+            Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
+            Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
+            Self::CountLeft(a, b) => Self::CountLeft(local(a), local(b)),
+            Self::Choose(test, a, b) => {
+                Self::Choose(Box::new(test.local_fields()), local(a), local(b))
+            }
+            known => known.clone(),
+        }
+    }
+
+    /// The sum of `terms`.
+    pub fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
+        terms.into_iter().fold(Self::integer(0), Self::add)
+    }
+
+    /// Calls `visit` on it and on everything in it.
+    pub fn visit(&self, visit: &mut dyn FnMut(&Self)) {
+        visit(self);
+        match self {
+            Self::Neg(a) | Self::Real(a) => a.visit(visit),
+            Self::Choose(test, a, b) => {
+                test.visit(visit);
+                a.visit(visit);
+                b.visit(visit);
+            }
+            Self::Binary(_, a, b) | Self::CountSub(a, b) | Self::CountLeft(a, b) => {
+                a.visit(visit);
+                b.visit(visit);
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Test {
+    /// Both tests.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        match self {
+            Self::All(mut tests) => {
+                tests.push(other);
+                Self::All(tests)
+            }
+            test => Self::All(vec![test, other]),
+        }
+    }
+
+    fn local_fields(&self) -> Self {
+        match self {
+            Self::Less(a, b) => Self::Less(a.local_fields(), b.local_fields()),
+            Self::AtMost(a, b) => Self::AtMost(a.local_fields(), b.local_fields()),
+            Self::CountLess(a, b) => Self::CountLess(a.local_fields(), b.local_fields()),
+            Self::CountEqual(a, b) => Self::CountEqual(a.local_fields(), b.local_fields()),
+            Self::Finite(a) => Self::Finite(a.local_fields()),
+            Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
+        }
+    }
+
+    /// Calls `visit` on every expression in it.
+    pub fn visit(&self, visit: &mut dyn FnMut(&Expr)) {
+        match self {
+            Self::Less(a, b)
+            | Self::AtMost(a, b)
+            | Self::CountLess(a, b)
+            | Self::CountEqual(a, b) => {
+                a.visit(visit);
+                b.visit(visit);
+            }
+            Self::Finite(a) => a.visit(visit),
+            Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
+        }
+    }
+}

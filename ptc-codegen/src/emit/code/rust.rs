@@ -1,0 +1,281 @@
+//! Rust: `no_std`, no allocation, no panic, no unsafe code.
+
+use super::text::{Level, Lines, Text, length};
+use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
+use crate::emit::{File, rust::module_text};
+use crate::spec::{Precision, type_name};
+
+struct Rust<'a> {
+    code: &'a Code,
+    /// Path of the types that the items stand on.
+    runtime: &'static str,
+    out: Lines,
+}
+
+/// The file of a controller, which stands alone.
+pub(in crate::emit) fn file(code: &Code) -> File {
+    let items = Rust { code, runtime: "", out: Lines::default() }.items();
+    let text = module_text(&code.head, code.precision, &items);
+    File { name: format!("{}.rs", code.name), text }
+}
+
+/// The items alone, on the types of the facade crate.
+pub(in crate::emit) fn items(code: &Code) -> String {
+    Rust { code, runtime: "::ptc::", out: Lines::default() }.items()
+}
+
+impl Text for Rust<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn count(&self, count: u32) -> String {
+        count.to_string()
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("self.{name}")
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{a}.wrapping_sub({b})"))
+    }
+
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        let typed = a.bytes().all(|b| b.is_ascii_digit());
+        (Level::Atom, format!("{a}{}.saturating_sub({b})", if typed { "_u32" } else { "" }))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        // In brackets wherever it is compared: `<` behind a type opens its arguments.
+        (Level::Choice, format!("{count} as {}", self.type_of(Shape::Real)))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("{value}.is_finite()")
+    }
+
+    fn and(&self) -> &'static str {
+        "&&"
+    }
+}
+
+impl Rust<'_> {
+    fn type_of(&self, shape: Shape) -> String {
+        let real = if self.code.precision == Precision::F32 { "f32" } else { "f64" };
+        match shape {
+            Shape::Count => "u32".to_owned(),
+            Shape::Real => real.to_owned(),
+            Shape::Reals(length) => format!("[{real}; {length}]"),
+        }
+    }
+
+    fn structure(&mut self, name: &str, about: &str, members: &[Variable], public: bool) {
+        self.out.line(format!("/// {about}"));
+        self.out.line("#[derive(Clone, Copy, Debug, PartialEq)]");
+        self.out.line("#[allow(non_snake_case)]");
+        self.out.open(format!("pub struct {name} {{"));
+        for member in members {
+            let kind = self.type_of(member.shape);
+            self.out.line(format!("/// {}.", doc(&member.about)));
+            let public = if public { "pub " } else { "" };
+            self.out.line(format!("{public}{}: {kind},", member.name));
+        }
+        self.out.close("}");
+        self.out.line("");
+    }
+
+    fn items(mut self) -> String {
+        let (code, runtime) = (self.code, self.runtime);
+        let kind = type_name(&code.name);
+        let about = format!("Run-time parameters of [`{kind}`].");
+        self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
+        self.structure(&kind, "Prescribed-time controller in samples.", &code.fields, false);
+        self.out.line("#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]");
+        self.out.open(format!("impl {kind} {{"));
+        self.out.line("/// Takes the parameters and arms at tick 0.");
+        self.out.line("///");
+        self.out.line("/// # Errors");
+        self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.");
+        self.out
+            .open(format!("pub fn new(params: {kind}Params) -> Result<Self, {runtime}Error> {{"));
+        let mut fields = Vec::new();
+        for statement in &code.init {
+            match statement {
+                Statement::Set(Place::Field(name), value) => {
+                    let value = self.alone(value);
+                    fields.push(if *name == value { value } else { format!("{name}: {value}") });
+                }
+                other => self.statement(other),
+            }
+        }
+        self.out.open("Ok(Self {");
+        for field in fields {
+            self.out.line(format!("{field},"));
+        }
+        self.out.close("})");
+        self.out.close("}");
+        for function in &code.functions {
+            self.function(function);
+        }
+        self.out.close("}");
+        self.out.text()
+    }
+
+    fn function(&mut self, function: &Function) {
+        let runtime = self.runtime;
+        let access = if function.access == Access::Read { "&self" } else { "&mut self" };
+        let mut list = vec![access.to_owned()];
+        for argument in &function.arguments {
+            let kind = self.type_of(argument.shape);
+            let by = if length(argument.shape).is_some() { "&" } else { "" };
+            list.push(format!("{}: {by}{kind}", argument.name));
+        }
+        let value = match function.results.as_slice() {
+            [given] if function.name == "step" => {
+                format!("{runtime}Control<{}>", self.type_of(given.variable.shape))
+            }
+            [given] => self.type_of(given.variable.shape),
+            _ => "()".to_owned(),
+        };
+        let fails = !function.failures.is_empty();
+        let result = match (fails, function.results.is_empty()) {
+            (true, _) => format!(" -> Result<{value}, {runtime}Error>"),
+            (false, true) => String::new(),
+            (false, false) => format!(" -> {value}"),
+        };
+        self.out.line("");
+        self.out.line(format!("/// {}", doc(function.about.trim_end())));
+        if fails {
+            let errors = function.failures.iter().map(|status| match status {
+                Status::Input => "`Input`: an argument is not finite.",
+                _ => "`Range`: u is not finite.",
+            });
+            let errors: Vec<_> = errors.collect();
+            for line in ["", " # Errors", &format!(" {}", errors.join(" "))] {
+                self.out.line(format!("///{line}"));
+            }
+        }
+        self.out.line("#[inline]");
+        self.out.open(format!("pub fn {}({}){result} {{", function.name, list.join(", ")));
+        for statement in &function.body {
+            self.statement(statement);
+        }
+        self.finish(function, fails);
+        self.out.close("}");
+    }
+
+    fn finish(&mut self, function: &Function, fails: bool) {
+        let [given] = function.results.as_slice() else { return };
+        let values: Vec<_> = given.values.iter().map(|value| self.alone(value)).collect();
+        if function.name != "step" {
+            let value = match length(given.variable.shape) {
+                Some(_) => format!("[{}]", values.join(", ")),
+                None => values.join(", "),
+            };
+            self.out.line(if fails { format!("Ok({value})") } else { value });
+            return;
+        }
+        let runtime = self.runtime;
+        let word = |status: Status| format!("{runtime}Status::{}", name(status));
+        match &function.status {
+            Outcomes::One(status) => {
+                self.out.line(format!("let status = {};", word(*status)));
+            }
+            Outcomes::First(ways, last) => {
+                for (index, (test, status)) in ways.iter().enumerate() {
+                    let test = self.test(test);
+                    match index {
+                        0 => self.out.open(format!("let status = if {test} {{")),
+                        _ => self.out.turn(format!("}} else if {test} {{")),
+                    }
+                    self.out.line(word(*status));
+                }
+                self.out.turn("} else {");
+                self.out.line(word(*last));
+                self.out.close("};");
+            }
+        }
+        let u = if values[0] == "u" { "u".to_owned() } else { format!("u: {}", values[0]) };
+        self.out.line(format!("Ok({runtime}Control {{ {u}, status }})"));
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Let(name, _, value) => {
+                let value = self.alone(value);
+                self.out.line(format!("let {name} = {value};"));
+            }
+            Statement::Variable(name, shape) => {
+                let kind = self.type_of(*shape);
+                self.out.line(format!("let {name}: {kind};"));
+            }
+            Statement::Set(place, value) => {
+                let value = self.alone(value);
+                let place = match place {
+                    Place::Local(name) => name.clone(),
+                    Place::Field(name) => self.field(name),
+                };
+                self.out.line(format!("{place} = {value};"));
+            }
+            Statement::Require(test, status) => {
+                let (test, runtime) = (self.test(test), self.runtime);
+                self.out.open(format!("if !({test}) {{"));
+                self.out.line(format!("return Err({runtime}Error::{});", name(*status)));
+                self.out.close("}");
+            }
+            Statement::If(test, yes, no) => {
+                let text = self.test(test);
+                self.out.open(format!("if {text} {{"));
+                self.otherwise(yes, no);
+            }
+            Statement::Note(text) => self.out.line(format!("// {text}")),
+        }
+    }
+
+    fn otherwise(&mut self, yes: &[Statement], no: &[Statement]) {
+        for statement in yes {
+            self.statement(statement);
+        }
+        match no {
+            [] => {}
+            [Statement::If(test, yes, no)] => {
+                let text = self.test(test);
+                self.out.turn(format!("}} else if {text} {{"));
+                return self.otherwise(yes, no);
+            }
+            no => {
+                self.out.turn("} else {");
+                for statement in no {
+                    self.statement(statement);
+                }
+            }
+        }
+        self.out.close("}");
+    }
+}
+
+/// Text as rustdoc, which takes brackets for links.
+fn doc(text: &str) -> String {
+    text.replace('[', "\\[").replace(']', "\\]")
+}
+
+fn name(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "Ok",
+        Status::Hold => "Hold",
+        Status::Saturated => "Saturated",
+        Status::After => "After",
+        Status::Param => "Param",
+        Status::Input => "Input",
+        Status::Range => "Range",
+    }
+}

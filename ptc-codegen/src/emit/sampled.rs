@@ -1,0 +1,90 @@
+//! The program of a controller in samples, with its head.
+
+use super::{Language, header};
+use crate::check::examine::Report;
+use crate::code::Code;
+use crate::internal::fault;
+use crate::samples;
+use crate::spec::{After, Fixed, Guard, Parameter, Sampled, Spec};
+
+/// The program; none where the clock is time.
+pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
+    let sampled = report.spec.sampled()?;
+    let code = samples::controller(&report.spec, sampled, head(report, sampled, language));
+    match code.check() {
+        Ok(()) => Some(code),
+        Err(error) => fault(error),
+    }
+}
+
+fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
+    let spec = &report.spec;
+    let (name, n, order) = (spec.name(), spec.n, spec.loop_order());
+    let mut lines = vec![
+        format!("Prescribed-time controller {name}: order n = {n}, clock in samples."),
+        String::new(),
+        "DO NOT EDIT. Made by:".to_owned(),
+        format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
+    ];
+    let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
+    let chain = match n {
+        1 => String::new(),
+        2 => "x1' = x2, ".to_owned(),
+        _ => "x1' = x2, ..., ".to_owned(),
+    };
+    let late = match sampled.delay {
+        0 => "u held from sample to sample".to_owned(),
+        1 => "u held from sample to sample, one sample late".to_owned(),
+        d => format!("u held from sample to sample, {d} samples late"),
+    };
+    let force = if sampled.force == Default::default() { "" } else { "f + " };
+    let gain = if spec.input_gain.is_some() { "g " } else { "" };
+    let input = if sampled.disturbance { "(u + d), d constant and unknown" } else { "u" };
+    rest.push(format!("Plant: {chain}x{n}' = {force}{gain}{input}; {late}."));
+    rest.push("Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned());
+    rest.push(format!("Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1));
+    rest.push(String::new());
+    rest.push("Parameters:".to_owned());
+    for parameter in spec.parameters() {
+        let unit = parameter.unit_for(order);
+        let (symbol, meaning) = (parameter.symbol(), parameter.meaning());
+        rest.push(match spec.fixed.get(&parameter) {
+            Some(value) => format!("  {symbol} = {value} [{unit}], fixed: {meaning}"),
+            None => format!("  {symbol} [{unit}]: {meaning}"),
+        });
+    }
+    rest.extend(behaviour(spec, sampled));
+    rest.extend(header::checks(report));
+    lines.extend(rest.iter().flat_map(|line| header::wrap(line)));
+    lines
+}
+
+fn behaviour(spec: &Spec, sampled: &Sampled) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    lines.push("k counts samples and may wrap; arm again within 2^32 - N samples.".to_owned());
+    lines.push(
+        match spec.after {
+            After::Zero => "From sample N on u = 0 (status AFTER).",
+            After::Hold | After::Extern => {
+                "From sample N on the last gains are held (status HOLD)."
+            }
+        }
+        .to_owned(),
+    );
+    if let Some(observer) = &sampled.observer {
+        let until = match observer.samples {
+            Some(samples) => format!("{samples}"),
+            None => format!("N - {}", spec.loop_order()),
+        };
+        lines.push(format!("The estimates are exact from sample {until} after the start on. Afterwards the gains of the observer are held."));
+    }
+    lines.push(match spec.fixed.get(&Parameter::UMax) {
+        Some(Fixed::Infinite) => "u is not clipped.",
+        _ => "|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it lasts.",
+    }.to_owned());
+    lines.push(match spec.guard {
+        Guard::Full => "Guard full: what is measured is finite and no pointer is NULL, or the call is refused (status E_INPUT).",
+        Guard::Result | Guard::None => "Guard none: finite measurements and valid pointers are the responsibility of the caller.",
+    }.to_owned());
+    lines
+}

@@ -1,0 +1,109 @@
+//! The plant between two samples: x_{k+1} = Phi x_k + Gamma u_k, exactly, in the sample period as
+//! the unit of time.
+
+use num_traits::{One, Zero};
+
+use super::matrix::Matrix;
+use crate::algebra::{BigInt, BigRational};
+
+/// What a held input does to the states from one sample to the next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// Phi.
+    pub phi: Matrix,
+    /// Gamma.
+    pub gamma: Vec<BigRational>,
+    /// The power p of each state: it stands here divided by h^p.
+    pub powers: Vec<usize>,
+}
+
+impl Pair {
+    /// The chain x_1' = x_2, ..., x_n' = `gain` u. State x_j is counted in units of u h^(n+1-j).
+    pub fn chain(n: usize, gain: &BigRational) -> Self {
+        let inverse = |k: usize| BigRational::one() / factorial(k);
+        let phi =
+            Matrix::new(n, n, |i, j| if j >= i { inverse(j - i) } else { BigRational::zero() });
+        let gamma = (0..n).map(|i| gain * inverse(n - i)).collect();
+        Self { phi, gamma, powers: (0..n).map(|j| n - j).collect() }
+    }
+
+    /// Number of states.
+    pub fn order(&self) -> usize {
+        self.gamma.len()
+    }
+
+    /// The same with a constant that is added to u as its last state.
+    #[must_use]
+    pub fn with_disturbance(&self) -> Self {
+        let n = self.order();
+        let entry = |i: usize, j: usize| match (i < n, j < n) {
+            (true, true) => self.phi.at(i, j).clone(),
+            (true, false) => self.gamma[i].clone(),
+            (false, true) => BigRational::zero(),
+            (false, false) => BigRational::one(),
+        };
+        let mut gamma = self.gamma.clone();
+        gamma.push(BigRational::zero());
+        let powers = self.powers.iter().copied().chain([0]).collect();
+        Self { phi: Matrix::new(n + 1, n + 1, entry), gamma, powers }
+    }
+
+    /// The same with an input that acts `delay` samples late; its states are x, u_{k-1}, ...,
+    /// u_{k-delay}.
+    #[must_use]
+    pub fn delayed(&self, delay: usize) -> Self {
+        let (n, order) = (self.order(), self.order() + delay);
+        if delay == 0 {
+            return self.clone();
+        }
+        let entry = |i: usize, j: usize| match () {
+            () if i < n && j < n => self.phi.at(i, j).clone(),
+            () if i < n && j + 1 == order => self.gamma[i].clone(),
+            () if i > n && j + 1 == i => BigRational::one(),
+            () => BigRational::zero(),
+        };
+        let unit = |i: usize| if i == n { BigRational::one() } else { BigRational::zero() };
+        let powers = (0..order).map(|i| self.powers.get(i).copied().unwrap_or(0)).collect();
+        Self {
+            phi: Matrix::new(order, order, entry),
+            gamma: (0..order).map(unit).collect(),
+            powers,
+        }
+    }
+
+    /// The rows of S and the drift a with z = S x, Delta z_i = z_{i+1}, Delta z_m = u + sum a_i z_i;
+    /// none where the pair is not controllable.
+    pub fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
+        let order = self.order();
+        let step = self.phi.plus(&-BigRational::one(), &Matrix::identity(order));
+        let mut columns = vec![self.gamma.clone()];
+        while columns.len() < order {
+            let next = step.on(&columns[columns.len() - 1]);
+            columns.push(next);
+        }
+        // c D^i Gamma is 0 for i < m - 1, and 1 for i = m - 1.
+        let unit: Vec<_> = (1..=order)
+            .map(|i| if i == order { BigRational::one() } else { BigRational::zero() })
+            .collect();
+        let mut rows = vec![Matrix::of_rows(columns).solve(&unit)?];
+        while rows.len() <= order {
+            let next = step.after_row(&rows[rows.len() - 1]);
+            rows.push(next);
+        }
+        let last = rows.pop()?;
+        let s = Matrix::of_rows(rows);
+        let drift = s.transpose().solve(&last)?;
+        Some((s, drift))
+    }
+}
+
+/// k!.
+pub(super) fn factorial(k: usize) -> BigRational {
+    let product = (1..=k).fold(BigInt::one(), |product, i| product * BigInt::from(i));
+    BigRational::from_integer(product)
+}
+
+/// The binomial coefficient of `n` over `k`.
+pub(super) fn binomial(n: usize, k: usize) -> BigRational {
+    if k > n { BigRational::zero() } else { factorial(n) / (factorial(k) * factorial(n - k)) }
+}
