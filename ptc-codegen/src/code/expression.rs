@@ -43,6 +43,8 @@ pub enum Expr {
     CountSub(Box<Expr>, Box<Expr>),
     /// a - b of counts, 0 where b is greater.
     CountLeft(Box<Expr>, Box<Expr>),
+    /// Half of a count, rounded down.
+    CountHalf(Box<Expr>),
     /// A count as a floating-point number.
     Real(Box<Expr>),
     /// The first where the test holds, else the second.
@@ -180,6 +182,15 @@ impl Expr {
         }
     }
 
+    /// Half of a count, rounded down.
+    #[must_use]
+    pub fn count_half(self) -> Self {
+        match self {
+            Self::Count(count) => Self::Count(count / 2),
+            count => Self::CountHalf(Box::new(count)),
+        }
+    }
+
     /// A count as a floating-point number.
     #[must_use]
     pub fn real(self) -> Self {
@@ -212,6 +223,7 @@ impl Expr {
             Self::Field(name) => Self::Local(name.clone()),
             Self::Neg(a) => Self::Neg(local(a)),
             Self::Real(a) => Self::Real(local(a)),
+            Self::CountHalf(a) => Self::CountHalf(local(a)),
             Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
             Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
             Self::CountLeft(a, b) => Self::CountLeft(local(a), local(b)),
@@ -231,7 +243,7 @@ impl Expr {
     pub fn visit(&self, visit: &mut dyn FnMut(&Self)) {
         visit(self);
         match self {
-            Self::Neg(a) | Self::Real(a) => a.visit(visit),
+            Self::Neg(a) | Self::Real(a) | Self::CountHalf(a) => a.visit(visit),
             Self::Choose(test, a, b) => {
                 test.visit(visit);
                 a.visit(visit);

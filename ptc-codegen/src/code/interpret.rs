@@ -191,7 +191,7 @@ impl<'b> Frame<'_, 'b> {
             }
             Expr::Real(a) => round(f64::from(self.count(a))),
             Expr::Choose(test, a, b) => self.real(if self.test(test) { a } else { b }),
-            Expr::Count(_) | Expr::CountSub(..) | Expr::CountLeft(..) => {
+            Expr::Count(_) | Expr::CountSub(..) | Expr::CountLeft(..) | Expr::CountHalf(_) => {
                 f64::from(self.count(value))
             }
             name => match self.held(name) {
@@ -207,6 +207,7 @@ impl<'b> Frame<'_, 'b> {
             Expr::Count(count) => *count,
             Expr::CountSub(a, b) => self.count(a).wrapping_sub(self.count(b)),
             Expr::CountLeft(a, b) => self.count(a).saturating_sub(self.count(b)),
+            Expr::CountHalf(a) => self.count(a) / 2,
             name => match self.held(name) {
                 (Held::Count(count), _) => *count,
                 _ => fault("a number is used as a count".to_owned()),

@@ -10,7 +10,7 @@ mod expression;
 mod interpret;
 
 pub use expression::{Expr, Operator, Test};
-pub use interpret::{Instance, Outcome};
+pub use interpret::{Argument, Instance, Outcome};
 
 use crate::spec::Precision;
 

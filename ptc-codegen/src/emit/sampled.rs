@@ -74,7 +74,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     if let Some(observer) = &sampled.observer {
         let until = match observer.samples {
             Some(samples) => format!("{samples}"),
-            None => format!("N - {}", spec.loop_order()),
+            None => "N/2".to_owned(),
         };
         lines.push(format!("The estimates are exact from sample {until} after the start on. Afterwards the gains of the observer are held."));
     }

@@ -458,10 +458,9 @@ impl Builder<'_> {
         let observer_eps = observer.eps.as_ref().and_then(Fixed::number);
         let observer_samples = match self.sampled.observer_samples() {
             Some(samples) => Expr::Count(samples),
-            None => {
-                let last = u32::try_from(self.spec.n + self.sampled.delay).unwrap_or(0);
-                samples.clone().count_left(Expr::Count(last))
-            }
+            // Half of the time for either: the controller has time to bring down what rounding
+            // leaves of the estimates.
+            None => samples.clone().count_half(),
         };
         // Where `init` sets N, it is a field by now.
         let mut body = Vec::new();
@@ -590,11 +589,7 @@ impl Builder<'_> {
             let value = self.parameter(parameter);
             match parameter {
                 Parameter::Samples => {
-                    let order = u32::try_from(self.spec.n + self.sampled.delay).unwrap_or(0);
-                    let least = match self.sampled.observer_samples() {
-                        Some(samples) => samples.saturating_add(order),
-                        None => order,
-                    };
+                    let least = self.sampled.least_samples(self.spec.n);
                     tests.push(Test::CountLess(Expr::Count(least - 1), value));
                 }
                 Parameter::SampleTime | Parameter::A => {

@@ -6,11 +6,11 @@ use crate::algebra::{BigRational, integer};
 
 /// A matrix, by its rows.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Matrix(Vec<Vec<BigRational>>);
+pub(super) struct Matrix(Vec<Vec<BigRational>>);
 
 impl Matrix {
     /// The matrix with `entry(i, j)` in row i and column j, from 0.
-    pub fn new(
+    pub(super) fn new(
         rows: usize,
         columns: usize,
         mut entry: impl FnMut(usize, usize) -> BigRational,
@@ -19,45 +19,40 @@ impl Matrix {
     }
 
     /// 1 on the diagonal.
-    pub fn identity(n: usize) -> Self {
+    pub(super) fn identity(n: usize) -> Self {
         Self::new(n, n, |i, j| if i == j { BigRational::one() } else { BigRational::zero() })
     }
 
     /// The matrix with these rows.
-    pub fn of_rows(rows: Vec<Vec<BigRational>>) -> Self {
+    pub(super) fn of_rows(rows: Vec<Vec<BigRational>>) -> Self {
         Self(rows)
     }
 
     /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// The entry in row `i` and column `j`, from 0.
-    pub fn at(&self, i: usize, j: usize) -> &BigRational {
+    pub(super) fn at(&self, i: usize, j: usize) -> &BigRational {
         &self.0[i][j]
-    }
-
-    /// Row `i`.
-    pub fn row(&self, i: usize) -> &[BigRational] {
-        &self.0[i]
     }
 
     /// The transpose.
     #[must_use]
-    pub fn transpose(&self) -> Self {
+    pub(super) fn transpose(&self) -> Self {
         Self::new(self.0.first().map_or(0, Vec::len), self.len(), |i, j| self.0[j][i].clone())
     }
 
     /// The sum with `factor` times `other`.
     #[must_use]
-    pub fn plus(&self, factor: &BigRational, other: &Self) -> Self {
+    pub(super) fn plus(&self, factor: &BigRational, other: &Self) -> Self {
         Self::new(self.len(), self.0[0].len(), |i, j| &self.0[i][j] + factor * &other.0[i][j])
     }
 
     /// The product.
     #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, other: &Self) -> Self {
         let columns = other.0.first().map_or(0, Vec::len);
         let entry = |i: usize, j: usize| {
             let products = self.0[i].iter().zip(&other.0).map(|(a, row)| a * &row[j]);
@@ -67,12 +62,12 @@ impl Matrix {
     }
 
     /// `row` times the matrix.
-    pub fn after_row(&self, row: &[BigRational]) -> Vec<BigRational> {
+    pub(super) fn after_row(&self, row: &[BigRational]) -> Vec<BigRational> {
         Self(vec![row.to_vec()]).times(self).0.swap_remove(0)
     }
 
     /// The matrix times `column`.
-    pub fn on(&self, column: &[BigRational]) -> Vec<BigRational> {
+    pub(super) fn on(&self, column: &[BigRational]) -> Vec<BigRational> {
         let product = |row: &Vec<BigRational>| {
             let products = row.iter().zip(column).map(|(a, b)| a * b);
             products.fold(BigRational::zero(), |sum, product| sum + product)
@@ -81,7 +76,7 @@ impl Matrix {
     }
 
     /// The solution y of A y = `right`; none where A is singular.
-    pub fn solve(&self, right: &[BigRational]) -> Option<Vec<BigRational>> {
+    pub(super) fn solve(&self, right: &[BigRational]) -> Option<Vec<BigRational>> {
         let n = self.len();
         let mut rows: Vec<Vec<BigRational>> = self.0.clone();
         for (row, value) in rows.iter_mut().zip(right) {
@@ -104,7 +99,7 @@ impl Matrix {
     }
 
     /// The coefficients alpha_0..alpha_n of det(z - A), by Faddeev and Leverrier.
-    pub fn characteristic(&self) -> Vec<BigRational> {
+    pub(super) fn characteristic(&self) -> Vec<BigRational> {
         let n = self.len();
         let mut alpha = vec![BigRational::zero(); n + 1];
         alpha[n] = BigRational::one();

@@ -14,19 +14,19 @@ use crate::algebra::{BigInt, BigRational};
 
 /// The gains of an observer of one measured combination of the states.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Injection {
+pub(super) struct Injection {
     /// Of each state the coefficients q_1..q_m with L = sum_j q_j/((M-j+1)...(M-m+1)), then what is
     /// added at every M.
-    pub law: Vec<(Vec<BigRational>, BigRational)>,
+    pub(super) law: Vec<(Vec<BigRational>, BigRational)>,
     /// Of each state its gain at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes
     /// over; the last one stays.
-    pub end: Vec<Vec<BigRational>>,
+    pub(super) end: Vec<Vec<BigRational>>,
 }
 
 impl Injection {
     /// The gains for the states of `pair` measured as `c` x, with `rows` of the law; none where the
     /// pair is not observable. `switch` is M at which deadbeat takes over.
-    pub fn new(
+    pub(super) fn new(
         pair: &Pair,
         c: &[BigRational],
         rows: &[BigRational],

@@ -8,18 +8,18 @@ use crate::algebra::{BigInt, BigRational};
 
 /// What a held input does to the states from one sample to the next.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pair {
+pub(super) struct Pair {
     /// Phi.
-    pub phi: Matrix,
+    pub(super) phi: Matrix,
     /// Gamma.
-    pub gamma: Vec<BigRational>,
+    pub(super) gamma: Vec<BigRational>,
     /// The power p of each state: it stands here divided by h^p.
-    pub powers: Vec<usize>,
+    pub(super) powers: Vec<usize>,
 }
 
 impl Pair {
     /// The chain x_1' = x_2, ..., x_n' = `gain` u. State x_j is counted in units of u h^(n+1-j).
-    pub fn chain(n: usize, gain: &BigRational) -> Self {
+    pub(super) fn chain(n: usize, gain: &BigRational) -> Self {
         let inverse = |k: usize| BigRational::one() / factorial(k);
         let phi =
             Matrix::new(n, n, |i, j| if j >= i { inverse(j - i) } else { BigRational::zero() });
@@ -28,13 +28,13 @@ impl Pair {
     }
 
     /// Number of states.
-    pub fn order(&self) -> usize {
+    pub(super) fn order(&self) -> usize {
         self.gamma.len()
     }
 
     /// The same with a constant that is added to u as its last state.
     #[must_use]
-    pub fn with_disturbance(&self) -> Self {
+    pub(super) fn with_disturbance(&self) -> Self {
         let n = self.order();
         let entry = |i: usize, j: usize| match (i < n, j < n) {
             (true, true) => self.phi.at(i, j).clone(),
@@ -51,7 +51,7 @@ impl Pair {
     /// The same with an input that acts `delay` samples late; its states are x, u_{k-1}, ...,
     /// u_{k-delay}.
     #[must_use]
-    pub fn delayed(&self, delay: usize) -> Self {
+    pub(super) fn delayed(&self, delay: usize) -> Self {
         let (n, order) = (self.order(), self.order() + delay);
         if delay == 0 {
             return self.clone();
@@ -73,7 +73,7 @@ impl Pair {
 
     /// The rows of S and the drift a with z = S x, Delta z_i = z_{i+1}, Delta z_m = u + sum a_i z_i;
     /// none where the pair is not controllable.
-    pub fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
+    pub(super) fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
         let order = self.order();
         let step = self.phi.plus(&-BigRational::one(), &Matrix::identity(order));
         let mut columns = vec![self.gamma.clone()];

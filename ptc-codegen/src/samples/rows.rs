@@ -12,7 +12,7 @@ use crate::algebra::{BigInt, BigRational};
 use crate::code::Expr;
 
 /// row_1..row_m of the gains k_1..k_m and the rate a.
-pub fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
+pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
     let m = gains.len();
     // k_(i+1)/a^(m-i), and 1 for i = m, which are the coefficients of prod (p - p_i) but for signs.
     let mut scaled = vec![Expr::integer(1); m + 1];
@@ -32,13 +32,13 @@ pub fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
 }
 
 /// The rows that stand in for row_j/((M-j+1)...(M-m+1)) at the end: E^m y = 0.
-pub fn deadbeat(m: usize) -> Vec<BigRational> {
+pub(super) fn deadbeat(m: usize) -> Vec<BigRational> {
     (0..m).map(|j| -binomial(m, j)).collect()
 }
 
 /// Samples to go at which deadbeat takes over from the law of order `m`, by the greatest real part
 /// of the exponents p.
-pub fn deadbeat_from(m: usize, greatest: &BigRational) -> BigInt {
+pub(super) fn deadbeat_from(m: usize, greatest: &BigRational) -> BigInt {
     let order = BigInt::from(m);
     (greatest.ceil().to_integer() + &order - BigInt::from(1)).max(order)
 }

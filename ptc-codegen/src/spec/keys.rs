@@ -181,7 +181,7 @@ pub static KEYS: [KeyInfo; 33] = [
     KeyInfo {
         key: "observer_samples",
         meaning: "samples after which the estimates are exact; with clock = samples",
-        legal: "an integer; by default the last with which the controller ends exactly",
+        legal: "an integer; by default half of the samples",
         example: "200",
     },
     KeyInfo {

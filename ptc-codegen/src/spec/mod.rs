@@ -165,6 +165,19 @@ impl Sampled {
         self.observer.is_some()
     }
 
+    /// The least N with which the loop of a plant of order `n` can end at rest.
+    pub fn least_samples(&self, n: usize) -> u32 {
+        let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        let order = count(n + self.delay);
+        match &self.observer {
+            None => order,
+            Some(observer) => match observer.samples {
+                Some(samples) => samples.saturating_add(order),
+                None => 2 * order.max(count(observer.poles.len())),
+            },
+        }
+    }
+
     /// Samples after which the estimates are exact, where they are given.
     pub fn observer_samples(&self) -> Option<u32> {
         self.observer.as_ref().and_then(|observer| observer.samples)

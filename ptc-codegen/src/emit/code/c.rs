@@ -1,9 +1,7 @@
 //! C99.
 
 use super::text::{Level, Lines, Text, length};
-use crate::code::{
-    Access, Code, Expr, Function, Outcomes, Place, Shape, Statement, Status, Test, Variable,
-};
+use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::File;
 use crate::spec::Precision;
 
@@ -53,6 +51,10 @@ impl Text for C<'_> {
 
     fn count_left(&self, a: &str, b: &str) -> (Level, String) {
         (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2U"))
     }
 
     fn real(&self, count: &str) -> (Level, String) {

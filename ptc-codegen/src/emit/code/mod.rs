@@ -6,5 +6,3 @@ mod text;
 
 pub(super) use c::files as c;
 pub(super) use rust::{file as rust, items as rust_items};
-
-pub(super) use text::Text;

@@ -50,6 +50,10 @@ impl Text for Rust<'_> {
         (Level::Atom, format!("{a}{}.saturating_sub({b})", if typed { "_u32" } else { "" }))
     }
 
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2"))
+    }
+
     fn real(&self, count: &str) -> (Level, String) {
         // In brackets wherever it is compared: `<` behind a type opens its arguments.
         (Level::Choice, format!("{count} as {}", self.type_of(Shape::Real)))

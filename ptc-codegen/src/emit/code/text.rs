@@ -49,6 +49,9 @@ pub(in crate::emit) trait Text {
     /// a - b of counts, 0 where b is greater.
     fn count_left(&self, a: &str, b: &str) -> (Level, String);
 
+    /// Half of a count, rounded down.
+    fn count_half(&self, count: &str) -> (Level, String);
+
     /// A count as a floating-point number.
     fn real(&self, count: &str) -> (Level, String);
 
@@ -104,6 +107,7 @@ pub(in crate::emit) trait Text {
             Expr::CountLeft(a, b) => {
                 self.count_left(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
             }
+            Expr::CountHalf(a) => self.count_half(&self.within(a, Level::Atom)),
             Expr::Real(a) => self.real(&self.within(a, Level::Choice)),
             Expr::Choose(test, a, b) => self.choose(
                 &self.test(test),

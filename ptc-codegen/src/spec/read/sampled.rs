@@ -70,7 +70,7 @@ impl Reader<'_> {
         let (measured, disturbance) = (self.measured(spec.n), self.disturbed());
         let estimates = spec.n + 1 - measured + usize::from(disturbance);
         let observes = measured < spec.n || disturbance;
-        spec.clock = Clock::Samples(Sampled {
+        let sampled = Sampled {
             delay,
             gain: if gain.is_zero() { integer(1) } else { gain },
             force: self.force(),
@@ -78,7 +78,18 @@ impl Reader<'_> {
             disturbance,
             greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
             observer: self.observer(spec, observes.then_some(estimates), a.as_ref()),
-        });
+        };
+        let least = sampled.least_samples(spec.n);
+        let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
+        if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
+            let place = self.keys.get("tau").map(|node| node.place);
+            let message = format!("tau is {samples} samples, too few to come to rest");
+            let help = format!(
+                "the loop needs {least} of them: give a longer tau or a shorter sample_time"
+            );
+            self.wrong("tau", place, message, help);
+        }
+        spec.clock = Clock::Samples(sampled);
         self.deadbeat(spec, spec.n + delay);
     }
 
