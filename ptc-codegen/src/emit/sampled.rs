@@ -76,7 +76,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled) -> Vec<String> {
             Some(samples) => format!("{samples}"),
             None => "N/2".to_owned(),
         };
-        lines.push(format!("The estimates are exact from sample {until} after the start on. Afterwards the gains of the observer are held."));
+        lines.push(format!("The estimates are exact from sample {until} after the start on where the measurement is; with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat."));
     }
     lines.push(match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => "u is not clipped.",

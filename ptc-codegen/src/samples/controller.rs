@@ -434,6 +434,15 @@ impl Builder<'_> {
         body
     }
 
+    /// Whether what is measured is known to be inexact.
+    fn is_noisy(&self) -> bool {
+        let promises = &self.spec.promises;
+        let any = |bounds: &[Fixed]| {
+            bounds.iter().any(|b| b.number().is_some_and(|b| *b != BigRational::default()))
+        };
+        any(&promises.noise) || any(&promises.sensor_step)
+    }
+
     /// The gains l1.. of the observer at this sample.
     fn injection(&mut self, pair: &Pair, samples: &Expr) -> Vec<Statement> {
         let order = pair.order();
@@ -467,25 +476,23 @@ impl Builder<'_> {
         let left = observer_samples.clone().count_left(Expr::local("elapsed"));
         body.push(Statement::Let("left_o".to_owned(), Shape::Count, left));
         let from = BigRational::from_integer(switch.clone());
-        let held = match observer_eps {
-            Some(eps) => {
-                let hold = Expr::Number(eps.clone()).div(self.parameter(Parameter::SampleTime));
-                self.keep("hold_o", "samples to go at which the observer is held", hold)
-            }
-            None => {
-                let part = observer_samples.real().div(Expr::integer(HELD_PART));
-                part.max(Expr::Number(&from + integer(1)))
-            }
-        };
-        body.push(Statement::Variable("o0".to_owned(), real));
-        let now = |value| Statement::Set(Place::Local("o0".to_owned()), value);
         let going = Expr::local("left_o").real();
-        if observer_eps.is_some() {
-            body.push(now(going.max(held)));
-        } else {
-            let over = Test::CountEqual(Expr::local("left_o"), Expr::Count(0));
-            body.push(Statement::If(over, vec![now(held)], vec![now(going)]));
-        }
+        let now = match (observer_eps, self.is_noisy()) {
+            (Some(eps), _) => {
+                let hold = Expr::Number(eps.clone()).div(self.parameter(Parameter::SampleTime));
+                let hold = self.keep("hold_o", "samples to go at which the observer is held", hold);
+                going.max(hold)
+            }
+            // Deadbeat for good would pass every quantum of a sensor on.
+            (None, true) => {
+                let part = observer_samples.real().div(Expr::integer(HELD_PART));
+                let held = part.max(Expr::Number(&from + integer(1)));
+                let over = Test::CountEqual(Expr::local("left_o"), Expr::Count(0));
+                Expr::choose(over, held, going)
+            }
+            (None, false) => going,
+        };
+        body.push(Statement::Let("o0".to_owned(), real, now));
         for i in 0..order {
             body.push(Statement::Variable(format!("l{}", i + 1), real));
         }
