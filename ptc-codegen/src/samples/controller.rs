@@ -1,5 +1,7 @@
 //! The controller in samples as one program.
 
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 use num_traits::ToPrimitive;
 
 use super::observer::Injection;

@@ -111,7 +111,7 @@ fn falling(value: &BigRational, m: usize) -> BigRational {
 }
 
 fn signed(power: usize, value: BigRational) -> BigRational {
-    if power % 2 == 0 { value } else { -value }
+    if power.is_multiple_of(2) { value } else { -value }
 }
 
 fn whole(i: usize) -> BigRational {

@@ -5,6 +5,8 @@
 //! powers of p. Stirling numbers of the second kind bring the left side, whose coefficients are the
 //! gains over powers of a, to falling powers.
 
+use std::ops::{Div, Mul};
+
 use num_traits::Zero;
 
 use super::pair::{binomial, factorial};
@@ -23,7 +25,8 @@ pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
     }
     let row = |j: usize| {
         let term = |i: usize| {
-            let signed = if (i + j) % 2 == 0 { stirling(i, j - 1) } else { -stirling(i, j - 1) };
+            let signed =
+                if (i + j).is_multiple_of(2) { stirling(i, j - 1) } else { -stirling(i, j - 1) };
             Expr::Number(signed).mul(scaled[i].clone())
         };
         Expr::sum((j - 1..=m).map(term))
@@ -49,7 +52,7 @@ fn stirling(n: usize, k: usize) -> BigRational {
     let term = |i: usize| {
         let power = num_traits::pow(BigRational::from_integer(BigInt::from(i)), n);
         let term = binomial(k, i) * power;
-        if (k - i) % 2 == 0 { term } else { -term }
+        if (k - i).is_multiple_of(2) { term } else { -term }
     };
     (0..=k).map(term).fold(BigRational::zero(), |sum, term| sum + term) / factorial(k)
 }

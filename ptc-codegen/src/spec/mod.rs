@@ -137,7 +137,7 @@ pub enum Clock {
     /// Time t.
     Time,
     /// The number of the sample.
-    Samples(Sampled),
+    Samples(Box<Sampled>),
 }
 
 /// What a controller in samples knows beside the law.

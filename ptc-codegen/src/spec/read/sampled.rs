@@ -89,7 +89,7 @@ impl Reader<'_> {
             );
             self.wrong("tau", place, message, help);
         }
-        spec.clock = Clock::Samples(sampled);
+        spec.clock = Clock::Samples(Box::new(sampled));
         self.deadbeat(spec, spec.n + delay);
     }
 
