@@ -6,9 +6,10 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{After, Parameter, Precision, Spec};
+use ptc_codegen::spec::{After, Spec};
 use support::program::{self, Record, in_c, in_rust};
 use support::random::Random;
 use support::specs::{rounded, spec};

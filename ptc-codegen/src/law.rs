@@ -129,10 +129,10 @@ fn exponent(value: usize) -> u32 {
 mod tests {
     use super::*;
     use crate::algebra::text;
-    use crate::mapping::Family;
+    use crate::family::Family;
 
     fn rows_of(family: Family, n: usize) -> Vec<String> {
-        match Law::new(n, &family.mapping(0), None).form {
+        match Law::new(n, &Mapping::of(family, 0), None).form {
             Form::Rows { rows, .. } => rows.iter().map(text).collect(),
             Form::Series | Form::State => Vec::new(),
         }
@@ -164,7 +164,7 @@ mod tests {
     fn a_sum_is_a_polynomial_in_one_quantity() {
         assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
         for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
-            let mapping = family.mapping(0);
+            let mapping = Mapping::of(family, 0);
             let Form::Rows { rows, .. } = Law::new(5, &mapping, None).form else {
                 panic!("r_1 of {family:?} is a single term");
             };

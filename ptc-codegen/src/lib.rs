@@ -11,16 +11,20 @@
 
 pub mod algebra;
 pub mod check;
+pub mod controller;
 pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
 pub mod expression;
+pub mod family;
 pub mod internal;
+pub mod keys;
 pub mod law;
 pub mod limits;
 pub mod lower;
 pub mod mapping;
+pub mod parameter;
 pub mod plant;
 #[cfg(feature = "simulation")]
 pub mod plot;
@@ -30,15 +34,17 @@ pub mod selftest;
 #[cfg(feature = "simulation")]
 pub mod simulate;
 pub mod spec;
+pub mod syntax;
 #[cfg(feature = "campaign")]
 pub mod synthesis;
 #[cfg(feature = "campaign")]
 pub mod verify;
 
 use check::examine::examine;
+use controller::Controller;
+use controller::measured::Measured;
 use diagnostic::{Diagnostic, Diagnostics};
-use emit::measured::Measured;
-use emit::{Controller, File, Language, Project};
+use emit::{File, Language, Project};
 use internal::guarded;
 use law::Law;
 use program::{Op, Program, number, passes};

@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use ptc_codegen::design::{self, Quote};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::{self, Entry, KEYS, Value};
+use ptc_codegen::keys::KEYS;
+use ptc_codegen::spec::{self, Entry};
+use ptc_codegen::syntax::Value;
 
 /// The entries, the mistakes, and the text at each place.
 fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>, Vec<&str>) {

@@ -3,7 +3,7 @@
 use std::fs;
 
 use anyhow::{Context as _, Result, anyhow};
-use ptc_codegen::emit::measured::{HEAD, Measured};
+use ptc_codegen::controller::measured::{HEAD, Measured};
 use ptc_codegen::spec::Spec;
 
 use super::seeded::put_in;

@@ -4,6 +4,7 @@
 //! decidable, simplification is arithmetic, and Horner forms fall out of the exponents.
 
 mod poly;
+pub mod polynomial;
 mod rational;
 mod render;
 mod symbol;

@@ -2,8 +2,8 @@
 
 use num_traits::{Signed, Zero};
 
-use super::polynomial::Polynomial;
 use crate::algebra::BigRational;
+use crate::algebra::polynomial::Polynomial;
 
 /// Whether every root has a negative real part: every pivot of the Routh array has the sign of the
 /// leading coefficient. A zero pivot means a root on or right of the imaginary axis. 0 is not

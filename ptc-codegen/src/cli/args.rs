@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, FromArgMatches, Parser, Subcommand, ValueEnum};
 use ptc_codegen::emit::{Language, Project};
+use ptc_codegen::keys::{KEYS, KeyInfo};
 use ptc_codegen::program::passes::PASSES;
-use ptc_codegen::spec::{KEYS, KeyInfo};
 
 use super::engine::Engine;
 use super::report::{quoted, with_exit_codes};

@@ -3,8 +3,8 @@
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
+use ptc_codegen::controller::measured::Measured;
 use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::emit::measured::Measured;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::spec::Spec;
 use ptc_codegen::{generate_measured, generate_selftest, generate_with_proof, project};

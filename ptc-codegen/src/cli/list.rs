@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use ptc_codegen::mapping::{FAMILIES, FamilyInfo};
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::family::{FAMILIES, FamilyInfo};
+use ptc_codegen::parameter::Parameter;
+use ptc_codegen::spec::Spec;
 use serde_json::{Value, json};
 
 use super::args::ListFormat;

@@ -7,9 +7,10 @@ use super::declared::linear;
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion::{self, Expanded};
 use crate::expression::Subject;
+use crate::family::FamilyInfo;
 use crate::law::Form as LawForm;
-use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
-use crate::spec::{Feedback, Spec, TimeMapping};
+use crate::mapping::{Custom, Form, Mapping, TimeMapping};
+use crate::spec::{Feedback, Spec};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;
@@ -27,7 +28,7 @@ pub(super) fn mapping(controller: &Controller<'_>) -> Vec<String> {
     ];
     let own = match &spec.time_mapping {
         TimeMapping::Family { family, rates } => {
-            closed_forms(spec, family.info(), &family.mapping(*rates))
+            closed_forms(spec, family.info(), &Mapping::of(*family, *rates))
         }
         TimeMapping::Custom(custom) => as_given(custom, spec.expanded.as_ref()),
     };

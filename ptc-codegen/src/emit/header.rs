@@ -1,13 +1,14 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::measured::Measured;
 use super::{Controller, Language, formulas};
 use crate::check::examine::held_period;
 use crate::check::{Verdict, digits};
+use crate::controller::measured::Measured;
 use crate::expression::Function;
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
-use crate::spec::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
+use crate::spec::{After, Feedback, Guard, Spec, What};
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {

@@ -10,7 +10,7 @@ use super::print::Syntax;
 use super::python::Python;
 use super::rust::Rust;
 use super::st::StructuredText;
-use crate::mapping::Family;
+use crate::family::Family;
 use crate::spec::Spec;
 
 /// How one operation, on operands called a and b, is written.

@@ -31,9 +31,11 @@ pub(super) fn lower(spec: &Spec) -> Option<Program> {
 mod tests {
     use crate::diagnostic::Place;
     use crate::law::Law;
+    use crate::parameter::Parameter;
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
-    use crate::spec::{Entry, Parameter, parse, read};
+    use crate::spec::{Entry, read};
+    use crate::syntax::parse;
 
     /// xi_2' at t = 0.9 with t0 = 0.2, tau = 2, a = 0.75, m = 1.5, rates 0.75 and 2.
     fn rate(mapping: (&str, &str), law: (&str, &str), f: f64, xi: [f64; 2]) -> f64 {

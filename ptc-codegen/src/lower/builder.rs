@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::algebra::{BigRational, Symbol, integer};
 use crate::expression::Expression;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::passes::append;
 use crate::program::{Input, Limits, Op, Program, Stage, Value};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::spec::Spec;
 
 use super::mapping::Taylor;
 

@@ -131,7 +131,7 @@ impl Builder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mapping::Family;
+    use crate::family::Family;
     use crate::program::Input;
     use crate::spec::Spec;
 

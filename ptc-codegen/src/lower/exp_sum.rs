@@ -6,8 +6,8 @@ use super::mapping::Taylor;
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
 use crate::expansion::bell::factorials;
 use crate::expression::Function;
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Root, Value};
-use crate::spec::{Parameter, Precision};
 
 /// Bound on the rounds of the iteration. It converges in two or three; the bracket halves at
 /// worst, and the bound is what a certifier counts.

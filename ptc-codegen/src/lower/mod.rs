@@ -27,8 +27,9 @@ use rows::{Factor, Rows, factor};
 
 use crate::algebra::Poly;
 use crate::law::{Form, Law};
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{After, Fixed, Guard, Parameter, Spec, What};
+use crate::spec::{After, Guard, Spec, What};
 
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
@@ -40,11 +41,6 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
         return program;
     }
     controller(spec, law)
-}
-
-/// Whether the associated system can be lowered: mu must be found in closed form.
-pub fn has_associated(spec: &Spec) -> bool {
-    spec.time_mapping.complement().is_some()
 }
 
 fn controller(spec: &Spec, law: &Law) -> Program {

@@ -8,8 +8,9 @@ use super::plant::Motion;
 use super::solver::{First, State};
 use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
+use crate::parameter::Parameter;
 use crate::plant::Plant;
-use crate::spec::{Parameter, Spec};
+use crate::spec::Spec;
 
 /// What the loop around the controller is like.
 #[derive(Clone, Debug, PartialEq)]

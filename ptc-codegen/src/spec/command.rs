@@ -1,10 +1,12 @@
 //! The command line that gives a spec.
 
-use super::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, TimeMapping, What};
+use super::{After, Feedback, Guard, Spec, What};
 use crate::algebra::BigRational;
 use crate::expansion::Expanded;
 use crate::expression::Subject;
-use crate::mapping::Family;
+use crate::family::Family;
+use crate::mapping::TimeMapping;
+use crate::parameter::{Fixed, Parameter, Precision};
 
 impl Spec {
     /// The command line (without the program's name and `--lang`) that gives this spec.

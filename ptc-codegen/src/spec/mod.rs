@@ -1,29 +1,21 @@
 //! What the user asked for. Every front end ends in a [`Spec`].
 
 mod command;
-mod keys;
-mod name;
-mod parameter;
-mod parse;
+mod poles;
 mod read;
-mod reserved;
-mod value;
 
-pub use keys::{KEYS, KeyInfo};
-pub use name::Name;
-pub use parameter::{Domain, Fixed, Parameter};
-pub use parse::parse;
+pub use poles::{Pole, PoleError, gains};
+pub(crate) use read::known;
 pub use read::{Entry, read};
-pub(crate) use read::{known, real};
-pub(crate) use value::shorten;
-pub use value::{Argument, Node, Operator, Value, number};
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::BigRational;
 use crate::expansion::{ClosedForms, Expanded};
 use crate::expression::{Expression, Variable};
-use crate::mapping::{Custom, Family, Mapping};
+use crate::family::Family;
+use crate::mapping::{Custom, Mapping, TimeMapping};
+use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
 /// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
@@ -31,25 +23,6 @@ pub const MAX_ORDER: usize = 16;
 
 /// Largest number of rates of `exp_sum`.
 pub const MAX_RATES: usize = 16;
-
-/// Floating-point type of the emitted code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Precision {
-    /// IEEE 754 binary32.
-    F32,
-    /// IEEE 754 binary64.
-    F64,
-}
-
-impl Precision {
-    /// Its name, as a key's value and in messages.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::F64 => "f64",
-        }
-    }
-}
 
 /// Which run-time checks of the inputs of `step` are emitted. A result that is not finite is
 /// [`PTC_E_RANGE`](crate::emit) under each of them.
@@ -61,20 +34,6 @@ pub enum Guard {
     Result,
     /// Inputs and pointers are trusted.
     None,
-}
-
-/// The time mapping of a controller.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum TimeMapping {
-    /// One of the families.
-    Family {
-        /// The family.
-        family: Family,
-        /// Number of rates of `exp_sum`; 0 for the other families.
-        rates: usize,
-    },
-    /// A mapping that the user wrote down.
-    Custom(Custom),
 }
 
 /// The law pi0(xi, t) of the infinite-time system.
@@ -306,31 +265,8 @@ impl Spec {
     /// The time mapping as a differential ring; none for one that the user wrote down.
     pub fn ring(&self) -> Option<Mapping> {
         match self.time_mapping {
-            TimeMapping::Family { family, rates } => Some(family.mapping(rates)),
+            TimeMapping::Family { family, rates } => Some(Mapping::of(family, rates)),
             TimeMapping::Custom(_) => None,
         }
     }
-}
-
-impl TimeMapping {
-    /// Its own parameters, beside tau.
-    pub fn parameters(&self) -> Vec<Parameter> {
-        match self {
-            Self::Family { family: Family::ExpSum, rates } => {
-                (1..=*rates).map(Parameter::Rate).collect()
-            }
-            Self::Family { family: Family::Power, .. } => vec![Parameter::A, Parameter::M],
-            Self::Family { .. } => vec![Parameter::A],
-            Self::Custom(_) => Vec::new(),
-        }
-    }
-}
-
-/// The name of the Rust type for a controller's name.
-pub fn type_name(name: &str) -> String {
-    let capitalised = |word: &str| {
-        let mut letters = word.chars();
-        letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str())
-    };
-    name.split('_').filter_map(capitalised).collect()
 }

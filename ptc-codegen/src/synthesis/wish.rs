@@ -7,7 +7,9 @@ use super::probe::Refused;
 use crate::check::examine::{decay, examine};
 use crate::check::{digits, poles};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::spec::{self, Entry, Feedback, Fixed, Parameter, Spec, Value, number, parse};
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::{self, Entry, Feedback, Spec};
+use crate::syntax::{Value, number, parse};
 use crate::verify::{self, Campaign};
 
 /// A design file of which the mapping, the law and eps may be missing.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use ptc_codegen::mapping::Family;
+use ptc_codegen::family::Family;
 use ptc_codegen::spec::Spec;
 
 use super::{MODES, analyse};

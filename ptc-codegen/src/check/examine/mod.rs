@@ -20,11 +20,12 @@ use super::{Outcome, Verdict};
 use crate::check::deadline::{ClosedLoop, deadline};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::effort::bounded;
+use crate::family::Family;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::mapping::Family;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::spec::{Feedback, Fixed, Parameter, Spec, What};
+use crate::spec::{Feedback, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -71,7 +72,7 @@ impl Report {
             let fix = outcome.fix.as_ref().map(|fix| format!("{fix}; ")).unwrap_or_default();
             found.push(
                 outcome.name,
-                self.spec.key_of(outcome.name),
+                deciding_key(&self.spec, outcome.name),
                 None,
                 outcome.summary.clone(),
                 format!("{fix}`allow` = {} lets it pass", outcome.name),
@@ -309,18 +310,16 @@ fn envelope(spec: &Spec) -> Outcome {
     Outcome::from(&scan(&program, &input, eps, tau, pieces.ceil() as u32))
 }
 
-impl Spec {
-    /// The key of the spec that decides a check.
-    fn key_of(&self, check: &str) -> &'static str {
-        match check {
-            "membership" if self.custom().is_some_and(|c| c.subject.key() == "kappa") => "kappa",
-            "membership" => "mu",
-            "growth" if !self.poles.is_empty() => "poles",
-            "growth" => "gains",
-            "envelope" => "x_max",
-            _ if self.fixed.contains_key(&Parameter::Eps) => "eps",
-            "sampling" => "sample_time",
-            _ => "error",
-        }
+/// The key of the spec that decides a check.
+fn deciding_key(spec: &Spec, check: &str) -> &'static str {
+    match check {
+        "membership" if spec.custom().is_some_and(|c| c.subject.key() == "kappa") => "kappa",
+        "membership" => "mu",
+        "growth" if !spec.poles.is_empty() => "poles",
+        "growth" => "gains",
+        "envelope" => "x_max",
+        _ if spec.fixed.contains_key(&Parameter::Eps) => "eps",
+        "sampling" => "sample_time",
+        _ => "error",
     }
 }

@@ -5,9 +5,10 @@ use std::cell::RefCell;
 use super::known::to_f64;
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Program, passes};
-use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
+use crate::spec::{After, Feedback, Guard, Spec, What};
 
 /// A linear design with all its numbers.
 pub(crate) struct Numbers<'a> {

@@ -4,7 +4,8 @@ use super::known::{lacking, to_f64};
 use super::numbers::Numbers;
 use crate::check::sampling::is_stable;
 use crate::check::{middle, to_f64 as count};
-use crate::spec::{Parameter, Spec};
+use crate::parameter::Parameter;
+use crate::spec::Spec;
 
 /// Ratio of neighbouring periods of the search.
 const STEP: f64 = 1.02;

@@ -6,8 +6,9 @@ use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::Parameter;
 use crate::program::{Input, Program, Stage, number, passes};
-use crate::spec::{After, Parameter, Spec};
+use crate::spec::{After, Spec};
 
 /// The rows of gains of samples 0..=`last` with period `h`, the last ones held from there on; none
 /// where a value of the program is not enclosed.

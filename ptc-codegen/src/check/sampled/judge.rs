@@ -12,7 +12,8 @@ use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::Spec;
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;

@@ -5,7 +5,8 @@ use num_traits::ToPrimitive;
 use super::judge::{Loop, Worst};
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, digits, list};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::Spec;
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";

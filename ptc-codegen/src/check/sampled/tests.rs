@@ -5,8 +5,10 @@ use super::gains::gains;
 use super::worst::{Sampled, Signals};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::mapping::Family;
-use crate::spec::{Fixed, Parameter, Spec, number};
+use crate::family::Family;
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::Spec;
+use crate::syntax::number;
 
 /// Loops in 50-digit arithmetic: `tests/data/sampled_loops.json`.
 const LOOPS: &str = include_str!("../../../../tests/data/sampled_loops.json");

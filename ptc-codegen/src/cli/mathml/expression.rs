@@ -3,7 +3,7 @@
 use num_traits::{Signed, ToPrimitive};
 use ptc_codegen::algebra::{BigRational, integer};
 use ptc_codegen::expression::{Expression, Function, Variable};
-use ptc_codegen::spec::Parameter;
+use ptc_codegen::parameter::Parameter;
 
 use super::{
     APPLIED, Math, applied, fenced, fraction, name, number, operator, relation, root, row,

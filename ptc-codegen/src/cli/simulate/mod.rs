@@ -6,9 +6,10 @@ mod page;
 mod picture;
 mod run;
 
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::simulate::{Cause, Failure as Ended, Values};
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::spec::Spec;
 
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;

@@ -1,7 +1,8 @@
 //! The report of the runs.
 
+use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{Fixed, Parameter, Spec};
+use ptc_codegen::spec::Spec;
 
 use super::Simulate;
 use super::picture::figure;

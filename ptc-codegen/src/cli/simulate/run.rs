@@ -1,10 +1,11 @@
 //! One run for one tau, kept for the CSV and the picture.
 
 use ptc_codegen::check::examine::examine;
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
 use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::spec::Spec;
 
 use super::input::Asked;
 use super::{complete, ended};

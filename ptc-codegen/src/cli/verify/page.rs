@@ -1,7 +1,7 @@
 //! The report of a verification.
 
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
-use ptc_codegen::spec::Parameter;
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
 use super::Verify;

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use num_traits::Zero;
 
-use super::{FixedValues, Reader, constant, items, shown};
+use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
-use crate::check::poles;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
-use crate::spec::{Feedback, Fixed, Node, Parameter, Value};
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::{Feedback, Pole, gains};
+use crate::syntax::{Node, Value, constant};
 
 /// What the keys of the law say.
 pub(super) struct Law {
@@ -114,9 +115,8 @@ impl Reader<'_> {
         if poles.len() != items.len() {
             return nothing;
         }
-        let of =
-            |(re, im): &(BigRational, BigRational)| poles::Pole { re: re.clone(), im: im.clone() };
-        match poles::gains(&poles.iter().map(of).collect::<Vec<_>>()) {
+        let of = |(re, im): &(BigRational, BigRational)| Pole { re: re.clone(), im: im.clone() };
+        match gains(&poles.iter().map(of).collect::<Vec<_>>()) {
             Ok(gains) => (poles, fixed(gains)),
             Err(wrong) => {
                 self.wrong(

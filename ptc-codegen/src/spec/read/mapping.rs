@@ -1,10 +1,13 @@
 //! The time mapping: a family with its parameters, or an expression.
 
-use super::{Reader, constant, count, shown, suggestion};
-use crate::diagnostic::near_miss;
+use super::{Reader, count, shown, suggestion};
+use crate::diagnostic::{near_miss, shorten};
 use crate::expression::{Expression, Function, Scope, Subject, resolve};
-use crate::mapping::{Custom, FAMILIES, Family, FamilyInfo};
-use crate::spec::{Argument, Fixed, MAX_RATES, Node, Parameter, TimeMapping, Value, shorten};
+use crate::family::{FAMILIES, Family, FamilyInfo};
+use crate::mapping::{Custom, TimeMapping};
+use crate::parameter::{Fixed, Parameter};
+use crate::spec::MAX_RATES;
+use crate::syntax::{Argument, Node, Value, real};
 
 /// A mapping with the values of its own parameters as far as they are fixed.
 type Read = (TimeMapping, Vec<(Parameter, Fixed)>);
@@ -183,7 +186,7 @@ fn computed(info: &FamilyInfo, arguments: &[Argument]) -> bool {
     let expression = |argument: &Argument| {
         let value = &argument.value.value;
         matches!(value, Value::Word(_) | Value::Call(..) | Value::Negative(_) | Value::Binary(..))
-            && constant::real(&argument.value).is_none()
+            && real(&argument.value).is_none()
     };
     arguments.iter().all(own) && arguments.iter().any(expression)
 }

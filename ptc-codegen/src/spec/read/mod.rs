@@ -1,27 +1,23 @@
 //! From keys and values to a [`Spec`]: all mistakes at once, none left for later stages.
 
-mod constant;
 mod law;
 mod mapping;
 mod parameters;
 
 use std::collections::BTreeMap;
 
-pub(crate) use constant::real;
 pub(crate) use parameters::known;
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::{
-    After, Fixed, Guard, KEYS, KeyInfo, MAX_ORDER, Node, Parameter, Precision, Promises, Spec,
-    TimeMapping, Value, What, reserved::is_reserved, reserved::reason, shorten,
-};
+use super::{After, Guard, MAX_ORDER, Promises, Spec, What};
 use crate::algebra::BigRational;
-use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
-use crate::lower::has_associated;
-
-/// The checks that may be allowed to fail.
-pub(super) use crate::check::CHECKS;
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
+use crate::family::Family;
+use crate::keys::{CHECKS, KEYS, KeyInfo};
+use crate::mapping::TimeMapping;
+use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
+use crate::syntax::{Node, Value, real};
 
 /// Most samples of delay.
 const MAX_DELAY: usize = 16;
@@ -170,7 +166,7 @@ impl<'a> Reader<'a> {
     /// The infinite-time system needs mu, and checks every input.
     fn associated(&mut self, spec: &mut Spec) {
         spec.guard = Guard::Full;
-        if !has_associated(spec) {
+        if spec.time_mapping.complement().is_none() {
             let place = self.keys.get("what").map(|node| node.place);
             let message = "no closed form of mu is found from this kappa".to_owned();
             let help = "the infinite-time system holds mu'(t): give the mapping as mu";
@@ -215,7 +211,7 @@ impl<'a> Reader<'a> {
     }
 
     fn delay(&mut self, node: &Node) -> Option<usize> {
-        let value = constant::real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
+        let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
         if value.is_none() {
             let message = format!("delay = {} is no number of samples", shown(&node.value));
             let help = format!("delay is an integer 0..={MAX_DELAY}");
@@ -374,7 +370,7 @@ impl<'a> Reader<'a> {
 }
 
 /// Stands in for a mapping that could not be read while the rest of the spec is.
-const UNREAD: TimeMapping = TimeMapping::Family { family: crate::mapping::Family::Exp, rates: 0 };
+const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
 
 /// The items of a list, or the one value that stands alone.
 fn items(node: &Node) -> &[Node] {
@@ -385,11 +381,11 @@ fn items(node: &Node) -> &[Node] {
 }
 
 fn finite_positive(node: &Node) -> Option<Fixed> {
-    constant::real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
+    real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
 }
 
 fn not_negative(node: &Node) -> Option<Fixed> {
-    constant::real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
+    real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
 }
 
 /// An integer from 0 to `most`.

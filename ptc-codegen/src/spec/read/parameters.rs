@@ -2,10 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use super::{FixedValues, Reader, constant, shown, suggestion};
-use crate::diagnostic::near_miss;
+use super::{FixedValues, Reader, shown, suggestion};
+use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
-use crate::spec::{Feedback, Fixed, KeyInfo, Node, Parameter, Precision, Spec, Value, shorten};
+use crate::keys::KeyInfo;
+use crate::parameter::{Fixed, Parameter, Precision};
+use crate::spec::{Feedback, Spec};
+use crate::syntax::{Node, Value, real};
 
 /// The parameters that every controller has.
 const COMMON: [Parameter; 4] =
@@ -124,7 +127,7 @@ impl Reader<'_> {
             return;
         }
         let domain = spec.domain(parameter);
-        let admitted = |node: &Node| constant::real(node).filter(|value| domain.admits(value));
+        let admitted = |node: &Node| real(node).filter(|value| domain.admits(value));
         match &node.value {
             Value::List(items) => {
                 if let [least, greatest] = items.as_slice()
@@ -161,7 +164,7 @@ impl Reader<'_> {
         parameter: Parameter,
         node: &Node,
     ) -> Option<Fixed> {
-        let value = constant::real(node).filter(|value| parameter.domain().admits(value));
+        let value = real(node).filter(|value| parameter.domain().admits(value));
         if value.is_some() {
             return value;
         }

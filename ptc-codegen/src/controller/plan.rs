@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expression::Function;
+use crate::parameter::Parameter;
 use crate::program::{Input, Op, Program, Stage, Value};
-use crate::spec::Parameter;
 
 /// The emitted functions that compute something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Routine {
+pub(crate) enum Routine {
     /// Parameters to fields.
     Init,
     /// Start time to fields.
@@ -23,15 +23,15 @@ pub(super) enum Routine {
 
 /// A field of the controller.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Field {
+pub(crate) struct Field {
     /// The value it keeps.
-    pub(super) value: Value,
+    pub(crate) value: Value,
     /// Its name.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Its meaning.
-    pub(super) meaning: String,
+    pub(crate) meaning: String,
     /// Whether `arm` sets it (else `init` does).
-    pub(super) armed: bool,
+    pub(crate) armed: bool,
 }
 
 /// What one call computes together: the stages between two sets of fields.
@@ -44,7 +44,7 @@ enum Phase {
 
 impl Routine {
     /// Every one.
-    pub(super) const ALL: [Self; 5] = [Self::Init, Self::Arm, Self::Step, Self::Tick, Self::Axis];
+    pub(crate) const ALL: [Self; 5] = [Self::Init, Self::Arm, Self::Step, Self::Tick, Self::Axis];
 }
 
 impl Phase {
@@ -58,17 +58,17 @@ impl Phase {
 }
 
 /// The layout of a program in an emitted file.
-pub(super) struct Plan<'a> {
+pub(crate) struct Plan<'a> {
     /// The program.
-    pub(super) program: &'a Program,
+    pub(crate) program: &'a Program,
     /// The fields, in order of computation.
-    pub(super) fields: Vec<Field>,
+    pub(crate) fields: Vec<Field>,
     names: BTreeMap<Value, String>,
 }
 
 impl<'a> Plan<'a> {
     /// The plan of `program`, whose names `rename` makes those of the language.
-    pub(super) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
+    pub(crate) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
         let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
         for (index, definition) in program.values.iter().enumerate() {
             let name = match (&definition.name, &definition.op) {
@@ -112,17 +112,17 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether a value is written as a literal wherever it is used.
-    pub(super) fn is_literal(&self, value: Value) -> bool {
+    pub(crate) fn is_literal(&self, value: Value) -> bool {
         matches!(self.program.get(value).op, Op::Number(_))
     }
 
     /// Name of a value that has one.
-    pub(super) fn name(&self, value: Value) -> Option<&str> {
+    pub(crate) fn name(&self, value: Value) -> Option<&str> {
         self.names.get(&value).map(String::as_str)
     }
 
     /// What `function` must compute.
-    pub(super) fn roots(&self, function: Routine) -> Vec<Value> {
+    pub(crate) fn roots(&self, function: Routine) -> Vec<Value> {
         match function {
             Routine::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
             Routine::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
@@ -152,7 +152,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether `function` calls a function of the mathematical library.
-    pub(super) fn calls_library(&self, function: Routine) -> bool {
+    pub(crate) fn calls_library(&self, function: Routine) -> bool {
         let own = |op: &Op| matches!(op, Op::Call(Function::Abs | Function::Sign, _));
         self.computed(function).into_iter().any(|value| {
             let op = &self.program.get(value).op;
@@ -161,7 +161,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether `function` reads `value` from a field instead of computing it.
-    pub(super) fn is_field(&self, function: Routine, value: Value) -> bool {
+    pub(crate) fn is_field(&self, function: Routine, value: Value) -> bool {
         let own = match function {
             Routine::Init => Phase::Init,
             Routine::Arm => Phase::Arm,
@@ -172,7 +172,7 @@ impl<'a> Plan<'a> {
 }
 
 /// Name of a parameter as a local value, in every language.
-pub(super) fn parameter_name(parameter: Parameter) -> String {
+pub(crate) fn parameter_name(parameter: Parameter) -> String {
     match parameter {
         Parameter::Gain(i) => format!("k{i}"),
         Parameter::Rate(i) => format!("a{i}"),

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use astro_float_num::Consts;
 
-use crate::expression::interval::Interval;
-use crate::expression::{Expression, Function};
+use super::interval::Interval;
+use super::{Expression, Function};
 
 /// Most work for one mapping, in operations on intervals: well below a second.
 const MAX_OPERATIONS: usize = 60_000;

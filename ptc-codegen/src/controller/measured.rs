@@ -63,7 +63,7 @@ impl Measured {
     }
 
     /// As a line of the head.
-    pub(super) fn told(&self) -> String {
+    pub(crate) fn told(&self) -> String {
         let Self { target, instructions, stack, code, .. } = self;
         format!(
             "  {target}: {instructions} instructions, {stack} bytes of stack, {code} bytes of code"

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, Zero};
 
-use crate::algebra::{BigInt, BigRational};
+use super::{BigInt, BigRational};
 
 /// A polynomial; its coefficients in ascending order, the last of which is not 0.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,12 +1,18 @@
 //! Values as they are written: `3`, `1e-3`, `inf`, `exp`, `power(m=2)`, `[0.5, 1.5]`, `-1+2i`,
 //! `tau*(1 - exp(-a*t))`.
 
-use num_traits::{One, Zero};
+pub(crate) mod constant;
+mod parse;
 
-use super::Fixed;
+pub(crate) use constant::real;
+pub use parse::parse;
+
+use num_traits::Zero;
+
 use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::Place;
 use crate::limits::{DIGITS, EXPONENT};
+use crate::parameter::Fixed;
 
 /// A value and the place where it was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +68,7 @@ pub struct Argument {
 
 /// Reads a decimal number exactly; `None` if it is none. Its exponent is bounded, so that a few
 /// characters cannot ask for a number of a million digits.
-pub(super) fn decimal(text: &str) -> Option<BigRational> {
+fn decimal(text: &str) -> Option<BigRational> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
@@ -92,21 +98,6 @@ pub(super) fn decimal(text: &str) -> Option<BigRational> {
 pub fn number(text: &str) -> Option<Fixed> {
     let text = text.strip_prefix('+').unwrap_or(text);
     decimal(text).map(|value| Fixed::Number { value, text: text.to_owned() })
-}
-
-impl From<i32> for Fixed {
-    fn from(value: i32) -> Self {
-        let one = BigRational::one();
-        Self::Number { value: one * BigInt::from(value), text: value.to_string() }
-    }
-}
-
-/// The first characters of a long text.
-pub(crate) fn shorten(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The keys of a spec: one table that feeds the reader, the help, the docs and the diagnostics.
+//! The keys of a design: tables that feed the reader, the help, the docs and the diagnostics.
 
 /// A key of a spec.
 #[derive(Clone, Copy, Debug)]
@@ -161,6 +161,25 @@ pub static KEYS: [KeyInfo; 25] = [
         example: "growth",
     },
 ];
+
+/// The keys of the table `[plant]` that are no symbols.
+pub static PLANT_KEYS: [KeyInfo; 2] = [
+    KeyInfo {
+        key: "f",
+        meaning: "what moves the plant xn' = f + g*u beside its input; 0 where it is not given",
+        legal: "an expression in x1..xn, u and t",
+        example: "-0.4*x2 + 0.1*sin(3*t)",
+    },
+    KeyInfo {
+        key: "g",
+        meaning: "true input gain of the plant; that of the controller where it is not given",
+        legal: "an expression in x1..xn and t",
+        example: "0.8",
+    },
+];
+
+/// The names of the checks, in the order in which they are run: the values of `allow`.
+pub const CHECKS: [&str; 6] = ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
 
 impl KeyInfo {
     /// The table of a design file that holds the key; none for the top level.

@@ -1,11 +1,35 @@
-//! The parameters of a controller, their domains and their fixed values.
+//! The parameters of a controller, their names, domains and fixed values.
+
+mod name;
+mod reserved;
+
+pub use name::{Name, type_name};
+pub(crate) use reserved::{is_reserved, reason};
 
 use std::fmt;
 
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Name, Precision};
-use crate::algebra::{BigRational, Kind, Symbol};
+use crate::algebra::{BigInt, BigRational, Kind, Symbol};
+
+/// Floating-point type of the emitted code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Precision {
+    /// IEEE 754 binary32.
+    F32,
+    /// IEEE 754 binary64.
+    F64,
+}
+
+impl Precision {
+    /// Its name, as a key's value and in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+}
 
 /// A parameter: left to run time, or fixed when the code is generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -205,6 +229,13 @@ impl Fixed {
                 !rounded.is_finite() || (rounded == 0.0 && !value.is_zero())
             }
         }
+    }
+}
+
+impl From<i32> for Fixed {
+    fn from(value: i32) -> Self {
+        let one = BigRational::one();
+        Self::Number { value: one * BigInt::from(value), text: value.to_string() }
     }
 }
 

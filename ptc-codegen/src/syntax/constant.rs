@@ -2,15 +2,15 @@
 
 use num_traits::{ToPrimitive, Zero};
 
+use super::{Node, Operator, Value, decimal};
 use crate::algebra::BigRational;
-use crate::spec::value::decimal;
-use crate::spec::{Fixed, Node, Operator, Value};
+use crate::parameter::Fixed;
 
 /// A complex number, exact.
 type Complex = (BigRational, BigRational);
 
 /// The number that `node` stands for; none where it is no constant.
-pub(super) fn complex(node: &Node) -> Option<Complex> {
+pub(crate) fn complex(node: &Node) -> Option<Complex> {
     let real = |value: &Fixed| value.number().cloned();
     match &node.value {
         Value::Number(value) => Some((real(value)?, BigRational::zero())),
@@ -42,7 +42,7 @@ pub(crate) fn real(node: &Node) -> Option<Fixed> {
 }
 
 /// A spelling of an exact number: its decimals where they end soon, else a ratio.
-pub(super) fn text(value: &BigRational) -> String {
+pub(crate) fn text(value: &BigRational) -> String {
     let scaled = value * BigRational::from_integer(1_000_000_000.into());
     match (value.is_integer(), scaled.is_integer(), value.to_f64()) {
         // A double holds 17 digits; the spelling is to be exact.

@@ -1,4 +1,4 @@
-//! Names that users give to parameters.
+//! Names that users give to parameters and controllers.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -45,6 +45,15 @@ impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.0)
     }
+}
+
+/// The name of the Rust type for a controller's name.
+pub fn type_name(name: &str) -> String {
+    let capitalised = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str())
+    };
+    name.split('_').filter_map(capitalised).collect()
 }
 
 #[cfg(test)]

@@ -55,12 +55,12 @@ pub(super) fn is_word(word: &str) -> bool {
 }
 
 /// Whether `word` cannot name a controller.
-pub(super) fn is_reserved(word: &str) -> bool {
+pub(crate) fn is_reserved(word: &str) -> bool {
     reason(word).is_some()
 }
 
 /// Why `word`, an identifier, cannot name a controller; none where it can.
-pub(super) fn reason(word: &str) -> Option<&'static str> {
+pub(crate) fn reason(word: &str) -> Option<&'static str> {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
     let unnumbered = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');

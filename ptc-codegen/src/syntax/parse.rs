@@ -11,10 +11,10 @@
 
 use std::ops::Range;
 
-use super::value::shorten;
-use super::{Argument, Fixed, Node, Operator, Value, number};
-use crate::diagnostic::{Diagnostic, LARGE, Place};
+use super::{Argument, Node, Operator, Value, number};
+use crate::diagnostic::{Diagnostic, LARGE, Place, shorten};
 use crate::limits::{HEIGHT, Limit, NESTING, TEXT};
+use crate::parameter::Fixed;
 
 /// Parses the text of one value. `place` makes a place of a byte range of the text.
 ///
