@@ -9,10 +9,14 @@ pub(crate) mod symbolica;
 #[path = "absent.rs"]
 mod symbolica;
 
+mod part;
+
 use clap::ValueEnum;
 use ptc_codegen::expansion::{self, ClosedForms, Expanded};
 use ptc_codegen::mapping::Mapping;
 use ptc_codegen::spec::Spec;
+
+pub(crate) use part::Part;
 
 use super::report::Failure;
 
@@ -23,15 +27,6 @@ pub(crate) enum Engine {
     Ptc,
     /// the computer algebra system Symbolica, which has a licence of its own
     Symbolica,
-}
-
-/// Which closed forms are asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    /// r_k alone.
-    R,
-    /// r_k and B_{i,j}.
-    All,
 }
 
 impl Engine {

@@ -5,7 +5,7 @@ use ptc_codegen::algebra::{BigRational, integer};
 use ptc_codegen::expression::{Expression, Function, Variable};
 use ptc_codegen::parameter::Parameter;
 
-use super::{
+use super::element::{
     APPLIED, Math, applied, fenced, fraction, name, number, operator, relation, root, row,
     sequence, sub, sup,
 };

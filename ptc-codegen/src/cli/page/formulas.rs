@@ -9,13 +9,12 @@ use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::spec::{Feedback, Spec};
 
-use crate::cli::args::Subject;
 use crate::cli::mathml::{
     self, Math, applied, bold, dot, equal, fenced, fraction, name, named, number, of_expression,
     of_poly, operator, prime, product, relation, row, sub, sub_sup, sup, variable, words,
 };
 use crate::cli::report::Failure;
-use crate::cli::show;
+use crate::cli::show::{self, Subject};
 
 /// Formulas of one subject.
 pub(super) struct Group {

@@ -1,6 +1,7 @@
 //! `show`: the expansions behind a controller, in text, LaTeX or JSON.
 
 mod abstracts;
+mod args;
 mod json;
 mod latex;
 mod law;
@@ -20,7 +21,9 @@ use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::spec::{MAX_ORDER, Spec};
 use ptc_codegen::syntax::{Node, Value};
 
-use super::args::{Format, Show, Subject};
+use args::Format;
+pub(crate) use args::{EXAMPLES, Show, Subject};
+
 use super::engine::{Engine, Part};
 #[cfg(feature = "simulation")]
 use super::mathml::Math;

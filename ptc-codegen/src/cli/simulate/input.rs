@@ -9,7 +9,7 @@ use ptc_codegen::simulate::Loop;
 use ptc_codegen::spec::Spec;
 use ptc_codegen::syntax::number;
 
-use super::Simulate;
+use super::args::Simulate;
 use crate::cli::report::{Failure, Notice, Quote};
 
 /// What a run is asked for, beside the design.

@@ -4,7 +4,7 @@ use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
 use ptc_codegen::spec::Spec;
 
-use super::Simulate;
+use super::args::Simulate;
 use super::picture::figure;
 use super::run::{Row, Run};
 use crate::cli::page::{self, Content, Section, Svg, Table, command, short};

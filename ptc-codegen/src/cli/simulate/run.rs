@@ -4,11 +4,12 @@ use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
-use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
+use ptc_codegen::simulate::{
+    Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values,
+};
 use ptc_codegen::spec::Spec;
 
 use super::input::Asked;
-use super::{complete, ended};
 use crate::cli::report::{self, Failure, Notice};
 
 /// A run.
@@ -134,4 +135,50 @@ pub(super) fn sampled(
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
     Ok(Run::new(spec, &values, true, rows))
+}
+
+/// What a run needs and lacks, all at once.
+fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
+    let values = Values::of(spec, plant);
+    let missing = values.missing(spec, plant, emitted);
+    if missing.is_empty() {
+        return Ok(values);
+    }
+    let symbols = plant.symbols(spec);
+    let (mut names, mut flags) = (Vec::<String>::new(), Vec::<String>::new());
+    for parameter in missing {
+        let name = parameter.spelling();
+        let flag = match parameter {
+            Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
+                format!("--{name} VALUE").replace('_', "-")
+            }
+            // A sample period is given, and eps does not follow from it.
+            Parameter::Eps => "--eps VALUE".to_owned(),
+            Parameter::Gain(_) => "--gains or --poles".to_owned(),
+            _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
+            _ => format!("--param {name}=VALUE"),
+        };
+        names.push(name);
+        if !flags.contains(&flag) {
+            flags.push(flag);
+        }
+    }
+    let (verb, one) = if names.len() == 1 { ("has", "a value") } else { ("have", "values") };
+    let title =
+        format!("{} {verb} no value in the design, and a run needs {one}", names.join(", "));
+    Err(Failure::because(title, &format!("give {}", flags.join(", "))))
+}
+
+/// Why a run ended early, with the tau of the run.
+fn ended(failure: Ended, tau: f64) -> Failure {
+    let title = match failure.cause {
+        Cause::Unfinished => format!("undecided: tau = {tau}: {}", failure.message),
+        Cause::Input | Cause::Range => format!("tau = {tau}: {}", failure.message),
+    };
+    let notices = vec![Notice { help: Some(failure.help), ..Notice::of(title) }];
+    match failure.cause {
+        Cause::Input => Failure::bad_input(notices),
+        Cause::Range => Failure::refused(notices),
+        Cause::Unfinished => Failure::undecided(notices),
+    }
 }

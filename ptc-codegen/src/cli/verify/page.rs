@@ -4,7 +4,7 @@ use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
-use super::Verify;
+use super::args::Verify;
 use super::report::{APART, End, Judged, Summary, Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
