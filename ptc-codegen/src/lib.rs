@@ -40,7 +40,7 @@ pub mod synthesis;
 #[cfg(feature = "campaign")]
 pub mod verify;
 
-use check::examine::examine;
+use check::examine::{Report, examine};
 use controller::Controller;
 use controller::measured::Measured;
 use diagnostic::{Diagnostic, Diagnostics};
@@ -50,25 +50,73 @@ use law::Law;
 use program::{Op, Program, number, passes};
 use spec::Spec;
 
+/// A design that the checks accept, and its optimised program: what all files are made of.
+#[derive(Clone, Debug)]
+pub struct Accepted {
+    report: Report,
+    law: Law,
+    program: Program,
+}
+
+impl Accepted {
+    /// The design of a report of [`examine`].
+    ///
+    /// # Errors
+    /// Every check that refuses it, or the coefficient that overflows.
+    pub fn of(report: Report) -> Result<Self, Vec<Diagnostic>> {
+        within(|| {
+            report.accepted()?;
+            let law = Law::of(&report.spec);
+            let program = optimised(&report.spec, &law)?;
+            Ok(Self { report, law, program })
+        })
+    }
+
+    /// Its source files, with what a step was measured to cost in their heads.
+    ///
+    /// # Errors
+    /// Everything in the spec that this language cannot express.
+    pub fn files(
+        &self,
+        language: Language,
+        measured: &[Measured],
+    ) -> Result<Vec<File>, Vec<Diagnostic>> {
+        within(|| emit::emit(&Controller { measured, ..self.controller() }, language))
+    }
+
+    /// The source of its self-test in C, and its header.
+    ///
+    /// # Errors
+    /// What has no self-test.
+    pub fn selftest(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        within(|| {
+            let test = selftest::SelfTest::new(&self.controller())?;
+            Ok(emit::emit_selftest(&self.controller(), &test))
+        })
+    }
+
+    /// Its C files for a proof that they have no error at run time: header and source, which differ
+    /// from those of [`Accepted::files`] by comments alone, and the proof's harness.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        within(|| Ok(emit::emit_with_proof(&self.controller())))
+    }
+
+    fn controller(&self) -> Controller<'_> {
+        let Self { report, law, program } = self;
+        Controller { report, law, program, measured: &[] }
+    }
+}
+
 /// Generates the source files of one controller.
 ///
 /// # Errors
 /// Everything in the spec that cannot be generated, in this language or at all, and every check that
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, |controller| emit::emit(controller, language))?
-}
-
-/// The same, with what a step was measured to cost in the head of the files.
-///
-/// # Errors
-/// As [`generate`].
-pub fn generate_measured(
-    spec: &Spec,
-    language: Language,
-    measured: &[Measured],
-) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, |controller| emit::emit(&Controller { measured, ..*controller }, language))?
+    accepted(spec)?.files(language, &[])
 }
 
 /// Generates the files of a small project around one controller, by their paths in it.
@@ -77,7 +125,8 @@ pub fn generate_measured(
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
     project.accepts(spec)?;
-    emitted(spec, |controller| project.files(controller))
+    let accepted = accepted(spec)?;
+    within(|| Ok(project.files(&accepted.controller())))
 }
 
 /// The self-test of one controller in C: the source that a target compiles beside the controller,
@@ -87,19 +136,15 @@ pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnosti
 /// Everything in the spec that cannot be generated, every check that refuses it, and what has no
 /// self-test.
 pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, |controller| {
-        let test = selftest::SelfTest::new(controller)?;
-        Ok(emit::emit_selftest(controller, &test))
-    })?
+    accepted(spec)?.selftest()
 }
 
-/// Generates the C files of one controller for a proof that they have no error at run time: header
-/// and source, which differ from those of [`generate`] by comments alone, and the proof's harness.
+/// Generates the C files of one controller for a proof, as [`Accepted::files_with_proof`].
 ///
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
-    emitted(spec, emit::emit_with_proof)
+    accepted(spec)?.files_with_proof()
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -108,17 +153,17 @@ pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    emitted(spec, emit::emit_items)
+    let accepted = accepted(spec)?;
+    within(|| Ok(emit::emit_items(&accepted.controller())))
 }
 
-/// What `emit` makes of the controller that `spec` asks for.
-fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
-    let work = || {
-        let report = examine(spec).accepted()?;
-        let law = Law::of(&report.spec);
-        let program = optimised(&report.spec, &law)?;
-        Ok(emit(&Controller { report: &report, law: &law, program: &program, measured: &[] }))
-    };
+/// The design of `spec`, if the checks accept it.
+fn accepted(spec: &Spec) -> Result<Accepted, Vec<Diagnostic>> {
+    within(|| Accepted::of(examine(spec)))
+}
+
+/// What `work` gives; a fault of the generator in it is an error too.
+fn within<T>(work: impl FnOnce() -> Result<T, Vec<Diagnostic>>) -> Result<T, Vec<Diagnostic>> {
     guarded(work).map_err(|fault| vec![fault.into()])?
 }
 

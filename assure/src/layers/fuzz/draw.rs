@@ -185,9 +185,9 @@ pub(super) fn spec(keys: &Keys) -> Option<Spec> {
     };
     let spec = read(&keys.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()?;
     // What the checks refuse, and what overflows when it is generated, is no controller.
-    let spec = examine(&spec).accepted().ok()?.spec;
-    ptc_codegen::generate(&spec, ptc_codegen::emit::Language::C).ok()?;
-    Some(spec)
+    let report = examine(&spec);
+    ptc_codegen::Accepted::of(report.clone()).ok()?;
+    Some(report.spec)
 }
 
 /// Designs with one choice less, the simplest first.

@@ -4,11 +4,12 @@ mod args;
 
 use std::path::Path;
 
+use ptc_codegen::check::examine::examine;
 use ptc_codegen::controller::measured::Measured;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::spec::Spec;
-use ptc_codegen::{generate_measured, generate_selftest, generate_with_proof, project};
+use ptc_codegen::{Accepted, project};
 
 pub(crate) use args::{EXAMPLES, Emit};
 
@@ -83,12 +84,13 @@ fn sources(
     language: Language,
     measured: &[Measured],
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let accepted = Accepted::of(examine(spec))?;
     let mut files = match request.acsl {
-        true => generate_with_proof(spec)?,
-        false => generate_measured(spec, language, measured)?,
+        true => accepted.files_with_proof()?,
+        false => accepted.files(language, measured)?,
     };
     if request.selftest {
-        files.extend(generate_selftest(spec)?);
+        files.extend(accepted.selftest()?);
     }
     Ok(files)
 }

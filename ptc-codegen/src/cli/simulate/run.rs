@@ -1,6 +1,6 @@
 //! One run for one tau, kept for the CSV and the picture.
 
-use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
@@ -18,16 +18,21 @@ pub(super) struct Run {
     pub(super) n: usize,
     pub(super) t0: f64,
     pub(super) u_max: f64,
-    /// Whether u is held between the rows.
-    pub(super) held: bool,
+    /// What the checks say, where the emitted controller is in the loop.
+    pub(super) report: Option<Report>,
     pub(super) rows: Vec<Row>,
 }
 
 impl Run {
-    fn new(spec: &Spec, values: &Values, held: bool, rows: Vec<Row>) -> Self {
+    fn new(n: usize, values: &Values, report: Option<Report>, rows: Vec<Row>) -> Self {
         let [tau, t0, u_max] =
             [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
-        Self { tau, n: spec.n, t0, u_max, held, rows }
+        Self { tau, n, t0, u_max, report, rows }
+    }
+
+    /// Whether u is held between the rows.
+    pub(super) fn is_held(&self) -> bool {
+        self.report.is_some()
     }
 }
 
@@ -89,7 +94,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
             ..Notice::of(title)
         }]));
     }
-    Ok(Run::new(spec, &values, false, rows))
+    Ok(Run::new(spec.n, &values, None, rows))
 }
 
 /// The emitted controller at each sample.
@@ -134,7 +139,7 @@ pub(super) fn sampled(
             "an actuator would see 0 there: see the checks of `check`, and the range of the states";
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
-    Ok(Run::new(spec, &values, true, rows))
+    Ok(Run::new(spec.n, &values, Some(report), rows))
 }
 
 /// What a run needs and lacks, all at once.
