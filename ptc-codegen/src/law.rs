@@ -8,7 +8,7 @@
 //! a polynomial in one quantity that time decides, with coefficients that parameters decide.
 
 use crate::algebra::{Kind, Poly, Symbol, integer};
-use crate::expansion::{self, ClosedForms};
+use crate::expansion::{self, ClosedForms, Expanded};
 use crate::mapping::{Mapping, expand};
 use crate::spec::{Feedback, Spec};
 
@@ -40,16 +40,27 @@ pub struct Law {
     pub rate: Poly,
     /// How u is computed.
     pub form: Form,
+    /// The closed forms from which it is computed, where another engine has made them.
+    pub expanded: Option<Expanded>,
 }
 
 impl Law {
     /// The law that a spec asks for.
     pub fn of(spec: &Spec) -> Self {
-        match (&spec.feedback, spec.ring()) {
-            (Feedback::Linear, Some(ring)) => Self::new(spec.n, &ring, spec.closed_forms()),
-            (Feedback::Linear, None) => Self { n: spec.n, rate: Poly::one(), form: Form::Series },
-            _ => Self { n: spec.n, rate: Poly::one(), form: Form::State },
-        }
+        Self::from(spec, None)
+    }
+
+    /// The same from the closed forms of another engine, where they are given.
+    pub fn from(spec: &Spec, expanded: Option<&Expanded>) -> Self {
+        let law = |form| Self { n: spec.n, rate: Poly::one(), form, expanded: None };
+        let law = match (&spec.feedback, spec.ring()) {
+            (Feedback::Linear, Some(ring)) => {
+                Self::new(spec.n, &ring, expanded.and_then(Expanded::family))
+            }
+            (Feedback::Linear, None) => law(Form::Series),
+            _ => law(Form::State),
+        };
+        Self { expanded: expanded.cloned(), ..law }
     }
 
     /// The linear law for order `n` and `mapping`, whose closed forms are `expanded` where they are
@@ -65,7 +76,7 @@ impl Law {
             },
             None => Form::Series,
         };
-        Self { n, rate: mapping.rate.clone(), form }
+        Self { n, rate: mapping.rate.clone(), form, expanded: None }
     }
 }
 

@@ -45,6 +45,7 @@ use controller::Controller;
 use controller::measured::Measured;
 use diagnostic::{Diagnostic, Diagnostics};
 use emit::{File, Language, Project};
+use expansion::Expanded;
 use internal::guarded;
 use law::Law;
 use program::{Op, Program, number, passes};
@@ -66,7 +67,7 @@ impl Accepted {
     pub fn of(report: Report) -> Result<Self, Vec<Diagnostic>> {
         within(|| {
             report.accepted()?;
-            let law = Law::of(&report.spec);
+            let law = Law::from(&report.spec, report.expanded.as_ref());
             let program = optimised(&report.spec, &law)?;
             Ok(Self { report, law, program })
         })
@@ -104,6 +105,15 @@ impl Accepted {
         within(|| Ok(emit::emit_with_proof(&self.controller())))
     }
 
+    /// The files of a small project around it, by their paths in it.
+    ///
+    /// # Errors
+    /// Everything in the spec that cannot stand alone.
+    pub fn project(&self, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+        project.accepts(&self.report.spec)?;
+        within(|| Ok(project.files(&self.controller())))
+    }
+
     fn controller(&self) -> Controller<'_> {
         let Self { report, law, program } = self;
         Controller { report, law, program, measured: &[] }
@@ -125,8 +135,7 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
     project.accepts(spec)?;
-    let accepted = accepted(spec)?;
-    within(|| Ok(project.files(&accepted.controller())))
+    accepted(spec)?.project(project)
 }
 
 /// The self-test of one controller in C: the source that a target compiles beside the controller,
@@ -169,8 +178,8 @@ fn within<T>(work: impl FnOnce() -> Result<T, Vec<Diagnostic>>) -> Result<T, Vec
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
 /// text; `None` where there is no such pass.
-pub fn dump(spec: &Spec, name: &str) -> Option<String> {
-    let law = Law::of(spec);
+pub fn dump(spec: &Spec, expanded: Option<&Expanded>, name: &str) -> Option<String> {
+    let law = Law::from(spec, expanded);
     let lowered = lower::lower(spec, &law);
     if name == "lower" {
         return Some(program::dump::dump(&lowered));

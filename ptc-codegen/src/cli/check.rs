@@ -5,7 +5,7 @@ use std::fmt::Write;
 use clap::Args;
 use ptc_codegen::Accepted;
 use ptc_codegen::check::Outcome;
-use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::check::examine::{Report, examine_expanded};
 use ptc_codegen::check::sampled::{Bound, Worst};
 use serde_json::json;
 
@@ -44,8 +44,9 @@ pub(crate) struct Check {
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
-    let spec = request.engine.engine.prepare(given.read()?)?;
-    let report = examine(&spec);
+    let mut spec = given.read()?;
+    let expanded = request.engine.engine.prepare(&mut spec)?;
+    let report = examine_expanded(&spec, expanded);
     let refused = report.refusals().next().is_some();
     write::to_stdout(&match request.format {
         ListFormat::Text => text(&report, refused),

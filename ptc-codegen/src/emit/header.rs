@@ -87,7 +87,7 @@ fn sample_period(controller: &Controller<'_>) -> Vec<String> {
         Some(_) => "SAMPLE PERIOD NOT CHECKED:",
     };
     let eps = spec.fixed.get(&Parameter::Eps);
-    let text = match (eps, held_period(spec)) {
+    let text = match (eps, held_period(spec, controller.report.expanded.as_ref())) {
         (Some(eps), Some(Some(period))) => format!(
             "{head} with the gains held at eps = {eps} s, the loop with f = 0 and a zero-order hold is stable only for sample periods below {} s.",
             digits(period)

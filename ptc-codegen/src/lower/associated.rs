@@ -4,13 +4,14 @@
 use super::builder::Builder;
 use super::state;
 use crate::expression::Variable;
+use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program};
 use crate::spec::Spec;
 
 /// The program of the associated system; none where mu is not found in closed form.
-pub(super) fn lower(spec: &Spec) -> Option<Program> {
+pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let complement = spec.time_mapping.complement()?;
-    let mut b = Builder::new(spec);
+    let mut b = Builder::of(spec, law);
     b.follow(complement.clone());
     let slope = complement.derivative(Variable::SinceStart).neg();
     let slope = b.scalar(&slope);

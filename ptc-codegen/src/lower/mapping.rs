@@ -46,8 +46,8 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
             }
             _ => of_kappa(b, &Kappa::of(*family)),
         },
-        TimeMapping::Custom(custom) => match (&custom.form, &spec.expanded) {
-            (form, Some(Expanded::Custom { r, .. })) => of_closed_forms(b, form, r),
+        TimeMapping::Custom(custom) => match (&custom.form, b.expanded) {
+            (form, Some(Expanded::Custom(r))) => of_closed_forms(b, form, r),
             (Form::Complement(form), _) => of_complement(b, form),
             (Form::Kappa(kappa), _) => of_kappa(b, kappa),
         },

@@ -36,7 +36,7 @@ pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {
     if spec.what == What::Associated
-        && let Some(program) = associated::lower(spec)
+        && let Some(program) = associated::lower(spec, law)
     {
         return program;
     }
@@ -44,7 +44,7 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
 }
 
 fn controller(spec: &Spec, law: &Law) -> Program {
-    let mut b = Builder::new(spec);
+    let mut b = Builder::of(spec, law);
     let rows = rows(&mut b, law);
     let step = match &rows {
         Some(rows) => rows.step(&mut b, None),

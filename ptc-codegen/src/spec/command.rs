@@ -2,7 +2,6 @@
 
 use super::{After, Feedback, Guard, Spec, What};
 use crate::algebra::BigRational;
-use crate::expansion::Expanded;
 use crate::expression::Subject;
 use crate::family::Family;
 use crate::mapping::TimeMapping;
@@ -48,10 +47,7 @@ impl Spec {
             words.push(format!("--param \"{}=[{least},{greatest}]\"", parameter.spelling()));
         }
         words.extend(self.promise_words());
-        // The closed forms of a family are the same from every engine.
-        if let Some(Expanded::Custom { engine, .. }) = &self.expanded {
-            words.push(format!("--engine {engine}"));
-        }
+        words.extend(self.engine.map(|engine| format!("--engine {engine}")));
         words.join(" ")
     }
 

@@ -11,7 +11,6 @@ pub use read::{Entry, read};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::BigRational;
-use crate::expansion::{ClosedForms, Expanded};
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
@@ -119,8 +118,9 @@ pub struct Spec {
     pub poles: Vec<(BigRational, BigRational)>,
     /// What the checks hold the design to.
     pub promises: Promises,
-    /// The closed forms, where another engine than the library's own has made them.
-    pub expanded: Option<Expanded>,
+    /// The engine that expands a mapping of the user's, where it is not the library's own: the forms
+    /// of a family are the same from every engine.
+    pub engine: Option<&'static str>,
 }
 
 impl Spec {
@@ -146,7 +146,7 @@ impl Spec {
             bounds: BTreeMap::new(),
             poles: Vec::new(),
             promises: Promises::default(),
-            expanded: None,
+            engine: None,
         }
     }
 
@@ -255,11 +255,6 @@ impl Spec {
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
         self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))
-    }
-
-    /// The closed forms of its family from another engine than the library's own.
-    pub fn closed_forms(&self) -> Option<&ClosedForms> {
-        self.expanded.as_ref().and_then(Expanded::family)
     }
 
     /// The time mapping as a differential ring; none for one that the user wrote down.

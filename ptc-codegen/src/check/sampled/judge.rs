@@ -10,6 +10,7 @@ use super::gains::gains;
 use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
+use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::{Fixed, Parameter};
@@ -46,6 +47,8 @@ pub struct Way {
 /// The loop of a design in numbers.
 pub(crate) struct Loop<'a> {
     spec: &'a Spec,
+    /// The closed forms of another engine.
+    pub(super) expanded: Option<&'a Expanded>,
     period: Range,
     samples: usize,
     chain: Chain,
@@ -56,7 +59,7 @@ impl<'a> Loop<'a> {
     ///
     /// # Errors
     /// What it lacks, or why it is not looked at.
-    pub(crate) fn new(spec: &'a Spec) -> Result<Self, String> {
+    pub(crate) fn new(spec: &'a Spec, expanded: Option<&'a Expanded>) -> Result<Self, String> {
         let promises = &spec.promises;
         let h = exact(promises.sample_time.as_ref()).ok_or("`sample_time` is not given")?;
         let tau = exact(spec.fixed.get(&Parameter::Tau)).ok_or("`tau` is left to run time")?;
@@ -88,7 +91,7 @@ impl<'a> Loop<'a> {
         let range = |value: &BigRational| Range::from(&Interval::exact(value));
         let period = range(&h);
         let chain = Chain::new(spec.n, period, range(&gain), delay);
-        Ok(Self { spec, period, samples, chain })
+        Ok(Self { spec, expanded, period, samples, chain })
     }
 
     /// The loop with what disturbs it.
@@ -110,7 +113,7 @@ impl<'a> Loop<'a> {
     /// # Errors
     /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
     pub(crate) fn worst(&self) -> Result<Worst, String> {
-        let rows = gains(self.spec, self.period, self.samples)
+        let rows = gains(self.spec, self.expanded, self.period, self.samples)
             .ok_or("the gains of this mapping are not enclosed")?;
         let sampled = self.disturbed(rows);
         let state = |i: usize| {

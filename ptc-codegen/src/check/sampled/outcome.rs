@@ -5,6 +5,7 @@ use num_traits::ToPrimitive;
 use super::judge::{Loop, Worst};
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, digits, list};
+use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::spec::Spec;
 
@@ -12,9 +13,9 @@ use crate::spec::Spec;
 pub(crate) const NAME: &str = "loop";
 
 /// The check of a design whose loop is known, and its worst case.
-pub(crate) fn outcome(spec: &Spec) -> (Outcome, Option<Worst>) {
+pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
     let eps = spec.fixed.contains_key(&Parameter::Eps);
-    let found = Loop::new(spec).and_then(|closed| {
+    let found = Loop::new(spec, expanded).and_then(|closed| {
         if !eps {
             return Err("`eps` is left to run time".to_owned());
         }
@@ -145,7 +146,7 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         format!("{cause} accounts for {percent} % of it")
     });
     let eps = closed
-        .best_eps(&Numbers::new(spec))
+        .best_eps(&Numbers::new(spec, closed.expanded))
         .map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

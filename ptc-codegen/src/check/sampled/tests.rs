@@ -43,7 +43,7 @@ fn final_errors_are_those_of_the_reference() {
         let samples = case["samples"].as_u64().expect("samples") as usize;
         let h = range(&text(&case["tau"])) / Range::from(samples as f64);
         let delay = case["delay"].as_u64().expect("delay") as usize;
-        let rows = gains(&spec, h, samples).expect("gains");
+        let rows = gains(&spec, None, h, samples).expect("gains");
         let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), rows);
         sampled.x0 = numbers(&case["x0_max"]);
         sampled.noise = numbers(&case["noise"]);

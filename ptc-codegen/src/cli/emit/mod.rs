@@ -4,12 +4,13 @@ mod args;
 
 use std::path::Path;
 
-use ptc_codegen::check::examine::examine;
+use ptc_codegen::Accepted;
+use ptc_codegen::check::examine::examine_expanded;
 use ptc_codegen::controller::measured::Measured;
 use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::emit::{File, Language};
+use ptc_codegen::emit::{File, Language, Project};
+use ptc_codegen::expansion::Expanded;
 use ptc_codegen::spec::Spec;
-use ptc_codegen::{Accepted, project};
 
 pub(crate) use args::{EXAMPLES, Emit};
 
@@ -35,12 +36,14 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
-    let spec = request.engine.engine.prepare(given.read()?)?;
-    if let Some(program) = request.dump.as_deref().and_then(|pass| ptc_codegen::dump(&spec, pass)) {
+    let mut spec = given.read()?;
+    let expanded = request.engine.engine.prepare(&mut spec)?;
+    let dump = |pass: &str| ptc_codegen::dump(&spec, expanded.as_ref(), pass);
+    if let Some(program) = request.dump.as_deref().and_then(dump) {
         return write::to_stdout(&program);
     }
     match request.project {
-        Some(kind) => match project(&spec, kind) {
+        Some(kind) => match project(&spec, expanded, kind) {
             Ok(files) => make(request, &mut outputs, &spec.name(), &files),
             Err(found) => given.finish(None, found),
         },
@@ -48,7 +51,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
             // The grammar asks for one of the two.
             let language = request.lang.unwrap_or(Language::C);
             let measured = measured(request.cost.as_deref(), &spec)?;
-            match sources(request, &spec, language, &measured) {
+            match sources(request, (&spec, expanded), language, &measured) {
                 Ok(files) => place(request, &mut outputs, (&spec.name(), language), &files),
                 Err(found) => given.finish(None, found),
             }
@@ -77,14 +80,25 @@ fn beside_c(request: &Emit) -> Result<(), Failure> {
     ))
 }
 
+/// The files of a project.
+fn project(
+    spec: &Spec,
+    expanded: Option<Expanded>,
+    kind: Project,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    // What cannot stand alone is not checked first.
+    kind.accepts(spec)?;
+    Accepted::of(examine_expanded(spec, expanded))?.project(kind)
+}
+
 /// The files of a language, and what goes with them by flags.
 fn sources(
     request: &Emit,
-    spec: &Spec,
+    (spec, expanded): (&Spec, Option<Expanded>),
     language: Language,
     measured: &[Measured],
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let accepted = Accepted::of(examine(spec))?;
+    let accepted = Accepted::of(examine_expanded(spec, expanded))?;
     let mut files = match request.acsl {
         true => accepted.files_with_proof()?,
         false => accepted.files(language, measured)?,

@@ -151,7 +151,7 @@ impl<'a> Reader<'a> {
             bounds: BTreeMap::new(),
             poles: law.poles,
             promises,
-            expanded: None,
+            engine: None,
         };
         if spec.what == What::Associated {
             self.associated(&mut spec);
