@@ -12,7 +12,7 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, Value, passes};
-use ptc_codegen::spec::{Guard, Spec};
+use ptc_codegen::request::{Guard, Spec};
 use support::program::{Outcome, Record, in_c, in_rust};
 use support::random::Random;
 use support::records::records;

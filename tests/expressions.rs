@@ -12,7 +12,7 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{Entry, Spec, read as read_spec};
+use ptc_codegen::request::{Entry, Spec, read as read_spec};
 use ptc_codegen::syntax::parse;
 use support::tolerance;
 use support::vectors::{Vector, read};

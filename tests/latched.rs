@@ -9,7 +9,7 @@ use ptc_codegen::parameter::Parameter;
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::passes;
 use ptc_codegen::reference::{Call, call, evaluate, tolerance};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use support::random::Random;
 use support::specs::{rounded, spec};
 

@@ -11,7 +11,7 @@ use std::process::Command;
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Entry, Spec, read};
+use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 use support::{STRICT, c_compiler, folder, in_pairs, rustc, write};
 

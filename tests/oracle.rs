@@ -10,7 +10,7 @@ use ptc_codegen::mapping::TimeMapping;
 use ptc_codegen::parameter::{Fixed, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use ptc_codegen::syntax::number;
 use support::program::{Outcome, Record, in_c, in_rust, real};
 use support::vectors::{Vector, read};

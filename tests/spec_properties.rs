@@ -11,7 +11,7 @@ use ptc_codegen::family::{FAMILIES, Family};
 use ptc_codegen::keys::{KEYS, KeyInfo};
 use ptc_codegen::mapping::TimeMapping;
 use ptc_codegen::parameter::{Fixed, Parameter, Precision};
-use ptc_codegen::spec::{Entry, Guard, Spec, read};
+use ptc_codegen::request::{Entry, Guard, Spec, read};
 use ptc_codegen::syntax::{number, parse};
 
 /// A text near to what is legal, so that the reader is entered deeply.

@@ -18,7 +18,7 @@ use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, number, passes};
-use ptc_codegen::spec::{Feedback, Guard, Spec, read};
+use ptc_codegen::request::{Feedback, Guard, Spec, read};
 
 /// Points of time-to-go in a decade: enough to meet the peaks of what swings.
 const A_DECADE: i32 = 60;

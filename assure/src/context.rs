@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use crate::harness::random::Random;
 use crate::harness::specs::{families, random, spec};

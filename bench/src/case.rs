@@ -3,7 +3,7 @@
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::{Fixed, Parameter, Precision};
-use ptc_codegen::spec::{Guard, Spec};
+use ptc_codegen::request::{Guard, Spec};
 use ptc_codegen::syntax::number;
 use serde::{Deserialize, Serialize};
 

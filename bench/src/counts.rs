@@ -5,7 +5,7 @@ use std::process::Command;
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::Guard;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::c::{self, Size};

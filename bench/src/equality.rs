@@ -14,7 +14,7 @@ use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::cost::{X86_64, count};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Op, Program, Stage, Value, passes};
-use ptc_codegen::spec::Guard;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::case::{Case, VARIANTS};

@@ -8,7 +8,7 @@ use std::process::Command;
 
 use ptc_codegen::mapping::TimeMapping;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::Guard;
+use ptc_codegen::request::Guard;
 
 use crate::c;
 use crate::case::{Case, VARIANTS};

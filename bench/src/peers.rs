@@ -11,7 +11,7 @@ use std::process::Command;
 
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::Guard;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::calls::{CALLS, states, times};

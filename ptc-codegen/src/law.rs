@@ -10,7 +10,7 @@
 use crate::algebra::{Kind, Poly, Symbol, integer};
 use crate::expansion::{self, ClosedForms, Expanded};
 use crate::mapping::{Mapping, expand};
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 
 /// The form in which u is computed.
 #[derive(Clone, Debug)]
@@ -167,7 +167,7 @@ mod tests {
         let (entries, _) = crate::design::read("n = 2\nmu = \"tau*(1 - exp(-t))\"", &mut |_| {
             crate::diagnostic::Place(0)
         });
-        let spec = crate::spec::read(&entries).expect("a controller");
+        let spec = crate::request::read(&entries).expect("a controller");
         assert!(matches!(Law::of(&spec).form, Form::Series));
     }
 

@@ -4,10 +4,10 @@
 //! "A Framework for Prescribed-Time Control Design via Time-Scale Transformation":
 //! u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), where pi0 is linear unless the user gives another.
 //!
-//! [`generate`] is the whole line: a [`spec::Spec`] is checked ([`check`]) and expanded to closed
+//! [`generate`] is the whole line: a [`request::Spec`] is checked ([`check`]) and expanded to closed
 //! forms ([`mapping`], [`expansion`]), these to the law ([`law`]), the law to a staged program ([`lower`],
 //! [`program`]), which passes optimise and [`emit`] prints. All mistakes of the user are found by
-//! [`spec::read`]; the same spec gives the same bytes on any machine.
+//! [`request::read`]; the same spec gives the same bytes on any machine.
 
 pub mod algebra;
 pub mod check;
@@ -30,10 +30,10 @@ pub mod plant;
 pub mod plot;
 pub mod program;
 pub mod reference;
+pub mod request;
 pub mod selftest;
 #[cfg(feature = "simulation")]
 pub mod simulate;
-pub mod spec;
 pub mod syntax;
 #[cfg(feature = "campaign")]
 pub mod synthesis;
@@ -49,7 +49,7 @@ use expansion::Expanded;
 use internal::guarded;
 use law::Law;
 use program::{Op, Program, number, passes};
-use spec::Spec;
+use request::Spec;
 
 /// A design that the checks accept, and its optimised program: what all files are made of.
 #[derive(Clone, Debug)]

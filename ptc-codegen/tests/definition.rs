@@ -9,7 +9,7 @@ use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, number, passes};
 use ptc_codegen::reference::{Call, call, evaluate, tolerance};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.

@@ -9,7 +9,7 @@ use ptc_codegen::expansion::{self, ClosedForms, Expanded, bell};
 use ptc_codegen::expression::{Expression, Variable};
 use ptc_codegen::family::Family;
 use ptc_codegen::mapping::{Form, Mapping};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 mod support;
 

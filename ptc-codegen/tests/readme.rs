@@ -234,6 +234,6 @@ fn what_is_told_is_there() {
         let row = format!("\n| `{}` | ", family.name);
         assert!(README.contains(&row), "{} has no row", family.name);
     }
-    let orders = format!("1..={}", ptc_codegen::spec::MAX_ORDER);
+    let orders = format!("1..={}", ptc_codegen::request::MAX_ORDER);
     assert!(README.contains(&orders), "{orders}");
 }

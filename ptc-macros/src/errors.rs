@@ -5,7 +5,7 @@ use ptc_codegen::design::explains_missing;
 use ptc_codegen::diagnostic::{Diagnostic, Place, first, visible};
 use ptc_codegen::family::FAMILIES;
 use ptc_codegen::parameter;
-use ptc_codegen::spec::{Entry, Spec};
+use ptc_codegen::request::{Entry, Spec};
 use ptc_codegen::syntax::Value;
 
 use crate::input::{Input, Spot, example};

@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use ptc_codegen::design::{SYNTAX, UNREADABLE, canonical};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
 use ptc_codegen::keys::KeyInfo;
-use ptc_codegen::spec::Entry;
+use ptc_codegen::request::Entry;
 use ptc_codegen::syntax::parse;
 
 use crate::design::{self, Design};
@@ -262,7 +262,7 @@ fn join(tokens: &[Token]) -> (String, Vec<Range<usize>>) {
 #[cfg(test)]
 mod tests {
     use proc_macro2::{Group, Literal};
-    use ptc_codegen::spec::{Spec, read as read_spec};
+    use ptc_codegen::request::{Spec, read as read_spec};
     use ptc_codegen::syntax::Value;
 
     use super::*;

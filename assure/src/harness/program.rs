@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::{After, Feedback, Spec, What};
+use ptc_codegen::request::{After, Feedback, Spec, What};
 
 use super::machine::Machine;
 use super::rust::libraries;

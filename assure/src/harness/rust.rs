@@ -8,7 +8,7 @@ use std::process::Command;
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Parameter;
-use ptc_codegen::spec::{After, Feedback, Spec};
+use ptc_codegen::request::{After, Feedback, Spec};
 
 use super::machine::Machine;
 use super::program::{has_gains, numbers, real};

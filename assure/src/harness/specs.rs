@@ -5,7 +5,7 @@ use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::{Parameter, Precision};
-use ptc_codegen::spec::{Entry, Spec, read};
+use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 
 /// The spec of keys and values as they are written on the command line.

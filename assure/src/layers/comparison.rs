@@ -11,7 +11,7 @@ use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::number::round;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;

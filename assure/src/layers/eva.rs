@@ -10,7 +10,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, bail};
 use ptc_codegen::parameter::{Parameter, Precision};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use self::log::Log;
 use crate::context::Context;

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use crate::context::Context;
 use crate::harness::machine::{EMULATED, Machine};

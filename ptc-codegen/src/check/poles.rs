@@ -48,7 +48,7 @@ pub(super) fn text(pole: Complex<f64>) -> String {
 mod tests {
     use super::*;
     use crate::algebra::integer;
-    use crate::spec::{Pole, gains};
+    use crate::request::{Pole, gains};
 
     #[test]
     fn there_and_back() {

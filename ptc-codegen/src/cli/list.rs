@@ -5,7 +5,7 @@ use std::fmt::Write;
 use clap::Args;
 use ptc_codegen::family::{FAMILIES, FamilyInfo};
 use ptc_codegen::parameter::Parameter;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
 use super::flags::ListFormat;

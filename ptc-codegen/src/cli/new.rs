@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec;
+use ptc_codegen::request;
 
 use super::output::{self, Outputs};
 use super::report::Failure;
@@ -66,5 +66,5 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
 
 fn names_a_controller(name: &str) -> bool {
     let (entries, found) = design::read(&design::template(Some(name)), &mut |_| Place(0));
-    found.is_empty() && spec::read(&entries).is_ok()
+    found.is_empty() && request::read(&entries).is_ok()
 }

@@ -9,7 +9,7 @@ use ptc_codegen::internal::INTERNAL;
 use ptc_codegen::keys::{KEYS, KeyInfo};
 use ptc_codegen::limits::ENTRIES;
 use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::spec::{Entry, Spec, read};
+use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 
 use super::report::{Exit, Failure, Notice, Quote, quoted};

@@ -11,7 +11,7 @@ pub struct Measured {
     pub stack: u64,
     /// Bytes of code of `step` itself.
     pub code: u64,
-    /// The command line of the controller, [`Spec::command`](crate::spec::Spec::command).
+    /// The command line of the controller, [`Spec::command`](crate::request::Spec::command).
     pub command: String,
 }
 

@@ -6,7 +6,7 @@ pub(crate) mod plan;
 use crate::check::examine::Report;
 use crate::law::Law;
 use crate::program::{Op, Program, Value};
-use crate::spec::Spec;
+use crate::request::Spec;
 use measured::Measured;
 use plan::{Field, Plan};
 

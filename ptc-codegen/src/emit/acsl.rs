@@ -5,7 +5,7 @@ use super::frame::Frame;
 use crate::controller::plan::Field;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, number};
-use crate::spec::{Guard, Spec, What};
+use crate::request::{Guard, Spec, What};
 
 /// Contracts of the emitted functions, each a comment that stands before a prototype; all empty
 /// where none is asked for.

@@ -9,7 +9,7 @@ use crate::controller::plan::Routine;
 use crate::expression::Function;
 use crate::parameter::Precision;
 use crate::program::{Input, Op};
-use crate::spec::{After, Guard, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Cpp,

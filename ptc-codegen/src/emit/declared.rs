@@ -3,7 +3,7 @@
 use super::Language;
 use crate::expression::Expression;
 use crate::parameter::Parameter;
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 
 /// A parameter as an emitted struct declares it.
 pub(super) struct Declared {

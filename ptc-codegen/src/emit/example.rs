@@ -10,8 +10,8 @@ use crate::check::examine::{Report, decay, guarded};
 use crate::check::{Outcome, Verdict};
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::{Feedback, Spec};
-use crate::spec::{Pole, gains};
+use crate::request::{Feedback, Spec};
+use crate::request::{Pole, gains};
 use crate::syntax::number as fixed;
 
 /// What is told of the defaults, a line each.

@@ -10,7 +10,7 @@ use crate::expression::Subject;
 use crate::family::FamilyInfo;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, Form, Mapping, TimeMapping};
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;

@@ -8,7 +8,7 @@ use crate::controller::{Controller, is_derived};
 use crate::internal::fault;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, Value, number};
-use crate::spec::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A name and the expression that gives it its value.
 pub(super) struct Assignment {

@@ -8,7 +8,7 @@ use crate::controller::measured::Measured;
 use crate::expression::Function;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
-use crate::spec::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {

@@ -8,7 +8,7 @@ use super::{Controller, Declared, File, Language, Target, declared, header, text
 use crate::diagnostic::Diagnostics;
 use crate::parameter::Precision;
 use crate::program::Input;
-use crate::spec::{After, Guard, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Matlab,

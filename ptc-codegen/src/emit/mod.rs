@@ -29,8 +29,8 @@ use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
 use crate::parameter::Parameter;
+use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
-use crate::spec::{After, Feedback, Spec, What};
 use declared::{Declared, declared};
 
 /// A language to emit.

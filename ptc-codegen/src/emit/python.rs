@@ -7,7 +7,7 @@ use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::parameter::{Precision, type_name};
 use crate::program::Input;
-use crate::spec::{After, Guard, Spec};
+use crate::request::{After, Guard, Spec};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Python,

@@ -8,7 +8,7 @@ use super::{Controller, Declared, File, Language, Target, declared, header, text
 use crate::expression::Function;
 use crate::parameter::Precision;
 use crate::program::Input;
-use crate::spec::{After, Guard, Spec};
+use crate::request::{After, Guard, Spec};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Rust,

@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Subject};
 use crate::parameter::{Parameter, Precision};
 use crate::program::{Input, Op};
-use crate::spec::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::StructuredText,

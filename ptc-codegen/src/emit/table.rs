@@ -11,7 +11,7 @@ use super::python::Python;
 use super::rust::Rust;
 use super::st::StructuredText;
 use crate::family::Family;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// How one operation, on operands called a and b, is written.
 type Row = (&'static str, fn(&dyn Syntax) -> String);

@@ -6,7 +6,7 @@ use super::state;
 use crate::expression::Variable;
 use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// The program of the associated system; none where mu is not found in closed form.
 pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
@@ -35,7 +35,7 @@ mod tests {
     use crate::parameter::Parameter;
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
-    use crate::spec::{Entry, read};
+    use crate::request::{Entry, read};
     use crate::syntax::parse;
 
     /// xi_2' at t = 0.9 with t0 = 0.2, tau = 2, a = 0.75, m = 1.5, rates 0.75 and 2.

@@ -9,7 +9,7 @@ use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::passes::append;
 use crate::program::{Input, Limits, Op, Program, Stage, Value};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 use super::mapping::Taylor;
 

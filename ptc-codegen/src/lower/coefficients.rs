@@ -133,7 +133,7 @@ mod tests {
     use super::*;
     use crate::family::Family;
     use crate::program::Input;
-    use crate::spec::Spec;
+    use crate::request::Spec;
 
     /// What an operation of coefficients gives, by the operations that it took.
     #[test]

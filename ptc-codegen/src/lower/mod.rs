@@ -29,7 +29,7 @@ use crate::algebra::Poly;
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{After, Guard, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 

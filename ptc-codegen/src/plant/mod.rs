@@ -19,7 +19,7 @@ pub use read::{read, read_partly};
 
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// The table of a design file that holds the plant.
 pub const TABLE: &str = "plant";

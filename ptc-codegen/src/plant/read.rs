@@ -8,7 +8,7 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
 use crate::keys::PLANT_KEYS;
 use crate::parameter::Parameter;
-use crate::spec::{Entry, Spec, known};
+use crate::request::{Entry, Spec, known};
 use crate::syntax::{Node, Value, real};
 
 /// What stands at a key, and where the key is.
@@ -171,7 +171,7 @@ mod tests {
         let text = format!("n = 2\nmu = \"exp\"\ng = \"gain\"\n{design}");
         let (entries, found) = design::read(&text, &mut |range| Place(range.start));
         assert_eq!(found, []);
-        read(&entries, &crate::spec::read(&entries).expect("a controller"))
+        read(&entries, &crate::request::read(&entries).expect("a controller"))
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::expression::{Expression, Function, Subject, Variable};
 use crate::family::Family;
 use crate::mapping::TimeMapping;
 use crate::parameter::Parameter;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Most rounds in which the root of mu is found: 64 that halve, and as many for the rest.
 const ROUNDS: usize = 200;

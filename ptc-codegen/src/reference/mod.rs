@@ -16,7 +16,7 @@ use astro_float_num::BigFloat;
 
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
-use crate::spec::{After, Feedback, Spec};
+use crate::request::{After, Feedback, Spec};
 use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
 use mapping::Point;

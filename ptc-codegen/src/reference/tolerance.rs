@@ -3,7 +3,7 @@
 
 use crate::family::Family;
 use crate::parameter::Precision;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// What a controller of `family` and `precision` may be wrong by, for any order up to 12.
 pub fn control(family: Family, precision: Precision) -> f64 {

@@ -11,7 +11,7 @@ use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Decision;
 use crate::program::number::settle;
 use crate::reference::{self, Status, evaluate, tolerance};
-use crate::spec::{After, Spec};
+use crate::request::{After, Spec};
 
 /// What the sessions are made from.
 pub(super) struct Maker<'a> {

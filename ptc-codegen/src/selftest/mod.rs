@@ -17,7 +17,7 @@ use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::reference::Status;
-use crate::spec::{Spec, What};
+use crate::request::{Spec, What};
 
 /// Random calls among which those are kept that take a branch no other took.
 const CANDIDATES: usize = 400;

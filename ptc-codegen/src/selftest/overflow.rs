@@ -8,7 +8,7 @@ use crate::controller::{Controller, checked_fields};
 use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::number::settle;
 use crate::program::{Op, Program, Value};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Sets that are tried.
 const TRIALS: usize = 3000;

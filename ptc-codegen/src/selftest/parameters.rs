@@ -3,7 +3,7 @@
 use crate::controller::Controller;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number::{round, settle};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Values of every parameter, fixed or chosen.
 pub(super) struct Chosen<'a> {

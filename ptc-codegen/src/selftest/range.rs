@@ -7,7 +7,7 @@ use super::{Call, Draw, Session, greatest};
 use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::reference::Status;
-use crate::spec::After;
+use crate::request::After;
 
 impl Maker<'_> {
     /// A u that is no number, or that overflows without a bound: found by trial, as it is the

@@ -4,7 +4,7 @@ use super::parameters::Chosen;
 use crate::controller::Controller;
 use crate::parameter::{Domain, Parameter};
 use crate::program::number::settle;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Sets of run-time parameters, each legal but for one.
 pub(super) fn parameters(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Vec<Vec<f64>> {

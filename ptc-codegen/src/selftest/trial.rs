@@ -7,7 +7,7 @@ use crate::parameter::Parameter;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::{Input, Program, Value};
 use crate::reference::Status;
-use crate::spec::{Guard, Spec};
+use crate::request::{Guard, Spec};
 
 /// The inputs of a trial.
 pub(super) struct Trial<'a> {

@@ -11,7 +11,7 @@ use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value, passes};
 use crate::reference::Status;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to u_max where the
 /// design fixes one.

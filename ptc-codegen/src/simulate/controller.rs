@@ -8,7 +8,7 @@ use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Limits, Stage, Value, passes};
 use crate::reference::Status;
-use crate::spec::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A controller that runs.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use crate::plant::Plant;
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// f + g u, compiled.
 #[derive(Clone, Debug)]

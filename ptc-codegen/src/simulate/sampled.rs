@@ -10,7 +10,7 @@ use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::parameter::Parameter;
 use crate::plant::Plant;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// What the loop around the controller is like.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,8 +15,8 @@ use crate::lower;
 use crate::parameter::{Parameter, Precision};
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
+use crate::request::Spec;
 use crate::simulate::Controller;
-use crate::spec::Spec;
 
 /// Parts of a step of the grid between which slopes are taken as constant, at least.
 const PARTS: u32 = 8;

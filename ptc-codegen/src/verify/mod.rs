@@ -40,7 +40,7 @@ pub use verdict::{Doubt, Evidence, Verdict, confidence};
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// An interval, least and greatest value.
 pub type Interval = (f64, f64);

@@ -3,8 +3,8 @@
 use super::objective::Observer;
 use super::{Campaign, Level, Setting};
 use crate::parameter::Precision;
+use crate::request::Spec;
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Side};
-use crate::spec::Spec;
 
 /// Both closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
-use ptc_codegen::spec::{Feedback, Guard, Spec};
+use ptc_codegen::request::{Feedback, Guard, Spec};
 
 use crate::harness::program::{Outcome, Record, real};
 use crate::harness::specs::{calls_a_library, rounded};

@@ -2,7 +2,7 @@
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec::{Entry, Spec, read};
+use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 
 use crate::harness::random::Random;

@@ -184,7 +184,7 @@ mod tests {
     use crate::mapping::{Custom, TimeMapping};
     use crate::parameter::Parameter;
     use crate::program::passes;
-    use crate::spec::Spec;
+    use crate::request::Spec;
 
     fn program(n: usize, family: Family, precision: Precision) -> Program {
         let spec = Spec { precision, ..Spec::new(n, family) };

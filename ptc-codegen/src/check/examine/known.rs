@@ -10,7 +10,7 @@ use crate::expression::{Expression, Variable, leading};
 use crate::family::Family;
 use crate::mapping::{Form, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 use crate::syntax::number;
 
 /// Whether a parameter is fixed.

@@ -26,7 +26,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::spec::{Feedback, Spec, What};
+use crate::request::{Feedback, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;

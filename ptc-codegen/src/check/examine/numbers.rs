@@ -9,7 +9,7 @@ use crate::lower::lower;
 use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Program, passes};
-use crate::spec::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A linear design with all its numbers.
 pub(crate) struct Numbers<'a> {

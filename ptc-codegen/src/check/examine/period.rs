@@ -6,7 +6,7 @@ use crate::check::sampling::is_stable;
 use crate::check::{middle, to_f64 as count};
 use crate::expansion::Expanded;
 use crate::parameter::Parameter;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Ratio of neighbouring periods of the search.
 const STEP: f64 = 1.02;

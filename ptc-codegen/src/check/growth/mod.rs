@@ -192,7 +192,7 @@ mod tests {
     use crate::algebra::integer;
     use crate::check::deadline::{ClosedLoop, deadline};
     use crate::check::digits;
-    use crate::spec::{Pole, gains};
+    use crate::request::{Pole, gains};
 
     fn exact(poles: &[i64]) -> Vec<BigRational> {
         let poles: Vec<_> = poles.iter().map(|re| Pole::real(integer(*re))).collect();

@@ -157,7 +157,7 @@ mod tests {
     use crate::algebra::{BigRational, integer};
     use crate::check::growth::{Modes, growth, too_fast};
     use crate::check::{Outcome, Verdict};
-    use crate::spec::{Pole, gains};
+    use crate::request::{Pole, gains};
 
     fn told(poles: &[(i64, i64)], rho: BigRational, modes: Modes) -> Outcome {
         let poles: Vec<_> =

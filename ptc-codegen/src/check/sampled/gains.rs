@@ -9,7 +9,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::Parameter;
 use crate::program::{Input, Program, Stage, number, passes};
-use crate::spec::{After, Spec};
+use crate::request::{After, Spec};
 
 /// The rows of gains of samples 0..=`last` with period `h`, the last ones held from there on; none
 /// where a value of the program is not enclosed.

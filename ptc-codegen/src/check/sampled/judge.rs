@@ -14,7 +14,7 @@ use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;

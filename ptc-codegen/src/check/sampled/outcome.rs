@@ -7,7 +7,7 @@ use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, digits, list};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";

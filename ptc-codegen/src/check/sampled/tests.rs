@@ -7,7 +7,7 @@ use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::Spec;
+use crate::request::Spec;
 use crate::syntax::number;
 
 /// Loops in 50-digit arithmetic: `tests/data/sampled_loops.json`.

@@ -10,7 +10,7 @@ use ptc_codegen::controller::measured::Measured;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::emit::{File, Language, Project};
 use ptc_codegen::expansion::Expanded;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 pub(crate) use args::{EXAMPLES, Emit};
 

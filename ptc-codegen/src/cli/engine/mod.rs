@@ -14,7 +14,7 @@ mod part;
 use clap::ValueEnum;
 use ptc_codegen::expansion::{self, ClosedForms, Expanded};
 use ptc_codegen::mapping::Mapping;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 pub(crate) use part::Part;
 

@@ -2,7 +2,7 @@
 
 use ptc_codegen::parameter::Fixed;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{After, Feedback, Guard, Spec};
+use ptc_codegen::request::{After, Feedback, Guard, Spec};
 
 use crate::cli::source::Source;
 

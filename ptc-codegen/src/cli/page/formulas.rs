@@ -7,7 +7,7 @@ use ptc_codegen::law::{Form, Law};
 use ptc_codegen::mapping::{Form as Computed, TimeMapping};
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{Feedback, Spec};
+use ptc_codegen::request::{Feedback, Spec};
 
 use crate::cli::mathml::{
     self, Math, applied, bold, dot, equal, fenced, fraction, name, named, number, of_expression,

@@ -13,7 +13,7 @@ use ptc_codegen::check::examine::Report;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::plant::Plant;
 use ptc_codegen::plot::Figure;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::mathml::{Math, display, inline};
 use super::report::Failure;

@@ -18,7 +18,7 @@ use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::Mapping;
 use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::spec::{MAX_ORDER, Spec};
+use ptc_codegen::request::{MAX_ORDER, Spec};
 use ptc_codegen::syntax::{Node, Value};
 
 use args::Format;

@@ -5,8 +5,8 @@ use std::ops::Range;
 use num_traits::{One, Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
 use ptc_codegen::parameter::Fixed;
+use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::Loop;
-use ptc_codegen::spec::Spec;
 use ptc_codegen::syntax::number;
 
 use super::args::Simulate;

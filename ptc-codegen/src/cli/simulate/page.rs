@@ -3,7 +3,7 @@
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::args::Simulate;
 use super::picture::figure;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use num_traits::ToPrimitive;
 use ptc_codegen::plot::{Figure, Trace};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::run::Run;
 use crate::cli::page::undrawn;

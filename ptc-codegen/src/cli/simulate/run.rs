@@ -4,10 +4,10 @@ use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
+use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{
     Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values,
 };
-use ptc_codegen::spec::Spec;
 
 use super::input::Asked;
 use crate::cli::report::{self, Failure, Notice};

@@ -9,7 +9,7 @@ mod report;
 
 use std::ops::Range;
 
-use ptc_codegen::spec;
+use ptc_codegen::request;
 use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
@@ -114,7 +114,7 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
         }
     }
     let parsed = source.parse();
-    let read = spec::read(&parsed.entries)
+    let read = request::read(&parsed.entries)
         .and_then(|spec| verify::read_with_plant(&parsed.entries, &spec));
     match read {
         Ok(campaign) => parsed.finish(Some(campaign), Vec::new()),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::example::Example;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// A variable as both versions of modelDescription.xml tell it.
 pub(super) struct Variable {

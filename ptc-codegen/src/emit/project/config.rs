@@ -6,7 +6,7 @@ use super::super::{Controller, Language, c, declared, rust};
 use super::constant;
 use crate::parameter::Parameter;
 use crate::program::number;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// A run-time parameter, or an array of them.
 pub(super) struct Setting {

@@ -12,7 +12,7 @@ use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
 use crate::parameter::Precision;
-use crate::spec::Spec;
+use crate::request::Spec;
 use config::Config;
 use templates::{
     Arduino, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, Linker, MainC, MainRust,

@@ -9,7 +9,7 @@ use crate::lower::lower;
 use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Stage, Value, cost};
-use crate::spec::Spec;
+use crate::request::Spec;
 use crate::syntax::number;
 
 /// Numbers in (0.5, 2.5) that differ from input to input, rounded to the precision.

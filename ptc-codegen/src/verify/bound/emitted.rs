@@ -18,7 +18,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Program, number, passes};
-use crate::spec::{Spec, What};
+use crate::request::{Spec, What};
 
 /// Cells at which the program may be looked at.
 const MOST: usize = 20_000;

@@ -34,7 +34,7 @@ use crate::expression::normal::normal;
 use crate::expression::range::Range;
 use crate::expression::{Expression, existence};
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::Feedback;
+use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 6000;

@@ -184,7 +184,7 @@ mod tests {
     use crate::parameter::Parameter;
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
-    use crate::spec::Spec;
+    use crate::request::Spec;
 
     fn program(n: usize, family: Family, precision: Precision) -> Program {
         let spec = Spec { precision, ..Spec::new(n, family) };

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
-use crate::spec::{Entry, Spec};
+use crate::request::{Entry, Spec};
 use crate::syntax::{Node, Value, real};
 
 /// What stands at a key, and where the key is.

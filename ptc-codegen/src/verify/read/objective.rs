@@ -2,7 +2,7 @@
 
 use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, resolve};
-use crate::spec::known;
+use crate::request::known;
 use crate::syntax::Value;
 use crate::verify::keys::OBJECTIVE_KEYS;
 use crate::verify::{Kind, Objective};

@@ -6,7 +6,7 @@ use crate::expression::{Expression, Function, Scope, Subject, resolve};
 use crate::family::{FAMILIES, Family, FamilyInfo};
 use crate::mapping::{Custom, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::MAX_RATES;
+use crate::request::MAX_RATES;
 use crate::syntax::{Argument, Node, Value, real};
 
 /// A mapping with the values of its own parameters as far as they are fixed.

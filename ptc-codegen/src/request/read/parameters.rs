@@ -7,7 +7,7 @@ use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
 use crate::keys::KeyInfo;
 use crate::parameter::{Fixed, Parameter, Precision};
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 use crate::syntax::{Node, Value, real};
 
 /// The parameters that every controller has.

@@ -9,7 +9,7 @@ use crate::algebra::BigRational;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
-use crate::spec::{Feedback, Pole, gains};
+use crate::request::{Feedback, Pole, gains};
 use crate::syntax::{Node, Value, constant};
 
 /// What the keys of the law say.
