@@ -10,9 +10,9 @@
 use ptc_codegen::check::sampling::longest_period;
 use ptc_codegen::law::Law;
 use ptc_codegen::program::interpret::Interpreter;
-use ptc_codegen::program::passes;
-use ptc_codegen::program::{Input, Program};
-use ptc_codegen::spec::{Entry, Spec, Value, parse, read};
+use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::{Value, parse};
 use ptc_codegen::{diagnostic::Place, lower};
 
 fn main() {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use support::{STRICT, c_compiler, folder, run, specs, tolerance, write};
 
 /// The controllers of the C program, of all of which one source is made.

@@ -6,12 +6,13 @@ mod support;
 use std::collections::BTreeMap;
 
 use ptc_codegen::emit::Language;
+use ptc_codegen::family::Family;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::mapping::Family;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, Value, passes};
-use ptc_codegen::spec::{Guard, Parameter, Precision, Spec};
+use ptc_codegen::request::{Guard, Spec};
 use support::program::{Outcome, Record, in_c, in_rust};
 use support::random::Random;
 use support::records::records;

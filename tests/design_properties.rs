@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use ptc_codegen::design::{self, Quote};
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec;
+use ptc_codegen::request;
 
 const DESIGN: &str = "name = \"roll\" # \u{e9}\r\nn = 2\nmu = 'power(m=2)'\ngains = [2_0, \"9\",\n +9.5e-1]\n\
     precision = \"\\u0066\u{36}4\"\n[params]\ntau = 1.0\n\"eps\" = 0.1\nu_max = inf\n\
@@ -72,6 +72,6 @@ proptest! {
             prop_assert!(!wrong.message.is_empty() && !wrong.help.is_empty());
             prop_assert!(wrong.place.is_some());
         }
-        let _ = spec::read(&entries);
+        let _ = request::read(&entries);
     }
 }

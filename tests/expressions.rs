@@ -6,12 +6,14 @@ mod support;
 use std::collections::BTreeMap;
 
 use ptc_codegen::diagnostic::Place;
+use ptc_codegen::family::{FAMILIES, Family};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::mapping::{FAMILIES, Family};
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read as read_spec};
+use ptc_codegen::request::{Entry, Spec, read as read_spec};
+use ptc_codegen::syntax::parse;
 use support::tolerance;
 use support::vectors::{Vector, read};
 

@@ -106,7 +106,7 @@ fn the_docs_of_the_macro_are_whole() {
     let docs = include_str!("../src/lib.rs");
     let rows = docs.lines().filter_map(|line| line.strip_prefix("/// | `"));
     let told: Vec<_> = rows.filter_map(|row| row.split('`').next()).collect();
-    assert_eq!(told, ptc_codegen::spec::KEYS.map(|info| info.key));
-    let families = ptc_codegen::mapping::FAMILIES.each_ref().map(|f| format!("`{}`", f.name));
+    assert_eq!(told, ptc_codegen::keys::KEYS.map(|info| info.key));
+    let families = ptc_codegen::family::FAMILIES.each_ref().map(|f| format!("`{}`", f.name));
     assert!(docs.contains(&families.join(", ")), "{families:?}");
 }

@@ -8,9 +8,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::mapping::Family;
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::reference::Status;
-use ptc_codegen::spec::{After, Feedback, Parameter, Spec};
+use ptc_codegen::request::{After, Feedback, Spec};
 use support::goldens::controllers;
 use support::program::{Record, has_gains, in_c, in_rust};
 use support::specs::Values;

@@ -6,9 +6,10 @@ mod support;
 use nalgebra::{DMatrix, DVector};
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
 use ptc_codegen::expansion::{self, letter};
-use ptc_codegen::mapping::Family;
+use ptc_codegen::family::Family;
+use ptc_codegen::mapping::Mapping;
+use ptc_codegen::parameter::Precision;
 use ptc_codegen::program::number::round;
-use ptc_codegen::spec::Precision;
 use support::tolerance::IDENTITY;
 use support::vectors::{Vector, read};
 
@@ -79,7 +80,7 @@ fn magnitude(poly: &Poly, value: &dyn Fn(Symbol) -> f64) -> f64 {
 
 /// BB_n[kappa] at a vector, over b_n[kappa].
 fn bell(vector: &Vector) -> Scaled {
-    let mapping = vector.family.mapping(vector.rates.len());
+    let mapping = Mapping::of(vector.family, vector.rates.len());
     let to_go = vector.time_to_go();
     let value = |s| symbol(vector, to_go, s);
     let mut rows = expansion::matrix(&mapping, vector.n);
@@ -92,7 +93,7 @@ fn bell(vector: &Vector) -> Scaled {
 
 /// BB_n[mu] at a vector, over b_n[mu]: from the derivatives r_k of mu by the letter's sum.
 fn inverse_bell(vector: &Vector) -> Scaled {
-    let mapping = vector.family.mapping(vector.rates.len());
+    let mapping = Mapping::of(vector.family, vector.rates.len());
     let to_go = vector.time_to_go();
     let r = expansion::r(&mapping, vector.n + 1);
     let table = letter::table(vector.n);
@@ -153,7 +154,7 @@ fn the_expansions_of_a_mapping_and_its_inverse_undo_each_other() {
 
 /// r_1 = mu' at the time of a vector.
 fn mu_prime_at(vector: &Vector) -> f64 {
-    let mapping = vector.family.mapping(vector.rates.len());
+    let mapping = Mapping::of(vector.family, vector.rates.len());
     let to_go = vector.time_to_go();
     evaluate(&mapping.r1, &|s| symbol(vector, to_go, s))
 }

@@ -14,7 +14,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::{File, Language, Project};
-use ptc_codegen::spec::{Entry, Spec, parse, read};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 use ptc_codegen::{design, generate, project};
 
 /// What ends comments and texts, or is read by shells, CMake, make, HTML, MATLAB and terminals.

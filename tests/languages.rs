@@ -9,7 +9,7 @@ use std::process::Command;
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler, in_cpp_from};
 use ptc_assure::harness::records::records;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use support::program::in_c;
 use support::random::Random;
 use support::specs::{calls_a_library, families, spec};

@@ -5,10 +5,11 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::{Interpreter, of_call};
+use ptc_codegen::parameter::Parameter;
+use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::passes;
-use ptc_codegen::reference::{Call, evaluate, tolerance};
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::reference::{Call, call, evaluate, tolerance};
+use ptc_codegen::request::Spec;
 use support::random::Random;
 use support::specs::{rounded, spec};
 
@@ -34,7 +35,7 @@ fn worst(spec: &Spec, random: &mut Random) -> f64 {
     let x = vec![0.0; spec.n];
     let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
     let expected = evaluate(spec, &call).and_then(|outcome| outcome.control).expect("a control");
-    let u = Interpreter::new(&program, &of_call(&call)).value(program.step);
+    let u = Interpreter::new(&program, &call::inputs(&call)).value(program.step);
     expected.error(u) / tolerance::of(spec)
 }
 

@@ -6,9 +6,10 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{After, Parameter, Precision, Spec};
+use ptc_codegen::request::{After, Spec};
 use support::program::{self, Record, in_c, in_rust};
 use support::random::Random;
 use support::specs::{rounded, spec};
@@ -108,7 +109,7 @@ fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
         let finite = |x: f64| if x.is_nan() { 1.0 } else { x };
         let latched = if spec.latches() { spec.n } else { 0 };
         let x0 = (0..latched).map(|_| finite(state(random))).collect();
-        let trusting = spec.guard == ptc_codegen::spec::Guard::None;
+        let trusting = spec.guard == ptc_codegen::request::Guard::None;
         let x = (0..spec.n)
             .map(|_| {
                 let x = state(random);
@@ -157,7 +158,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
         Input::StateAtStart(j) => record.x0[j - 1],
         Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
     };
-    if spec.guard == ptc_codegen::spec::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
+    if spec.guard == ptc_codegen::request::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
         return (-2, 0);
     }
     let law = |arguments: &[f64]| user_law(arguments, spec.precision);
@@ -168,7 +169,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
     if over {
         u = if spec.after == After::Extern { -record.x[0] } else { 0.0 };
     }
-    if spec.guard == ptc_codegen::spec::Guard::Result && record.x.iter().any(|x| x.is_nan()) {
+    if spec.guard == ptc_codegen::request::Guard::Result && record.x.iter().any(|x| x.is_nan()) {
         return (-3, 0);
     }
     let held = interpreter.value(limits.late) >= interpreter.value(limits.hold_from);

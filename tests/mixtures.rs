@@ -5,10 +5,11 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::{Interpreter, of_call};
+use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::passes;
-use ptc_codegen::reference::{Call, evaluate, tolerance};
-use ptc_codegen::spec::{Parameter, Precision, Spec};
+use ptc_codegen::reference::{Call, call, evaluate, tolerance};
+use ptc_codegen::request::Spec;
 use support::in_pairs;
 use support::specs::{rounded, spec};
 
@@ -66,7 +67,7 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
         let found = evaluate(definition, &call);
         let found = found.unwrap_or_else(|| panic!("no digits at {t}: {}", definition.command()));
         let control = found.control.expect("a law");
-        let u = Interpreter::new(&program, &of_call(&call)).value(program.step);
+        let u = Interpreter::new(&program, &call::inputs(&call)).value(program.step);
         let error = control.error(u) / tolerance::of(spec);
         if error > worst.0 || !u.is_finite() {
             worst = (if u.is_finite() { error } else { f64::NAN }, (tau - (t - t0)) / tau);

@@ -11,7 +11,8 @@ use std::process::Command;
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Entry, Spec, parse, read};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 use support::{STRICT, c_compiler, folder, in_pairs, rustc, write};
 
 /// Names that C, Rust or the emitted code itself use for something of their own.

@@ -6,9 +6,12 @@ use std::collections::BTreeMap;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::mapping::TimeMapping;
+use ptc_codegen::parameter::{Fixed, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program};
-use ptc_codegen::spec::{Fixed, Precision, Spec, TimeMapping, number};
+use ptc_codegen::request::Spec;
+use ptc_codegen::syntax::number;
 use support::program::{Outcome, Record, in_c, in_rust, real};
 use support::vectors::{Vector, read};
 use support::{folder, tolerance};
@@ -183,7 +186,7 @@ fn parameters_fixed_at_generation() {
 
 /// `spec` with all but t0, eps and u_max fixed to the exact values of `vector`.
 fn fixed(mut spec: Spec, vector: &Vector) -> Spec {
-    use ptc_codegen::spec::Parameter::{Eps, StartTime, UMax};
+    use ptc_codegen::parameter::Parameter::{Eps, StartTime, UMax};
 
     let values = vector.values(eps(spec.precision));
     // The gains of the data are random.

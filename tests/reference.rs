@@ -4,8 +4,10 @@
 mod support;
 
 use ptc_codegen::expression::{Expression, Variable};
+use ptc_codegen::mapping::TimeMapping;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::reference::{Call, Outcome, Status, evaluate};
-use ptc_codegen::spec::{Parameter, Precision, Spec, TimeMapping};
+use ptc_codegen::request::Spec;
 use support::in_pairs;
 use support::specs::spec as read_spec;
 use support::vectors::{Vector, lines};

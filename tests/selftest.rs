@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate_selftest;
 use ptc_codegen::reference::Status;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 use support::specs::spec;
 use support::{STRICT, c_compiler, folder, in_pairs, run, write};
 

@@ -7,11 +7,12 @@ use command::{keys, spec_of};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::mapping::{FAMILIES, Family};
-use ptc_codegen::spec::{
-    Entry, Fixed, Guard, KEYS, KeyInfo, Parameter, Precision, Spec, TimeMapping, number, parse,
-    read,
-};
+use ptc_codegen::family::{FAMILIES, Family};
+use ptc_codegen::keys::{KEYS, KeyInfo};
+use ptc_codegen::mapping::TimeMapping;
+use ptc_codegen::parameter::{Fixed, Parameter, Precision};
+use ptc_codegen::request::{Entry, Guard, Spec, read};
+use ptc_codegen::syntax::{number, parse};
 
 /// A text near to what is legal, so that the reader is entered deeply.
 fn nearly_legal() -> impl Strategy<Value = String> {

@@ -15,9 +15,10 @@ use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, number, passes};
-use ptc_codegen::spec::{Feedback, Fixed, Guard, Parameter, Precision, Spec, read};
+use ptc_codegen::request::{Feedback, Guard, Spec, read};
 
 /// Points of time-to-go in a decade: enough to meet the peaks of what swings.
 const A_DECADE: i32 = 60;

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::{Precision, Spec};
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Spec;
 
 use crate::harness::random::Random;
 use crate::harness::specs::{families, random, spec};

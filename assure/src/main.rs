@@ -12,7 +12,7 @@ use ptc_assure::layer::{Layer, Outcome};
 use ptc_assure::layers::{LAYERS, cost};
 use ptc_assure::{report, tool};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 /// Examines emitted code, layer by layer: what each one shows, of which files, by which tool.
 ///
@@ -127,7 +127,7 @@ fn design(file: &Path) -> Result<Spec> {
     if !found.is_empty() {
         return Err(told(&found));
     }
-    ptc_codegen::spec::read(&entries).map_err(|found| told(&found))
+    ptc_codegen::request::read(&entries).map_err(|found| told(&found))
 }
 
 /// The layers that were asked for, all where none was, without those to leave out, in the order in

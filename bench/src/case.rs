@@ -1,8 +1,10 @@
 //! What is measured: controllers by family, order, precision and guard.
 
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::{Fixed, Guard, Parameter, Precision, Spec, number};
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::{Fixed, Parameter, Precision};
+use ptc_codegen::request::{Guard, Spec};
+use ptc_codegen::syntax::number;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::{Failure, Result};

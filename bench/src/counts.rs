@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Guard, Precision};
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::c::{self, Size};

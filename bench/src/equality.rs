@@ -7,13 +7,14 @@
 use std::time::{Duration, Instant};
 
 use egg::{Id, RecExpr, Runner};
+use ptc_codegen::family::Family;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::mapping::Family;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::cost::{X86_64, count};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Op, Program, Stage, Value, passes};
-use ptc_codegen::spec::{Guard, Parameter, Precision};
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::case::{Case, VARIANTS};

@@ -6,7 +6,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-use ptc_codegen::spec::{Guard, Precision, TimeMapping};
+use ptc_codegen::mapping::TimeMapping;
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Guard;
 
 use crate::c;
 use crate::case::{Case, VARIANTS};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use ptc_codegen::spec::Guard;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::{Failure, Result, While};

@@ -6,7 +6,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use ptc_codegen::expansion::bell::bell_table;
-use ptc_codegen::mapping::FAMILIES;
+use ptc_codegen::family::FAMILIES;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Result;

@@ -9,8 +9,9 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::{Guard, Precision};
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::calls::{CALLS, states, times};

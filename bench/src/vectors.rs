@@ -1,7 +1,8 @@
 //! The reference vectors of tests/data, and errors measured against them.
 
-use ptc_codegen::mapping::{FAMILIES, Family};
-use ptc_codegen::spec::{Precision, number};
+use ptc_codegen::family::{FAMILIES, Family};
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::syntax::number;
 use serde::Deserialize;
 
 use crate::failure::{Failure, Result, While};

@@ -10,7 +10,7 @@ use libfuzzer_sys::fuzz_target;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::{design, generate, spec};
+use ptc_codegen::{design, generate, request};
 
 /// Orders that are generated; the greater ones take the same steps, for longer.
 const ORDERS: usize = 4;
@@ -23,7 +23,7 @@ fuzz_target!(|bytes: &[u8]| {
         Place(0)
     });
     assert!(inside, "a place outside of the text");
-    let Ok(given) = spec::read(&entries) else { return };
+    let Ok(given) = request::read(&entries) else { return };
     if !found.is_empty() || given.n > ORDERS {
         return;
     }

@@ -8,7 +8,8 @@ mod command;
 
 use libfuzzer_sys::fuzz_target;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec::{Entry, Node, parse, read};
+use ptc_codegen::request::{Entry, read};
+use ptc_codegen::syntax::{Node, parse};
 
 fn node(key: &str, text: &str) -> Node {
     parse(key, text, &mut |_| Place(0)).expect("a legal value")

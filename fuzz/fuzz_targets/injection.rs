@@ -11,8 +11,8 @@ mod inert;
 use libfuzzer_sys::fuzz_target;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::{Language, Project};
-use ptc_codegen::spec::Spec;
-use ptc_codegen::{design, generate, project, spec};
+use ptc_codegen::request::Spec;
+use ptc_codegen::{design, generate, project, request};
 
 /// Orders that are generated; the greater ones take the same steps, for longer.
 const ORDERS: usize = 3;
@@ -20,7 +20,7 @@ const ORDERS: usize = 3;
 fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let (entries, found) = design::read(text, &mut |_| Place(0));
-    let Ok(given) = spec::read(&entries) else { return };
+    let Ok(given) = request::read(&entries) else { return };
     if !found.is_empty() || given.n > ORDERS {
         return;
     }

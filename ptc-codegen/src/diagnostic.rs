@@ -31,7 +31,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Whether it refuses a design that is well-formed: a check fails, or a coefficient overflows.
     pub fn refuses(&self) -> bool {
-        self.code == "overflow" || crate::check::CHECKS.contains(&self.code)
+        self.code == "overflow" || crate::keys::CHECKS.contains(&self.code)
     }
 }
 
@@ -130,6 +130,14 @@ fn is_hidden(c: char) -> bool {
             | '\u{e0000}'..='\u{e007f}'
     );
     of_format || (c.is_control() && !matches!(c, '\n' | '\t'))
+}
+
+/// The first characters of a long text.
+pub(crate) fn shorten(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
 }
 
 /// The legal name that `given` most likely meant: one at most a third of its letters off, else one

@@ -8,9 +8,9 @@
 //! a polynomial in one quantity that time decides, with coefficients that parameters decide.
 
 use crate::algebra::{Kind, Poly, Symbol, integer};
-use crate::expansion::{self, ClosedForms};
+use crate::expansion::{self, ClosedForms, Expanded};
 use crate::mapping::{Mapping, expand};
-use crate::spec::{Feedback, Spec};
+use crate::request::{Feedback, Spec};
 
 /// The form in which u is computed.
 #[derive(Clone, Debug)]
@@ -40,16 +40,27 @@ pub struct Law {
     pub rate: Poly,
     /// How u is computed.
     pub form: Form,
+    /// The closed forms from which it is computed, where another engine has made them.
+    pub expanded: Option<Expanded>,
 }
 
 impl Law {
     /// The law that a spec asks for.
     pub fn of(spec: &Spec) -> Self {
-        match (&spec.feedback, spec.ring()) {
-            (Feedback::Linear, Some(ring)) => Self::new(spec.n, &ring, spec.closed_forms()),
-            (Feedback::Linear, None) => Self { n: spec.n, rate: Poly::one(), form: Form::Series },
-            _ => Self { n: spec.n, rate: Poly::one(), form: Form::State },
-        }
+        Self::from(spec, None)
+    }
+
+    /// The same from the closed forms of another engine, where they are given.
+    pub fn from(spec: &Spec, expanded: Option<&Expanded>) -> Self {
+        let law = |form| Self { n: spec.n, rate: Poly::one(), form, expanded: None };
+        let law = match (&spec.feedback, spec.ring()) {
+            (Feedback::Linear, Some(ring)) => {
+                Self::new(spec.n, &ring, expanded.and_then(Expanded::family))
+            }
+            (Feedback::Linear, None) => law(Form::Series),
+            _ => law(Form::State),
+        };
+        Self { expanded: expanded.cloned(), ..law }
     }
 
     /// The linear law for order `n` and `mapping`, whose closed forms are `expanded` where they are
@@ -65,7 +76,7 @@ impl Law {
             },
             None => Form::Series,
         };
-        Self { n, rate: mapping.rate.clone(), form }
+        Self { n, rate: mapping.rate.clone(), form, expanded: None }
     }
 }
 
@@ -129,10 +140,10 @@ fn exponent(value: usize) -> u32 {
 mod tests {
     use super::*;
     use crate::algebra::text;
-    use crate::mapping::Family;
+    use crate::family::Family;
 
     fn rows_of(family: Family, n: usize) -> Vec<String> {
-        match Law::new(n, &family.mapping(0), None).form {
+        match Law::new(n, &Mapping::of(family, 0), None).form {
             Form::Rows { rows, .. } => rows.iter().map(text).collect(),
             Form::Series | Form::State => Vec::new(),
         }
@@ -156,7 +167,7 @@ mod tests {
         let (entries, _) = crate::design::read("n = 2\nmu = \"tau*(1 - exp(-t))\"", &mut |_| {
             crate::diagnostic::Place(0)
         });
-        let spec = crate::spec::read(&entries).expect("a controller");
+        let spec = crate::request::read(&entries).expect("a controller");
         assert!(matches!(Law::of(&spec).form, Form::Series));
     }
 
@@ -164,7 +175,7 @@ mod tests {
     fn a_sum_is_a_polynomial_in_one_quantity() {
         assert_eq!(rows_of(Family::Rational, 2)[1], "2 - K2*inv_T");
         for family in [Family::Tan, Family::Tanh, Family::Algebraic, Family::Power] {
-            let mapping = family.mapping(0);
+            let mapping = Mapping::of(family, 0);
             let Form::Rows { rows, .. } = Law::new(5, &mapping, None).form else {
                 panic!("r_1 of {family:?} is a single term");
             };

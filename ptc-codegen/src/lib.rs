@@ -4,47 +4,132 @@
 //! "A Framework for Prescribed-Time Control Design via Time-Scale Transformation":
 //! u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), where pi0 is linear unless the user gives another.
 //!
-//! [`generate`] is the whole line: a [`spec::Spec`] is checked ([`check`]) and expanded to closed
+//! [`generate`] is the whole line: a [`request::Spec`] is checked ([`check`]) and expanded to closed
 //! forms ([`mapping`], [`expansion`]), these to the law ([`law`]), the law to a staged program ([`lower`],
 //! [`program`]), which passes optimise and [`emit`] prints. All mistakes of the user are found by
-//! [`spec::read`]; the same spec gives the same bytes on any machine.
+//! [`request::read`]; the same spec gives the same bytes on any machine.
 
 pub mod algebra;
 pub mod check;
 pub mod code;
+pub mod controller;
 pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expansion;
 pub mod expression;
+pub mod family;
 pub mod internal;
+pub mod keys;
 pub mod law;
 pub mod limits;
 pub mod lower;
 pub mod mapping;
+pub mod parameter;
 pub mod plant;
 #[cfg(feature = "simulation")]
 pub mod plot;
 pub mod program;
 pub mod reference;
+pub mod request;
 pub mod samples;
 pub mod selftest;
 #[cfg(feature = "simulation")]
 pub mod simulate;
-pub mod spec;
+pub mod syntax;
 #[cfg(feature = "campaign")]
 pub mod synthesis;
 #[cfg(feature = "campaign")]
 pub mod verify;
 
 use check::examine::{Report, examine};
+use controller::Controller;
+use controller::measured::Measured;
 use diagnostic::{Diagnostic, Diagnostics};
-use emit::measured::Measured;
-use emit::{Controller, File, Language, Project};
-use internal::guarded;
+use emit::{File, Language, Project};
+use expansion::Expanded;
+use internal::{fault, guarded};
 use law::Law;
 use program::{Op, Program, number, passes};
-use spec::Spec;
+use request::Spec;
+
+/// A design that the checks accept, and its optimised program: what all files are made of.
+#[derive(Clone, Debug)]
+pub struct Accepted {
+    report: Report,
+    /// The law and its program; none where the clock is in samples.
+    staged: Option<(Law, Program)>,
+}
+
+impl Accepted {
+    /// The design of a report of [`examine`].
+    ///
+    /// # Errors
+    /// Every check that refuses it, or the coefficient that overflows.
+    pub fn of(report: Report) -> Result<Self, Vec<Diagnostic>> {
+        within(|| {
+            report.accepted()?;
+            if report.spec.sampled().is_some() {
+                return Ok(Self { report, staged: None });
+            }
+            let law = Law::from(&report.spec, report.expanded.as_ref());
+            let program = optimised(&report.spec, &law)?;
+            Ok(Self { report, staged: Some((law, program)) })
+        })
+    }
+
+    /// Its source files, with what a step was measured to cost in their heads.
+    ///
+    /// # Errors
+    /// Everything in the spec that this language cannot express.
+    pub fn files(
+        &self,
+        language: Language,
+        measured: &[Measured],
+    ) -> Result<Vec<File>, Vec<Diagnostic>> {
+        within(|| match &self.staged {
+            Some(_) => emit::emit(&Controller { measured, ..self.controller() }, language),
+            None => emit::emit_sampled(&self.report, language),
+        })
+    }
+
+    /// The source of its self-test in C, and its header.
+    ///
+    /// # Errors
+    /// What has no self-test.
+    pub fn selftest(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        self.report.spec.needs_time("the self-test")?;
+        within(|| {
+            let test = selftest::SelfTest::new(&self.controller())?;
+            Ok(emit::emit_selftest(&self.controller(), &test))
+        })
+    }
+
+    /// Its C files for a proof that they have no error at run time: header and source, which differ
+    /// from those of [`Accepted::files`] by comments alone, and the proof's harness.
+    ///
+    /// # Errors
+    /// A fault of the generator.
+    pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        self.report.spec.needs_time("the proof of run-time errors")?;
+        within(|| Ok(emit::emit_with_proof(&self.controller())))
+    }
+
+    /// The files of a small project around it, by their paths in it.
+    ///
+    /// # Errors
+    /// Everything in the spec that cannot stand alone.
+    pub fn project(&self, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
+        self.report.spec.needs_time("a project")?;
+        project.accepts(&self.report.spec)?;
+        within(|| Ok(project.files(&self.controller())))
+    }
+
+    fn controller(&self) -> Controller<'_> {
+        let Some((law, program)) = &self.staged else { fault("a clock in samples has no law") };
+        Controller { report: &self.report, law, program, measured: &[] }
+    }
+}
 
 /// Generates the source files of one controller.
 ///
@@ -52,22 +137,7 @@ use spec::Spec;
 /// Everything in the spec that cannot be generated, in this language or at all, and every check that
 /// refuses it.
 pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
-    generate_measured(spec, language, &[])
-}
-
-/// The same, with what a step was measured to cost in the head of the files.
-///
-/// # Errors
-/// As [`generate`].
-pub fn generate_measured(
-    spec: &Spec,
-    language: Language,
-    measured: &[Measured],
-) -> Result<Vec<File>, Vec<Diagnostic>> {
-    if spec.sampled().is_some() {
-        return sampled(spec, |report| emit::emit_sampled(report, language))?;
-    }
-    emitted(spec, |controller| emit::emit(&Controller { measured, ..*controller }, language))?
+    accepted(spec)?.files(language, &[])
 }
 
 /// Generates the files of a small project around one controller, by their paths in it.
@@ -75,9 +145,9 @@ pub fn generate_measured(
 /// # Errors
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
-    needs_time(spec, "a project")?;
+    spec.needs_time("a project")?;
     project.accepts(spec)?;
-    emitted(spec, |controller| project.files(controller))
+    accepted(spec)?.project(project)
 }
 
 /// The self-test of one controller in C: the source that a target compiles beside the controller,
@@ -87,21 +157,15 @@ pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnosti
 /// Everything in the spec that cannot be generated, every check that refuses it, and what has no
 /// self-test.
 pub fn generate_selftest(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
-    needs_time(spec, "the self-test")?;
-    emitted(spec, |controller| {
-        let test = selftest::SelfTest::new(controller)?;
-        Ok(emit::emit_selftest(controller, &test))
-    })?
+    accepted(spec)?.selftest()
 }
 
-/// Generates the C files of one controller for a proof that they have no error at run time: header
-/// and source, which differ from those of [`generate`] by comments alone, and the proof's harness.
+/// Generates the C files of one controller for a proof, as [`Accepted::files_with_proof`].
 ///
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
-    needs_time(spec, "the proof of run-time errors")?;
-    emitted(spec, emit::emit_with_proof)
+    accepted(spec)?.files_with_proof()
 }
 
 /// The items that `ptc_controller!` expands to: those of the Rust file, on the types of the
@@ -110,53 +174,31 @@ pub fn generate_with_proof(spec: &Spec) -> Result<Vec<File>, Vec<Diagnostic>> {
 /// # Errors
 /// Everything in the spec that cannot be generated, and every check that refuses it.
 pub fn macro_items(spec: &Spec) -> Result<String, Vec<Diagnostic>> {
-    if spec.sampled().is_some() {
-        return sampled(spec, emit::emit_sampled_items);
-    }
-    emitted(spec, emit::emit_items)
+    let accepted = accepted(spec)?;
+    within(|| match &accepted.staged {
+        Some(_) => Ok(emit::emit_items(&accepted.controller())),
+        None => Ok(emit::emit_sampled_items(&accepted.report)),
+    })
 }
 
-/// What `emit` makes of the controller in samples that `spec` asks for.
-fn sampled<T>(spec: &Spec, emit: impl FnOnce(&Report) -> T) -> Result<T, Vec<Diagnostic>> {
-    let work = || Ok(emit(&examine(spec).accepted()?));
-    guarded(work).map_err(|fault| vec![fault.into()])?
+/// The design of `spec`, if the checks accept it.
+fn accepted(spec: &Spec) -> Result<Accepted, Vec<Diagnostic>> {
+    within(|| Accepted::of(examine(spec)))
 }
 
-/// Refuses a clock in samples for what knows time alone.
-pub(crate) fn needs_time(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
-    let mut found = Diagnostics::default();
-    if spec.sampled().is_some() {
-        let message = format!("{what} does not know a clock in samples yet");
-        found.push(
-            "clock",
-            "clock",
-            None,
-            message,
-            "leave `clock` out, or emit and simulate it alone",
-        );
-    }
-    found.finish(Some(()))
-}
-
-/// What `emit` makes of the controller that `spec` asks for.
-fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T, Vec<Diagnostic>> {
-    let work = || {
-        let report = examine(spec).accepted()?;
-        let law = Law::of(&report.spec);
-        let program = optimised(&report.spec, &law)?;
-        Ok(emit(&Controller { report: &report, law: &law, program: &program, measured: &[] }))
-    };
+/// What `work` gives; a fault of the generator in it is an error too.
+fn within<T>(work: impl FnOnce() -> Result<T, Vec<Diagnostic>>) -> Result<T, Vec<Diagnostic>> {
     guarded(work).map_err(|fault| vec![fault.into()])?
 }
 
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
 /// text; `None` where there is no such pass.
-pub fn dump(spec: &Spec, name: &str) -> Option<String> {
+pub fn dump(spec: &Spec, expanded: Option<&Expanded>, name: &str) -> Option<String> {
     // A controller in samples has no staged program.
     if spec.sampled().is_some() {
         return None;
     }
-    let law = Law::of(spec);
+    let law = Law::from(spec, expanded);
     let lowered = lower::lower(spec, &law);
     if name == "lower" {
         return Some(program::dump::dump(&lowered));

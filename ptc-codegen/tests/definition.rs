@@ -5,10 +5,11 @@ mod support;
 
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
-use ptc_codegen::program::interpret::{Interpreter, of_call};
+use ptc_codegen::parameter::{Fixed, Parameter};
+use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, number, passes};
-use ptc_codegen::reference::{Call, evaluate, tolerance};
-use ptc_codegen::spec::{Fixed, Parameter, Spec};
+use ptc_codegen::reference::{Call, call, evaluate, tolerance};
+use ptc_codegen::request::Spec;
 use support::design;
 
 /// Each mapping, with orders that reach every branch of its closed forms.
@@ -83,7 +84,7 @@ fn worst(spec: &Spec) -> f64 {
     for share in [0.0, 0.4, 0.97, 0.9997, 1.2] {
         let (t, x) = (settle(t0 + share * tau), state(share));
         let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
-        let input = of_call(&call);
+        let input = call::inputs(&call);
         let mut own = Interpreter::new(&program, &input);
         let expected = evaluate(spec, &call).and_then(|told| told.control).expect("a control");
         // What leaves the range of f32 is refused by the emitted code, and is no number here.

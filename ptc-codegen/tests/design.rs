@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use ptc_codegen::design::{self, Quote};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::{self, Entry, KEYS, Value};
+use ptc_codegen::keys::KEYS;
+use ptc_codegen::request::{self, Entry};
+use ptc_codegen::syntax::Value;
 
 /// The entries, the mistakes, and the text at each place.
 fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>, Vec<&str>) {
@@ -257,7 +259,7 @@ fn the_template_tells_every_key_and_is_a_design() {
     {
         let (entries, found, _) = read(&text);
         assert!(found.is_empty(), "{text}\n{found:?}");
-        assert_eq!(spec::read(&entries).expect("a spec").name.as_deref(), name);
+        assert_eq!(request::read(&entries).expect("a spec").name.as_deref(), name);
     }
     let text = design::template(None);
     for info in &KEYS {
@@ -302,7 +304,7 @@ fn the_template_tells_what_verify_reads() {
     let top = "n = 1\nmu = \"exp(a=1)\"\ngains = [3]\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";
     let (entries, found, _) = read(&format!("{top}{}", lines.join("\n")));
     assert!(found.is_empty(), "{found:?}");
-    let spec = spec::read(&entries).expect("a spec");
+    let spec = request::read(&entries).expect("a spec");
     let plant = ptc_codegen::plant::read(&entries, &spec).expect("a plant").expect("a plant");
     let campaign = verify::read(&entries, &spec, &plant).expect("a campaign");
     assert_eq!(

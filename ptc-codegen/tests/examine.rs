@@ -8,7 +8,7 @@ use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
-use ptc_codegen::spec::Feedback;
+use ptc_codegen::request::Feedback;
 
 /// What the check called `name` says of a design.
 fn verdict(line: &str, name: &str) -> Verdict {

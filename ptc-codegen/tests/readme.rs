@@ -169,7 +169,7 @@ fn families_show_the_eps_that_the_check_sets() {
         line.starts_with("The eps is for n = 2").then(|| command.to_owned())
     });
     let line = line.expect("the command of the table");
-    for family in &ptc_codegen::mapping::FAMILIES {
+    for family in &ptc_codegen::family::FAMILIES {
         let row = README.lines().find(|line| line.starts_with(&format!("| `{}` |", family.name)));
         let cells: Vec<_> = row.expect("a row").split('|').map(str::trim).collect();
         let arguments = match family.name {
@@ -230,10 +230,10 @@ fn what_is_told_is_there() {
         let row = EXPRESSIONS.lines().find(|line| line.starts_with("| of one number"));
         assert!(row.is_some_and(|row| row.contains(name)), "{name}");
     }
-    for family in &ptc_codegen::mapping::FAMILIES {
+    for family in &ptc_codegen::family::FAMILIES {
         let row = format!("\n| `{}` | ", family.name);
         assert!(README.contains(&row), "{} has no row", family.name);
     }
-    let orders = format!("1..={}", ptc_codegen::spec::MAX_ORDER);
+    let orders = format!("1..={}", ptc_codegen::request::MAX_ORDER);
     assert!(README.contains(&orders), "{orders}");
 }

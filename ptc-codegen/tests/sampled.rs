@@ -10,9 +10,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use ptc_codegen::emit::Language;
+use ptc_codegen::generate;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::reference::Status;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
-use ptc_codegen::{generate, spec};
 use support::design;
 
 /// t, x and u with the status of the controller.
@@ -38,7 +39,7 @@ fn in_c(name: &str, text: &str, calls: &Seen) -> Vec<(u64, i32)> {
         fs::write(folder.join(&file.name), &file.text).expect("writable");
     }
     let n = spec.n;
-    let real = if spec.precision == spec::Precision::F32 { "float" } else { "double" };
+    let real = if spec.precision == Precision::F32 { "float" } else { "double" };
     let main = format!(
         "#include \"axis.h\"\n#include <stdio.h>\nint main(void) {{\n\
          axis c; const axis_params p = {{ .t0 = 0.25 }}; double in[{n} + 1];\n\
@@ -128,7 +129,7 @@ fn the_controller_in_the_loop_is_the_emitted_c() {
         let around = Loop { period: 0.004, end: 1.1, ..Loop::default() };
         let (spec, plant) = design(&text);
         let mut calls = Vec::new();
-        let values = Values::of(&spec, &plant).with(spec::Parameter::StartTime, 0.25);
+        let values = Values::of(&spec, &plant).with(Parameter::StartTime, 0.25);
         let x0 = [1.0, -0.7, 0.3];
         Sampled::new(&spec, &plant)
             .expect("a loop")

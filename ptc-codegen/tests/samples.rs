@@ -7,8 +7,8 @@ use num_traits::{FromPrimitive, One, Signed, ToPrimitive, Zero};
 use ptc_codegen::algebra::{BigInt, BigRational};
 use ptc_codegen::code::{Code, Instance, Status};
 use ptc_codegen::diagnostic::Place;
+use ptc_codegen::request::{self, Entry, Spec};
 use ptc_codegen::samples;
-use ptc_codegen::spec::{self, Entry, Spec};
 use serde_json::Value;
 
 /// Relative error of a gain in f64, a few roundings.
@@ -31,10 +31,10 @@ fn read(keys: &[(&str, &str)]) -> Result<Spec, String> {
     let entry = |(key, text): &(&str, &str)| Entry {
         key: (*key).to_owned(),
         place: Place(0),
-        value: spec::parse(key, text, &mut |_| Place(0)).expect("a value"),
+        value: request::parse(key, text, &mut |_| Place(0)).expect("a value"),
     };
     let entries: Vec<_> = keys.iter().map(entry).collect();
-    spec::read(&entries).map_err(|found| {
+    request::read(&entries).map_err(|found| {
         found.iter().map(|d| format!("{}: {}; {}\n", d.key, d.message, d.help)).collect()
     })
 }

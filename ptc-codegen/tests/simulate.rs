@@ -3,8 +3,8 @@
 
 mod support;
 
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::simulate::{Accuracy, Cause, Continuous, Direct, Values};
-use ptc_codegen::spec::Parameter;
 use support::design;
 
 /// T/tau, x_1..x_n and u.

@@ -5,7 +5,7 @@ mod command;
 
 use command::spec_of;
 use ptc_codegen::expression::Expression;
-use ptc_codegen::spec::{Feedback, Spec};
+use ptc_codegen::request::{Feedback, Spec};
 
 fn spec(line: &str) -> Spec {
     spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0]))

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Span, TokenStream};
 use ptc_codegen::design::{self, Quote};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::Entry;
+use ptc_codegen::request::Entry;
 
 use crate::input::Spot;
 

@@ -3,8 +3,10 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use ptc_codegen::design::explains_missing;
 use ptc_codegen::diagnostic::{Diagnostic, Place, first, visible};
-use ptc_codegen::mapping::FAMILIES;
-use ptc_codegen::spec::{self, Entry, Spec, Value};
+use ptc_codegen::family::FAMILIES;
+use ptc_codegen::parameter;
+use ptc_codegen::request::{Entry, Spec};
+use ptc_codegen::syntax::Value;
 
 use crate::input::{Input, Spot, example};
 
@@ -106,5 +108,5 @@ fn type_name(input: &Input) -> Option<String> {
         }
         _ => return None,
     };
-    Some(spec::type_name(&name))
+    Some(parameter::type_name(&name))
 }

@@ -7,7 +7,9 @@ use std::ops::Range;
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use ptc_codegen::design::{SYNTAX, UNREADABLE, canonical};
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::{Entry, KeyInfo, parse};
+use ptc_codegen::keys::KeyInfo;
+use ptc_codegen::request::Entry;
+use ptc_codegen::syntax::parse;
 
 use crate::design::{self, Design};
 
@@ -260,7 +262,8 @@ fn join(tokens: &[Token]) -> (String, Vec<Range<usize>>) {
 #[cfg(test)]
 mod tests {
     use proc_macro2::{Group, Literal};
-    use ptc_codegen::spec::{Spec, Value, read as read_spec};
+    use ptc_codegen::request::{Spec, read as read_spec};
+    use ptc_codegen::syntax::Value;
 
     use super::*;
 

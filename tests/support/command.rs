@@ -2,7 +2,8 @@
 
 use ptc_codegen::design::canonical;
 use ptc_codegen::diagnostic::{Diagnostic, Place};
-use ptc_codegen::spec::{Entry, Spec, parse, read};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 
 /// The words of a command line, as a shell splits it.
 fn words(line: &str) -> Vec<String> {

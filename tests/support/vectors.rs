@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use ptc_codegen::mapping::{FAMILIES, Family};
+use ptc_codegen::family::{FAMILIES, Family};
 use serde_json::Value;
 
 /// One line of a file; see tests/data/README.md.

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, anyhow, ensure};
-use ptc_codegen::emit::measured::Measured;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::controller::measured::Measured;
+use ptc_codegen::request::Spec;
 
 use super::command::{succeed, text};
 use super::machine::Machine;

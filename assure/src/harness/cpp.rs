@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::program::{Program, driver, glue_arguments, main_arguments};
 use super::run;

@@ -1,6 +1,6 @@
 //! The controllers whose sources are kept in generated/: the families, and what they do not show.
 
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::specs::{families, spec};
 

@@ -25,7 +25,7 @@ use std::sync::Mutex;
 use std::thread::ScopedJoinHandle;
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 /// The strict C flags: generated code has no warning under any of them, and no contraction, for
 /// Rust has none either.

@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{After, Feedback, Precision, Spec, What};
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::{After, Feedback, Spec, What};
 
 use super::machine::Machine;
 use super::rust::libraries;

@@ -1,6 +1,7 @@
 //! Random records for a controller, of every kind that it has to bear.
 
-use ptc_codegen::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+use ptc_codegen::parameter::{Domain, Fixed, Parameter, Precision};
+use ptc_codegen::request::{Guard, Spec};
 
 use super::program::Record;
 use super::random::Random;

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::spec::{After, Feedback, Spec, What};
+use ptc_codegen::request::{After, Feedback, Spec, What};
 
 use super::empty;
 use super::program::{Outcome, Record, as_bytes, as_outcomes, has_gains, real};

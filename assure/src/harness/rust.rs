@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{After, Feedback, Parameter, Spec};
+use ptc_codegen::parameter::Parameter;
+use ptc_codegen::request::{After, Feedback, Spec};
 
 use super::machine::Machine;
 use super::program::{has_gains, numbers, real};

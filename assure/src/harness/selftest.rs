@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::write;
 

@@ -3,8 +3,10 @@
 use super::random::Random;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::Language;
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::{Entry, Parameter, Precision, Spec, parse, read};
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 
 /// The spec of keys and values as they are written on the command line.
 pub fn spec(keys: &[(&str, &str)]) -> Spec {
@@ -19,7 +21,7 @@ pub fn spec(keys: &[(&str, &str)]) -> Spec {
 
 /// Every family.
 pub fn families() -> impl Iterator<Item = Family> {
-    ptc_codegen::mapping::FAMILIES.iter().map(|info| info.family)
+    ptc_codegen::family::FAMILIES.iter().map(|info| info.family)
 }
 
 /// What a run-time parameter of the given values is.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use crate::context::workspace;
 use crate::harness::command::{succeed, text};

@@ -7,10 +7,11 @@ use anyhow::Result;
 use ptc_codegen::emit::Language;
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Fixed, Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::number::round;
 use ptc_codegen::program::{Input, Program, passes};
-use ptc_codegen::spec::{Fixed, Parameter, Precision, Spec};
+use ptc_codegen::request::Spec;
 
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;

@@ -3,8 +3,8 @@
 use std::fs;
 
 use anyhow::{Context as _, Result, anyhow};
-use ptc_codegen::emit::measured::{HEAD, Measured};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::controller::measured::{HEAD, Measured};
+use ptc_codegen::request::Spec;
 
 use super::seeded::put_in;
 use crate::context::{Context, workspace};

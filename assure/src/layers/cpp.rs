@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::Result;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::comparison::{Side, compare, controllers};
 use super::seeded::{Defect, with_defect};

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, bail};
-use ptc_codegen::spec::{Parameter, Precision, Spec};
+use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::request::Spec;
 
 use self::log::Log;
 use crate::context::Context;

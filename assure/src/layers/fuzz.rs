@@ -11,7 +11,7 @@ use std::time::Instant;
 use anyhow::Result;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use self::compare::{Counts, Difference, compare};
 use self::draw::{Keys, keys, simpler, spec};

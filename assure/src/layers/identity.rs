@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::Result;
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::{Precision, Spec};
+use ptc_codegen::family::Family;
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Spec;
 
 use crate::context::Context;
 use crate::harness::machine::{EMULATED, Machine};

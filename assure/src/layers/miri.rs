@@ -8,7 +8,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result};
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{After, Feedback, Spec};
+use ptc_codegen::request::{After, Feedback, Spec};
 
 use crate::context::{Context, workspace};
 use crate::harness::program::{has_gains, real};

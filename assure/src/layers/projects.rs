@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::command::{emit, generator};
 use crate::context::Context;

@@ -7,7 +7,8 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result};
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Precision, Spec};
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Spec;
 
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use anyhow::Result;
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Feedback, Spec};
+use ptc_codegen::request::{Feedback, Spec};
 
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
@@ -142,7 +142,7 @@ fn calls(index: usize, spec: &Spec) -> String {
     );
     let states = format!("&black_box([1.0 as {real}; {n}])");
     let start = if spec.latches() { format!(", {states}") } else { String::new() };
-    let after = if spec.after == ptc_codegen::spec::After::Extern {
+    let after = if spec.after == ptc_codegen::request::After::Extern {
         format!(", |x: &[{real}; {n}], _t: {real}| -x[0]")
     } else {
         String::new()

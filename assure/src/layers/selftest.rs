@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use ptc_codegen::emit::Language;
-use ptc_codegen::spec::{Precision, Spec};
+use ptc_codegen::parameter::Precision;
+use ptc_codegen::request::Spec;
 
 use self::coverage::{Coverage, measure, mixed_decisions};
 use super::seeded::{Defect, with_defect};

@@ -4,8 +4,10 @@
 //! decidable, simplification is arithmetic, and Horner forms fall out of the exponents.
 
 mod poly;
+pub mod polynomial;
 mod rational;
 mod render;
+pub mod stability;
 mod symbol;
 
 pub use poly::{Monomial, Poly};

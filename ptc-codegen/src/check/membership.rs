@@ -8,7 +8,6 @@
 //! for the values and bounds that are given. Only a validated number refutes.
 
 mod conditions;
-pub(crate) mod enclosure;
 mod growth;
 mod pieces;
 mod problem;
@@ -20,7 +19,7 @@ use self::problem::Problem;
 use super::Outcome;
 use crate::algebra::BigRational;
 use crate::mapping::Custom;
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// What is known of one condition.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -11,15 +11,10 @@ pub mod examine;
 pub mod growth;
 pub mod membership;
 pub mod poles;
-pub mod polynomial;
 pub mod sampled;
 pub mod sampling;
-pub mod stability;
 
 mod eigenvalues;
-
-/// The names of the checks, in the order in which they are run.
-pub const CHECKS: [&str; 6] = ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
 
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

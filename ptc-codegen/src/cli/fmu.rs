@@ -11,7 +11,7 @@ use ptc_codegen::emit::fmu::Version;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
-use super::emit::compare;
+use super::compare::compare;
 use super::output::TemporaryFolder;
 use super::read;
 use super::report::{self, Failure, Notice};

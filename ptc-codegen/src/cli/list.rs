@@ -2,11 +2,26 @@
 
 use std::fmt::Write;
 
-use ptc_codegen::mapping::{FAMILIES, FamilyInfo};
-use ptc_codegen::spec::{Parameter, Spec};
+use clap::Args;
+use ptc_codegen::family::{FAMILIES, FamilyInfo};
+use ptc_codegen::parameter::Parameter;
+use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
-use super::args::ListFormat;
+use super::flags::ListFormat;
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  ptc-codegen list
+  ptc-codegen list --format json";
+
+/// The flags of `list`.
+#[derive(Debug, Args)]
+pub(crate) struct List {
+    /// Notation
+    #[arg(long, value_enum, default_value = "text")]
+    pub(crate) format: ListFormat,
+}
 
 /// What a user is told about a parameter.
 struct Line {

@@ -4,10 +4,12 @@
 
 pub(crate) mod args;
 mod check;
+mod compare;
 #[cfg(feature = "campaign")]
 mod design;
 mod emit;
 mod engine;
+mod flags;
 mod fmu;
 mod list;
 #[cfg(feature = "simulation")]

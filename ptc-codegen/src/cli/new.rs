@@ -2,14 +2,33 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Args;
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec;
+use ptc_codegen::request;
 
-use super::args::New;
 use super::output::{self, Outputs};
 use super::report::Failure;
 use super::write;
+
+pub(crate) const EXAMPLES: &str = "\
+The file is a design as it is written: every key is told in a comment, with what is legal.
+
+Examples:
+  ptc-codegen new           design.toml
+  ptc-codegen new roll      roll.toml, of a controller called roll
+  ptc-codegen new -         to the standard output";
+
+/// The flags of `new`.
+#[derive(Debug, Args)]
+pub(crate) struct New {
+    /// Name of the controller, and of the file before `.toml`; `-` prints to the standard output
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+    /// Folder to write to, made if it is missing; `-` prints to the standard output
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    pub(crate) out: PathBuf,
+}
 
 /// Runs `new`.
 pub(crate) fn new(request: &New) -> Result<(), Failure> {
@@ -47,5 +66,5 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
 
 fn names_a_controller(name: &str) -> bool {
     let (entries, found) = design::read(&design::template(Some(name)), &mut |_| Place(0));
-    found.is_empty() && spec::read(&entries).is_ok()
+    found.is_empty() && request::read(&entries).is_ok()
 }

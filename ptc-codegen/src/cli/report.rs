@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use ptc_codegen::diagnostic::{visible, visible_line};
 use ptc_codegen::internal::{INTERNAL, Internal};
+#[cfg(feature = "campaign")]
+use ptc_codegen::simulate::{self, Cause};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
@@ -81,6 +83,18 @@ impl Failure {
     }
 }
 
+#[cfg(feature = "campaign")]
+impl From<simulate::Failure> for Failure {
+    fn from(failure: simulate::Failure) -> Self {
+        let notice = Notice { help: Some(failure.help), ..Notice::of(failure.message) };
+        match failure.cause {
+            Cause::Input => Self::bad_input(vec![notice]),
+            Cause::Range => Self::refused(vec![notice]),
+            Cause::Unfinished => Self::undecided(vec![notice]),
+        }
+    }
+}
+
 /// One thing that is wrong.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Notice {
@@ -134,6 +148,7 @@ pub(crate) struct Quote {
 }
 
 /// Prints a line that nothing has to be done about.
+#[cfg(feature = "simulation")]
 pub(crate) fn note(text: &str) {
     // Where the standard error is closed there is nobody left to tell.
     let _ = writeln!(std::io::stderr(), "note: {}", visible(text));

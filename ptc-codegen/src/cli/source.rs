@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place, first};
 use ptc_codegen::internal::INTERNAL;
+use ptc_codegen::keys::{KEYS, KeyInfo};
 use ptc_codegen::limits::ENTRIES;
 use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::spec::{Entry, KEYS, KeyInfo, Spec, parse, read};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 
 use super::report::{Exit, Failure, Notice, Quote, quoted};
 

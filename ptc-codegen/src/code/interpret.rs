@@ -6,8 +6,8 @@ use super::{
     Access, Code, Expr, Given, Operator, Outcomes, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::internal::fault;
+use crate::parameter::Precision;
 use crate::program::number;
-use crate::spec::Precision;
 
 /// What a name holds.
 #[derive(Clone, Debug, PartialEq)]

@@ -12,7 +12,7 @@ mod interpret;
 pub use expression::{Expr, Operator, Test};
 pub use interpret::{Argument, Instance, Outcome};
 
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 /// Outcome of a call, with the words of the emitted interfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -27,7 +27,7 @@ use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::limits::ENTRIES;
-use crate::spec::Entry;
+use crate::request::Entry;
 use reader::Reader;
 use statement::statements;
 

@@ -6,7 +6,7 @@ use super::statement::{Head, Statement, Word};
 use super::value::shorten;
 use super::{LISTED, SYNTAX, TABLES, canonical};
 use crate::diagnostic::{Diagnostic, Place, near_miss};
-use crate::spec::Entry;
+use crate::request::Entry;
 
 /// What has been read so far.
 pub(super) struct Reader<'a> {

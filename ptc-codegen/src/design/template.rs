@@ -1,8 +1,9 @@
 //! A design file to begin with, made of the table of keys so that it tells them all.
 
 use super::TABLES;
+use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use crate::plant;
-use crate::spec::{KEYS, KeyInfo, number};
+use crate::syntax::number;
 
 /// Keys without which there is no controller: their examples are no comments.
 const NEEDED: [&str; 2] = ["n", "mu"];
@@ -25,7 +26,7 @@ pub fn template(name: Option<&str>) -> String {
         }
     }
     text.push_str(&format!("\n[{}]\n", plant::TABLE));
-    text.extend(plant::KEYS.iter().map(|info| entry(info, None)));
+    text.extend(PLANT_KEYS.iter().map(|info| entry(info, None)));
     #[cfg(feature = "campaign")]
     text.push_str(&of_verify());
     text

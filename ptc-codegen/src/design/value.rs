@@ -6,8 +6,10 @@ use std::ops::Range;
 use super::reader::Reader;
 use super::template;
 use crate::diagnostic::{LARGE, Place};
+use crate::keys::KeyInfo;
 use crate::limits::ITEMS;
-use crate::spec::{Fixed, KeyInfo, Node, Value, number, parse};
+use crate::parameter::Fixed;
+use crate::syntax::{Node, Value, number, parse};
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {

@@ -2,9 +2,10 @@
 
 use super::Controller;
 use super::frame::Frame;
-use super::plan::Field;
+use crate::controller::plan::Field;
+use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, number};
-use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec, What};
+use crate::request::{Guard, Spec, What};
 
 /// Contracts of the emitted functions, each a comment that stands before a prototype; all empty
 /// where none is asked for.

@@ -6,8 +6,9 @@ use super::acsl::{self, Contracts};
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, eva, header, text_of, tidy};
+use crate::parameter::Precision;
 use crate::program::Input;
-use crate::spec::{After, Feedback, Guard, Precision, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::C,

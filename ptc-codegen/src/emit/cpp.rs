@@ -3,12 +3,13 @@
 use askama::Template;
 
 use super::frame::Frame;
-use super::plan::Routine;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
+use crate::controller::plan::Routine;
 use crate::expression::Function;
+use crate::parameter::Precision;
 use crate::program::{Input, Op};
-use crate::spec::{After, Guard, Precision, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Cpp,

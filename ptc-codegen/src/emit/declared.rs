@@ -2,7 +2,8 @@
 
 use super::Language;
 use crate::expression::Expression;
-use crate::spec::{Feedback, Parameter, Spec};
+use crate::parameter::Parameter;
+use crate::request::{Feedback, Spec};
 
 /// A parameter as an emitted struct declares it.
 pub(super) struct Declared {

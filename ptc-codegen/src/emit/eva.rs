@@ -5,8 +5,9 @@ use askama::Template;
 use super::acsl::place;
 use super::frame::Frame;
 use super::{Controller, File, c, text_of, tidy};
+use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::{Domain, Fixed, Guard, Parameter, Precision, Spec};
+use crate::request::{Guard, Spec};
 
 /// Bound of |x_i| and of what functions of the user give, where the design promises none.
 const STATE: f64 = 10.0;

@@ -7,10 +7,12 @@ use num_traits::ToPrimitive;
 
 use crate::algebra::{BigRational, integer};
 use crate::check::examine::{Report, decay, guarded};
-use crate::check::poles::{Pole, gains};
 use crate::check::{Outcome, Verdict};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::{Feedback, Fixed, Parameter, Precision, Spec, number as fixed};
+use crate::request::{Feedback, Spec};
+use crate::request::{Pole, gains};
+use crate::syntax::number as fixed;
 
 /// What is told of the defaults, a line each.
 pub(super) const DEFAULTS: [&str; 6] = [

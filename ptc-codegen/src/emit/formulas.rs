@@ -7,9 +7,10 @@ use super::declared::linear;
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion::{self, Expanded};
 use crate::expression::Subject;
+use crate::family::FamilyInfo;
 use crate::law::Form as LawForm;
-use crate::mapping::{Custom, FamilyInfo, Form, Mapping};
-use crate::spec::{Feedback, Spec, TimeMapping};
+use crate::mapping::{Custom, Form, Mapping, TimeMapping};
+use crate::request::{Feedback, Spec};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;
@@ -27,15 +28,15 @@ pub(super) fn mapping(controller: &Controller<'_>) -> Vec<String> {
     ];
     let own = match &spec.time_mapping {
         TimeMapping::Family { family, rates } => {
-            closed_forms(spec, family.info(), &family.mapping(*rates))
+            closed_forms(controller, family.info(), &Mapping::of(*family, *rates))
         }
-        TimeMapping::Custom(custom) => as_given(custom, spec.expanded.as_ref()),
+        TimeMapping::Custom(custom) => as_given(custom, controller),
     };
     head.into_iter().chain(own).collect()
 }
 
 /// A user-defined mapping.
-fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
+fn as_given(custom: &Custom, controller: &Controller<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     let given = if custom.subject == Subject::Mu { "mu(t) " } else { "kappa(dt)" };
     lines.push(format!("  {given} = {}", custom.given));
@@ -50,8 +51,8 @@ fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
             lines.push(format!("  r_1 = T*({})", kappa.rate));
         }
     }
-    match expanded {
-        Some(Expanded::Custom { engine, r }) => {
+    match (&controller.report.expanded, controller.spec().engine) {
+        (Some(Expanded::Custom(r)), Some(engine)) => {
             lines.push(format!(
                 "Derivatives r_k = mu^(k)(kappa(Dt)), expanded by the engine {engine}:"
             ));
@@ -66,7 +67,8 @@ fn as_given(custom: &Custom, expanded: Option<&Expanded>) -> Vec<String> {
 }
 
 /// The closed forms of a family.
-fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
+fn closed_forms(controller: &Controller<'_>, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
+    let spec = controller.spec();
     let shown = spec.n.min(SHOWN);
     let mut lines =
         vec![format!("  mu(t)     = {}", info.mu), format!("  kappa(Dt) = {}", info.kappa)];
@@ -75,7 +77,7 @@ fn closed_forms(spec: &Spec, info: &FamilyInfo, ring: &Mapping) -> Vec<String> {
     }
     lines.push("Derivatives r_k = mu^(k)(kappa(Dt)):".to_owned());
     lines.push(format!("  r_k = {}", info.r));
-    let forms = spec.closed_forms();
+    let forms = controller.report.expanded.as_ref().and_then(Expanded::family);
     let r = forms.map_or_else(|| expansion::r(ring, shown), |forms| forms.r[..shown].to_vec());
     for (index, r) in r.iter().enumerate() {
         lines.push(format!("  r_{} = {}", index + 1, algebra::text(r)));

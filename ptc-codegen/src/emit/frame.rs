@@ -2,12 +2,13 @@
 
 use std::fmt;
 
-use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
-use super::{Controller, is_derived};
+use crate::controller::plan::{Field, Plan, Routine, parameter_name};
+use crate::controller::{Controller, is_derived};
 use crate::internal::fault;
+use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, Value, number};
-use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A name and the expression that gives it its value.
 pub(super) struct Assignment {

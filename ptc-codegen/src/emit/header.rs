@@ -1,13 +1,14 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::measured::Measured;
 use super::{Controller, Language, formulas};
 use crate::check::examine::{Report, held_period};
 use crate::check::{Verdict, digits};
+use crate::controller::measured::Measured;
 use crate::expression::Function;
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
-use crate::spec::{After, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
@@ -86,7 +87,7 @@ fn sample_period(controller: &Controller<'_>) -> Vec<String> {
         Some(_) => "SAMPLE PERIOD NOT CHECKED:",
     };
     let eps = spec.fixed.get(&Parameter::Eps);
-    let text = match (eps, held_period(spec)) {
+    let text = match (eps, held_period(spec, controller.report.expanded.as_ref())) {
         (Some(eps), Some(Some(period))) => format!(
             "{head} with the gains held at eps = {eps} s, the loop with f = 0 and a zero-order hold is stable only for sample periods below {} s.",
             digits(period)

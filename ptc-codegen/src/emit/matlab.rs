@@ -6,8 +6,9 @@ use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::diagnostic::Diagnostics;
+use crate::parameter::Precision;
 use crate::program::Input;
-use crate::spec::{After, Guard, Precision, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Matlab,

@@ -15,8 +15,6 @@ mod formulas;
 mod frame;
 mod header;
 mod matlab;
-pub mod measured;
-mod plan;
 mod print;
 mod project;
 mod python;
@@ -30,14 +28,13 @@ mod table;
 pub use project::Project;
 
 use crate::check::examine::Report;
+use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
-use crate::law::Law;
-use crate::program::{Op, Program, Value};
+use crate::parameter::Parameter;
+use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
-use crate::spec::{After, Feedback, Parameter, Spec, What};
 use declared::{Declared, declared};
-use plan::{Field, Plan};
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -145,26 +142,6 @@ pub struct File {
     pub text: String,
 }
 
-/// Everything that a back end is given.
-#[derive(Clone, Copy, Debug)]
-pub struct Controller<'a> {
-    /// What was asked for, and what the checks say of it.
-    pub report: &'a Report,
-    /// The law, for the documentation in the emitted code.
-    pub law: &'a Law,
-    /// The optimised program.
-    pub program: &'a Program,
-    /// What a step was measured to cost, for the head of the emitted files.
-    pub measured: &'a [measured::Measured],
-}
-
-impl<'a> Controller<'a> {
-    /// What was asked for.
-    pub fn spec(&self) -> &'a Spec {
-        &self.report.spec
-    }
-}
-
 /// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
 /// function of the user's, and needs a controller.
 fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
@@ -249,27 +226,6 @@ fn names(spec: &Spec) -> Vec<(String, String)> {
 /// The C files of the self-test of a controller.
 pub fn emit_selftest(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     selftest::files(controller, test)
-}
-
-/// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
-/// name of its field.
-pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
-    let fields = Plan::new(program, str::to_owned).fields;
-    let derived = |field: &&Field| is_derived(program, field);
-    [false, true].map(|armed| {
-        let own = fields.iter().filter(|field| field.armed == armed).filter(derived);
-        own.map(|field| (field.value, field.name.clone())).collect()
-    })
-}
-
-/// Whether a field is to be checked: one that is a parameter as it was given has been checked by
-/// its domain, the deadline is checked anyway, and what makes up its rounding is finite with it.
-fn is_derived(program: &Program, field: &Field) -> bool {
-    let value = program.get(field.value);
-    let of_time = |name: &str| matches!(name, "deadline" | "correction");
-    let is_time = field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n));
-    let is_given = matches!(value.op, Op::Input(_));
-    !is_time && !is_given
 }
 
 /// The C files of a controller with contracts and case splits in comments, and a harness with which

@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use super::plan::{Plan, Routine};
+use crate::controller::plan::{Plan, Routine};
 use crate::expression::Function;
 use crate::internal::fault;
+use crate::parameter::Precision;
 use crate::program::{Input, Op, Root, Stage, Value, number};
-use crate::spec::Precision;
 
 /// What differs between the languages: the names, the tests of the frame, and then the operations, one
 /// method for each. None has a default but the name, so that a new operation is written for all.

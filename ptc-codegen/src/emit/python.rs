@@ -5,8 +5,9 @@ use askama::Template;
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
+use crate::parameter::{Precision, type_name};
 use crate::program::Input;
-use crate::spec::{After, Guard, Precision, Spec, type_name};
+use crate::request::{After, Guard, Spec};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Python,

@@ -6,8 +6,9 @@ use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::expression::Function;
+use crate::parameter::Precision;
 use crate::program::Input;
-use crate::spec::{After, Guard, Precision, Spec};
+use crate::request::{After, Guard, Spec};
 
 pub(super) const TARGET: Target = Target {
     language: Language::Rust,

@@ -4,8 +4,9 @@ use super::{Language, header};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{After, Guard, Sampled, Spec};
 use crate::samples;
-use crate::spec::{After, Fixed, Guard, Parameter, Sampled, Spec};
 
 /// The program; none where the clock is time.
 pub(super) fn program(report: &Report, language: Language) -> Option<Code> {

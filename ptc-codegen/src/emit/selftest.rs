@@ -4,10 +4,11 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::{Controller, File, Language, c, declared, text_of, tidy};
+use crate::parameter::Precision;
 use crate::program::number;
 use crate::reference::tolerance;
+use crate::request::{After, Feedback, Guard, Spec};
 use crate::selftest::{Call, SelfTest, Session, Unreachable};
-use crate::spec::{After, Feedback, Guard, Precision, Spec};
 
 /// The header and the source.
 pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {

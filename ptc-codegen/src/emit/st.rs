@@ -10,8 +10,9 @@ use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, names, text_of, tidy};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Subject};
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Input, Op};
-use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
     language: Language::StructuredText,

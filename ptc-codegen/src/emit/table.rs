@@ -10,8 +10,8 @@ use super::print::Syntax;
 use super::python::Python;
 use super::rust::Rust;
 use super::st::StructuredText;
-use crate::mapping::Family;
-use crate::spec::Spec;
+use crate::family::Family;
+use crate::request::Spec;
 
 /// How one operation, on operands called a and b, is written.
 type Row = (&'static str, fn(&dyn Syntax) -> String);

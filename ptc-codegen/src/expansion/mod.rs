@@ -25,14 +25,9 @@ pub struct ClosedForms {
 pub enum Expanded {
     /// Of a family, in its atoms. Where kappa is found by an iteration, B_{i,j} is in free r_k.
     Family(ClosedForms),
-    /// Of a mapping that the user wrote down.
-    Custom {
-        /// What made them, as it is asked for.
-        engine: &'static str,
-        /// r_1, ..., r_n in the time-to-go, or in stretched time where kappa is found by an
-        /// iteration.
-        r: Vec<Expression>,
-    },
+    /// Of a mapping that the user wrote down:
+    /// r_1, ..., r_n in the time-to-go, or in stretched time where kappa is found by an iteration.
+    Custom(Vec<Expression>),
 }
 
 impl Expanded {
@@ -40,7 +35,7 @@ impl Expanded {
     pub fn family(&self) -> Option<&ClosedForms> {
         match self {
             Self::Family(forms) => Some(forms),
-            Self::Custom { .. } => None,
+            Self::Custom(_) => None,
         }
     }
 }

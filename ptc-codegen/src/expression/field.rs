@@ -8,7 +8,7 @@ use super::ratio::{Ratio, content};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
 use crate::limits::{KERNELS, POWER, SIZE, TERMS};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// What one symbol stands for.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,6 +7,7 @@ mod compact;
 pub(crate) mod decaying;
 mod derivative;
 pub(crate) mod effort;
+pub(crate) mod enclosure;
 pub(crate) mod existence;
 mod field;
 pub(crate) mod interval;
@@ -24,14 +25,14 @@ mod solve;
 pub(crate) mod testing;
 
 pub use names::Subject;
-pub use resolve::{Scope, resolve};
+pub use resolve::{Scope, family_form, resolve};
 pub use solve::solve;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::algebra::{BigRational, integer};
 use crate::limits::BITS;
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// What varies while the controller runs, beside its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,9 +1,10 @@
 //! The names that have a meaning of their own in expressions: one table of what each means, and where.
 
 use super::{Expression, Function, Variable};
-use crate::mapping::FAMILIES;
-use crate::plant;
-use crate::spec::{KeyInfo, Parameter, shorten};
+use crate::diagnostic::shorten;
+use crate::family::FAMILIES;
+use crate::keys::{KeyInfo, PLANT_KEYS};
+use crate::parameter::Parameter;
 
 /// What an expression is for, which decides the names it may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,7 +195,7 @@ fn not_in_the_table(name: &str, subject: Subject) -> Found {
     if let Some(meant) = alike.iter().copied().find(same_case).or(alike.first().copied()) {
         return misspelt(&shown, meant.name);
     }
-    let key = KeyInfo::find(name).or_else(|| plant::KEYS.iter().find(|info| info.key == name));
+    let key = KeyInfo::find(name).or_else(|| PLANT_KEYS.iter().find(|info| info.key == name));
     if let Some(key) = key {
         let message = format!("`{shown}` is a key of the design, not a name in expressions");
         return Found::wrong(
@@ -305,7 +306,8 @@ mod tests {
     use super::*;
     use crate::diagnostic::{Diagnostics, Place};
     use crate::expression::{Scope, resolve};
-    use crate::spec::{Name, parse};
+    use crate::parameter::Name;
+    use crate::syntax::parse;
 
     const PAGE: &str = include_str!("../../../docs/expressions.md");
 

@@ -9,7 +9,7 @@ use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 use crate::limits::SIZE;
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// A normal form may be this much larger than what it stands for; a larger one is not used.
 const GROWTH: usize = 4;
@@ -221,9 +221,10 @@ fn without_roots(field: &mut Field, term: Ratio) -> Option<Terms> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::Subject;
     use crate::expression::testing::{evaluate, kappa, mu, random};
-    use crate::mapping::{Custom, FAMILIES, Form};
+    use crate::expression::{Subject, family_form};
+    use crate::family::FAMILIES;
+    use crate::mapping::{Custom, Form};
 
     #[test]
     fn complements_are_short() {
@@ -312,7 +313,7 @@ mod tests {
     #[test]
     fn kappas_keep_their_digits() {
         for info in FAMILIES.iter().filter(|info| !info.kappa_in_time_to_go.is_empty()) {
-            let given = info.form(Subject::Kappa).expect("a form");
+            let given = family_form(info, Subject::Kappa).expect("a form");
             let form = kappa_of(&Custom::new(Subject::Kappa, given.clone()).expect(info.name));
             let twice = given.clone().add(given.clone());
             let twice = kappa_of(&Custom::new(Subject::Kappa, twice).expect(info.name));

@@ -4,10 +4,11 @@ use super::existence::needs;
 use super::names::{self, Found};
 use super::{Expression, Function, Subject, Variable, power_bits};
 use crate::algebra::integer;
-use crate::diagnostic::{Diagnostics, LARGE, Place, near_miss};
+use crate::diagnostic::{Diagnostics, LARGE, Place, near_miss, shorten};
+use crate::family::{FAMILIES, FamilyInfo};
 use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
-use crate::mapping::{FAMILIES, FamilyInfo};
-use crate::spec::{Argument, Fixed, Name, Node, Operator, Parameter, Value, parse, shorten};
+use crate::parameter::{Fixed, Name, Parameter};
+use crate::syntax::{Argument, Node, Operator, Value, parse};
 
 /// What names mean.
 #[derive(Clone, Copy)]
@@ -236,7 +237,7 @@ impl Resolver<'_, '_> {
     /// A family's mapping with its parameters in place, as part of a greater mapping.
     fn family(&mut self, name: &str, arguments: &[Argument], place: Place) -> Option<Expression> {
         let info = FAMILIES.iter().find(|info| info.name == name)?;
-        let Some(form) = info.form(self.scope.subject) else {
+        let Some(form) = family_form(info, self.scope.subject) else {
             let message = format!("`{name}` cannot be part of an expression");
             return self.wrong(place, message, "write its terms out: mean(exp(a=1), exp(a=2))");
         };
@@ -274,19 +275,17 @@ fn named(key: &str) -> Option<Parameter> {
     Name::new(key).map(Parameter::Named)
 }
 
-impl FamilyInfo {
-    /// Its mu in `t` or its kappa, with its own parameters by name; none for `exp_sum`.
-    pub fn form(&self, subject: Subject) -> Option<Expression> {
-        let (text, within) = match subject {
-            Subject::Mu => (self.mu, Subject::Mu),
-            _ => (self.kappa_in_time_to_go, Subject::Family),
-        };
-        let node = parse(subject.key(), text, &mut |_| Place(0)).ok()?;
-        let scope = Scope { subject: within, n: 0, known: &[Parameter::Tau] };
-        let form = resolve(&node, scope, &mut Diagnostics::default())?;
-        let elapsed = Expression::from(Parameter::Tau).sub(Variable::Elapsed.into());
-        let time_to_go = Expression::from(Variable::TimeToGo);
-        let in_elapsed = subject == Subject::Kappa;
-        Some(form.substitute(&|e| (in_elapsed && *e == time_to_go).then(|| elapsed.clone())))
-    }
+/// The mu of a family in `t` or its kappa, with its own parameters by name; none for `exp_sum`.
+pub fn family_form(family: &FamilyInfo, subject: Subject) -> Option<Expression> {
+    let (text, within) = match subject {
+        Subject::Mu => (family.mu, Subject::Mu),
+        _ => (family.kappa_in_time_to_go, Subject::Family),
+    };
+    let node = parse(subject.key(), text, &mut |_| Place(0)).ok()?;
+    let scope = Scope { subject: within, n: 0, known: &[Parameter::Tau] };
+    let form = resolve(&node, scope, &mut Diagnostics::default())?;
+    let elapsed = Expression::from(Parameter::Tau).sub(Variable::Elapsed.into());
+    let time_to_go = Expression::from(Variable::TimeToGo);
+    let in_elapsed = subject == Subject::Kappa;
+    Some(form.substitute(&|e| (in_elapsed && *e == time_to_go).then(|| elapsed.clone())))
 }

@@ -43,15 +43,15 @@ fn inverse(function: Function, target: Expression) -> Option<Expression> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::Subject;
-    use crate::mapping::FAMILIES;
+    use crate::expression::{Subject, family_form};
+    use crate::family::FAMILIES;
 
     #[test]
     fn what_stands_once_is_found() {
-        let mu = FAMILIES[0].form(Subject::Mu).expect("a form");
+        let mu = family_form(&FAMILIES[0], Subject::Mu).expect("a form");
         let found = solve(&mu, Variable::SinceStart, Variable::TimeToGo.into());
         assert_eq!(found.expect("an inverse").to_string(), "ln(1 - T/tau)/-a");
-        let mu = FAMILIES[1].form(Subject::Mu).expect("a form");
+        let mu = family_form(&FAMILIES[1], Subject::Mu).expect("a form");
         assert_eq!(solve(&mu, Variable::SinceStart, Variable::TimeToGo.into()), None);
     }
 }

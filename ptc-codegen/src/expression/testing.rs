@@ -4,7 +4,8 @@ use num_traits::ToPrimitive;
 
 use super::{Expression, Function, Scope, Subject, Variable, resolve};
 use crate::diagnostic::{Diagnostics, Place};
-use crate::spec::{Parameter, parse};
+use crate::parameter::Parameter;
+use crate::syntax::parse;
 
 fn read(text: &str, subject: Subject) -> Expression {
     let node = parse(subject.key(), text, &mut |_| Place(0)).expect(text);

@@ -4,13 +4,14 @@
 use super::builder::Builder;
 use super::state;
 use crate::expression::Variable;
+use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program};
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// The program of the associated system; none where mu is not found in closed form.
-pub(super) fn lower(spec: &Spec) -> Option<Program> {
+pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let complement = spec.time_mapping.complement()?;
-    let mut b = Builder::new(spec);
+    let mut b = Builder::of(spec, law);
     b.follow(complement.clone());
     let slope = complement.derivative(Variable::SinceStart).neg();
     let slope = b.scalar(&slope);
@@ -31,9 +32,11 @@ pub(super) fn lower(spec: &Spec) -> Option<Program> {
 mod tests {
     use crate::diagnostic::Place;
     use crate::law::Law;
+    use crate::parameter::Parameter;
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
-    use crate::spec::{Entry, Parameter, parse, read};
+    use crate::request::{Entry, read};
+    use crate::syntax::parse;
 
     /// xi_2' at t = 0.9 with t0 = 0.2, tau = 2, a = 0.75, m = 1.5, rates 0.75 and 2.
     fn rate(mapping: (&str, &str), law: (&str, &str), f: f64, xi: [f64; 2]) -> f64 {

@@ -3,16 +3,21 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::algebra::{BigRational, Symbol, integer};
+use crate::expansion::Expanded;
 use crate::expression::Expression;
+use crate::law::Law;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::passes::append;
 use crate::program::{Input, Limits, Op, Program, Stage, Value};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::request::Spec;
 
 use super::mapping::Taylor;
 
 /// A program under construction.
 pub(super) struct Builder<'a> {
     pub(super) spec: &'a Spec,
+    /// The closed forms of another engine.
+    pub(super) expanded: Option<&'a Expanded>,
     program: Program,
     known: HashMap<Op, Value>,
     pub(super) quantities: BTreeMap<Symbol, Value>,
@@ -56,6 +61,7 @@ impl<'a> Builder<'a> {
         };
         Self {
             spec,
+            expanded: None,
             program,
             quantities: BTreeMap::new(),
             known: HashMap::new(),
@@ -65,6 +71,11 @@ impl<'a> Builder<'a> {
             complement: None,
             plant: None,
         }
+    }
+
+    /// For the controller of `law`, from the closed forms that it is computed from.
+    pub(super) fn of(spec: &'a Spec, law: &'a Law) -> Self {
+        Self { expanded: law.expanded.as_ref(), ..Self::new(spec) }
     }
 
     pub(super) fn finish(

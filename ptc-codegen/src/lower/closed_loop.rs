@@ -9,8 +9,9 @@
 use super::builder::{Builder, PlantPoint};
 use super::{series, state};
 use crate::expression::Expression;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::request::Spec;
 
 /// The closed loop as a program: inputs are T as the time, x as the state, x(t0), t0 and parameters.
 #[derive(Clone, Debug)]

@@ -6,8 +6,9 @@ use num_traits::{One, Signed};
 
 use super::builder::Builder;
 use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly, Symbol};
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Op, Value};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::request::Spec;
 
 /// K_i = k_i rate^-(n+1-i): a number where everything in it is fixed.
 pub(super) enum ScaledGain {

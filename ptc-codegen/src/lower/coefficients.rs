@@ -131,9 +131,9 @@ impl Builder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mapping::Family;
+    use crate::family::Family;
     use crate::program::Input;
-    use crate::spec::Spec;
+    use crate::request::Spec;
 
     /// What an operation of coefficients gives, by the operations that it took.
     #[test]

@@ -3,8 +3,9 @@
 use super::builder::Builder;
 use super::coefficient::pi_power;
 use crate::algebra::{BigInt, BigRational, Kind, Symbol};
+use crate::parameter::{Parameter, Precision};
 use crate::program::Value;
-use crate::spec::{Parameter, Precision, number};
+use crate::syntax::number;
 
 /// Chebyshev interpolation of (th cot(th) - 1)/z on z in [0, 1]; `tools/cotangent.py` computes the
 /// digits. The error of the polynomial is below 1e-17 for doubles and 1e-9 for floats, under their

@@ -4,10 +4,11 @@ use super::builder::Builder;
 use super::coefficients::Coefficient;
 use super::mapping::Taylor;
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
+use crate::expansion::Expanded;
 use crate::expansion::bell::factorials;
 use crate::expression::Function;
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Root, Value};
-use crate::spec::{Parameter, Precision};
 
 /// Bound on the rounds of the iteration. It converges in two or three; the bracket halves at
 /// worst, and the bound is what a certifier counts.
@@ -182,7 +183,6 @@ fn corrected(b: &mut Builder<'_>, rates: &[Value], y: Value, target: Value) -> (
 /// r_l/l! = sum_i b_li e_i with b_li = c_li tau a_i^l/l!, c_li = (-1)^(l-1)/N: all terms of one sign.
 fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value], stretched: Value) -> Taylor {
     let n = b.spec.n;
-    let spec = b.spec;
     let count = integer(i64::try_from(rates.len()).unwrap_or(i64::MAX));
     let mut terms = Vec::with_capacity(n);
     for (l, factorial) in factorials(n).into_iter().enumerate().skip(1) {
@@ -191,7 +191,7 @@ fn series(b: &mut Builder<'_>, rates: &[Value], modes: &[Value], stretched: Valu
         let mut sum = None;
         for (i, (rate, mode)) in rates.iter().zip(modes).enumerate() {
             let power = b.power(*rate, u32::try_from(l).unwrap_or(u32::MAX));
-            let share = match spec.closed_forms() {
+            let share = match b.expanded.and_then(Expanded::family) {
                 Some(forms) => weight(&forms.r[l - 1], l, i + 1),
                 None => &sign / &count,
             };

@@ -7,12 +7,11 @@ use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::Expanded;
 use crate::expansion::bell::factorials;
-use crate::expression::decaying::decaying;
-use crate::expression::normal::complement;
-use crate::expression::{Expression, Function, Subject, Variable, solve};
-use crate::mapping::{Family, Form, Kappa};
+use crate::expression::{Expression, Function, Subject, Variable};
+use crate::family::Family;
+use crate::mapping::{Form, Kappa, TimeMapping, time};
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Root, Value};
-use crate::spec::{Parameter, Precision, TimeMapping};
 
 /// Bound on the rounds of the iteration for stretched time. Where mu decays like an exponential it
 /// converges in three; where it decays like a power of t each round multiplies t by the logarithm
@@ -41,14 +40,14 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
         // At the start every other term of an odd mu is 0: its own series has exact zeros there,
         // where kappa's leaves roundings.
-        TimeMapping::Family { family, .. } => match family.form(Subject::Mu) {
+        TimeMapping::Family { family, .. } => match time::form(*family, Subject::Mu) {
             Some(mu) if b.is_at_start() => {
                 of_complement(b, &Expression::from(Parameter::Tau).sub(mu))
             }
-            _ => of_kappa(b, &family.kappa()),
+            _ => of_kappa(b, &Kappa::of(*family)),
         },
-        TimeMapping::Custom(custom) => match (&custom.form, &spec.expanded) {
-            (form, Some(Expanded::Custom { r, .. })) => of_closed_forms(b, form, r),
+        TimeMapping::Custom(custom) => match (&custom.form, b.expanded) {
+            (form, Some(Expanded::Custom(r))) => of_closed_forms(b, form, r),
             (Form::Complement(form), _) => of_complement(b, form),
             (Form::Kappa(kappa), _) => of_kappa(b, kappa),
         },
@@ -195,70 +194,4 @@ fn stretched_time(b: &mut Builder<'_>, form: &Expression) -> Value {
     let size = b.push(Op::Call(Function::Abs, residual));
     let rounds = ROUNDS;
     b.push(Op::Root(Root { unknown, start, low, high, residual, next, size, tolerance, rounds }))
-}
-
-impl Family {
-    /// kappa in the time-to-go, on the family's own parameters; tau - T for `exp_sum`, which has
-    /// none.
-    fn kappa(self) -> Kappa {
-        let elapsed = Expression::from(Parameter::Tau).sub(Variable::TimeToGo.into());
-        Kappa::new(&self.form(Subject::Family).unwrap_or(elapsed))
-    }
-
-    /// A form of the family on its own parameters.
-    fn form(self, subject: Subject) -> Option<Expression> {
-        let own = |e: &Expression| match e {
-            Expression::Parameter(Parameter::Named(name)) => match name.text() {
-                "a" => Some(Parameter::A.into()),
-                "m" => Some(Parameter::M.into()),
-                _ => None,
-            },
-            _ => None,
-        };
-        self.info().form(subject).map(|form| form.substitute(&own))
-    }
-}
-
-impl TimeMapping {
-    /// The form in which it is computed.
-    #[cfg(feature = "campaign")]
-    pub(crate) fn form(&self) -> Form {
-        match self {
-            Self::Family { family, .. } => match self.complement() {
-                Some(complement) if family.is_iterated() => Form::Complement(complement),
-                _ => Form::Kappa(family.kappa()),
-            },
-            Self::Custom(custom) => custom.form.clone(),
-        }
-    }
-
-    /// tau - mu(t), t the stretched time since the start; none where only kappa is known in closed
-    /// form.
-    pub fn complement(&self) -> Option<Expression> {
-        match self {
-            Self::Family { family: Family::ExpSum, rates } => {
-                let decay = |i| {
-                    let phase =
-                        Expression::from(Parameter::Rate(i)).mul(Variable::SinceStart.into());
-                    Expression::call(Function::Exp, phase.neg())
-                };
-                let sum = (1..=*rates).map(decay).reduce(Expression::add)?;
-                let share = Expression::Number(BigRational::new(1.into(), (*rates).into()));
-                Some(Expression::from(Parameter::Tau).mul(share).mul(sum))
-            }
-            Self::Family { family, .. } => {
-                family.form(Subject::Mu).map(|mu| decaying(&complement(&mu)))
-            }
-            Self::Custom(custom) if custom.subject == Subject::Mu => {
-                Some(decaying(&complement(&custom.given)))
-            }
-            Self::Custom(custom) => match &custom.form {
-                Form::Kappa(kappa) => {
-                    solve(&kappa.form, Variable::TimeToGo, Variable::SinceStart.into())
-                        .map(|complement| decaying(&complement))
-                }
-                Form::Complement(form) => Some(form.clone()),
-            },
-        }
-    }
 }

@@ -27,28 +27,24 @@ use rows::{Factor, Rows, factor};
 
 use crate::algebra::Poly;
 use crate::law::{Form, Law};
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::spec::{After, Fixed, Guard, Parameter, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
 /// The program of `law` for `spec`.
 pub fn lower(spec: &Spec, law: &Law) -> Program {
     if spec.what == What::Associated
-        && let Some(program) = associated::lower(spec)
+        && let Some(program) = associated::lower(spec, law)
     {
         return program;
     }
     controller(spec, law)
 }
 
-/// Whether the associated system can be lowered: mu must be found in closed form.
-pub fn has_associated(spec: &Spec) -> bool {
-    spec.time_mapping.complement().is_some()
-}
-
 fn controller(spec: &Spec, law: &Law) -> Program {
-    let mut b = Builder::new(spec);
+    let mut b = Builder::of(spec, law);
     let rows = rows(&mut b, law);
     let step = match &rows {
         Some(rows) => rows.step(&mut b, None),

@@ -5,9 +5,9 @@ use num_traits::ToPrimitive;
 use super::builder::Builder;
 use crate::algebra::{BigInt, BigRational, Kind, Symbol};
 use crate::expression::Function;
-use crate::mapping::Family;
+use crate::family::Family;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Op, Value};
-use crate::spec::{Fixed, Parameter};
 
 impl Builder<'_> {
     /// Whether a quantity has been computed.

@@ -5,8 +5,8 @@ use num_traits::Signed;
 use super::builder::Builder;
 use super::coefficient::pi_power;
 use crate::expression::{Expression, Function, Variable};
+use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
-use crate::spec::Parameter;
 
 impl Builder<'_> {
     /// The value of an expression.

@@ -6,8 +6,8 @@ use super::coefficients::Coefficient;
 use super::mapping::Taylor;
 use crate::algebra::{BigInt, BigRational};
 use crate::expansion::bell::factorials;
+use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
-use crate::spec::Parameter;
 
 /// The order from which rows are computed by loops where the series is known no sooner than time.
 /// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions a step against

@@ -5,8 +5,9 @@ use super::mapping::{self, Taylor};
 use super::rows::{Factor, Rows};
 use super::series;
 use crate::expression::{Expression, Variable};
+use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
-use crate::spec::{Feedback, Parameter};
+use crate::request::Feedback;
 
 /// u before the input gain divides it.
 pub(super) fn step(b: &mut Builder<'_>) -> Value {

@@ -1,8 +1,8 @@
 //! Time past the deadline, time-to-go, and their shares of tau.
 
 use super::builder::Builder;
+use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
-use crate::spec::Parameter;
 
 impl Builder<'_> {
     /// Time past the deadline, -T, held at -eps.

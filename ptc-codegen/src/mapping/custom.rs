@@ -5,7 +5,7 @@ use crate::expression::effort::{completed, spend};
 use crate::expression::leading::{Decay, Limit};
 use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
 use crate::limits::EFFORT;
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// A mapping given as mu(t) or as kappa(dt).
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,10 +5,11 @@
 //! then is a polynomial in the atoms, by D alone.
 
 mod custom;
-mod families;
+mod rings;
+pub(crate) mod time;
 
 pub use custom::{Custom, Form, Kappa};
-pub use families::{FAMILIES, Family, FamilyInfo};
+pub use time::TimeMapping;
 
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 

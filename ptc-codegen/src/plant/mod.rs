@@ -18,26 +18,11 @@ use std::collections::{BTreeMap, BTreeSet};
 pub use read::{read, read_partly};
 
 use crate::expression::Expression;
-use crate::spec::{Fixed, KeyInfo, Parameter, Spec};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
 
 /// The table of a design file that holds the plant.
 pub const TABLE: &str = "plant";
-
-/// The keys of the table that are no symbols.
-pub static KEYS: [KeyInfo; 2] = [
-    KeyInfo {
-        key: "f",
-        meaning: "what moves the plant xn' = f + g*u beside its input; 0 where it is not given",
-        legal: "an expression in x1..xn, u and t",
-        example: "-0.4*x2 + 0.1*sin(3*t)",
-    },
-    KeyInfo {
-        key: "g",
-        meaning: "true input gain of the plant; that of the controller where it is not given",
-        legal: "an expression in x1..xn and t",
-        example: "0.8",
-    },
-];
 
 /// What moves the state of a chain of integrators.
 #[derive(Clone, Debug, PartialEq, Eq)]

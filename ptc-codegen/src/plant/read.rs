@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::{KEYS, Plant, TABLE};
-use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
+use super::{Plant, TABLE};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
-use crate::spec::{Entry, Node, Parameter, Spec, Value, known, real, shorten};
+use crate::keys::PLANT_KEYS;
+use crate::parameter::Parameter;
+use crate::request::{Entry, Spec, known};
+use crate::syntax::{Node, Value, real};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -65,7 +68,7 @@ fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
         .map(|symbol| symbol.spelling())
         .collect();
     for (name, (place, node)) in given {
-        if KEYS.iter().any(|info| info.key == *name) {
+        if PLANT_KEYS.iter().any(|info| info.key == *name) {
             continue;
         }
         match symbols.iter().find(|symbol| symbol.spelling() == *name) {
@@ -93,7 +96,7 @@ fn value(plant: &mut Plant, name: &str, symbol: Parameter, node: &Node, found: &
         return;
     }
     match finite(node) {
-        Some(value) if !value.leaves(crate::spec::Precision::F64) => {
+        Some(value) if !value.leaves(crate::parameter::Precision::F64) => {
             plant.fixed.insert(symbol, value);
         }
         _ => {
@@ -141,7 +144,7 @@ fn unused(name: &str, place: Place, spec: &Spec, symbols: &[Parameter], found: &
         found.push("conflict", key, Some(place), message, help);
         return;
     }
-    let names: Vec<_> = KEYS
+    let names: Vec<_> = PLANT_KEYS
         .iter()
         .map(|info| info.key.to_owned())
         .chain(symbols.iter().map(|s| s.spelling()))
@@ -168,7 +171,7 @@ mod tests {
         let text = format!("n = 2\nmu = \"exp\"\ng = \"gain\"\n{design}");
         let (entries, found) = design::read(&text, &mut |range| Place(range.start));
         assert_eq!(found, []);
-        read(&entries, &crate::spec::read(&entries).expect("a controller"))
+        read(&entries, &crate::request::read(&entries).expect("a controller"))
     }
 
     #[test]

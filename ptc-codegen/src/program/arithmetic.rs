@@ -2,7 +2,7 @@
 
 use super::{Op, number};
 use crate::expression::Function;
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 /// An operation that numbers alone decide; its operands are places of numbers.
 #[derive(Clone, Copy, Debug)]

@@ -5,8 +5,6 @@ use std::collections::BTreeSet;
 
 use super::machine::{Machine, UserLaw};
 use super::{Input, Op, Program, Value};
-use crate::reference::Call;
-use crate::spec::Parameter;
 
 /// A way that a value took where its operation has several: see [`Interpreter::decisions`].
 pub type Decision = (Value, &'static str);
@@ -70,18 +68,5 @@ impl<'a> Interpreter<'a> {
             self.known[needed.0] = true;
         }
         values.iter().map(|value| self.machine.get(*value)).collect()
-    }
-}
-
-/// The inputs of one call: every value is in the program's precision already.
-pub fn of_call(call: &Call<'_>) -> impl Fn(Input) -> f64 {
-    let of = |states: &[f64], j: usize| states.get(j - 1).copied().unwrap_or(f64::NAN);
-    move |input| match input {
-        Input::Parameter(parameter) => (call.parameter)(parameter),
-        Input::StartTime => (call.parameter)(Parameter::StartTime),
-        Input::Time => call.t,
-        Input::State(j) => of(call.x, j),
-        Input::StateAtStart(j) => of(call.x0, j),
-        Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
     }
 }

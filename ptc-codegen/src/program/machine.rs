@@ -5,7 +5,7 @@
 
 use super::arithmetic::{Arithmetic, way};
 use super::{Input, Op, Program, Root, Stage, Value, number, rows};
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 /// The user's own law of xi_1..xi_n and stretched time.
 pub type UserLaw<'a> = &'a dyn Fn(&[f64]) -> f64;

@@ -26,7 +26,7 @@ use std::hash::{Hash, Hasher};
 
 use crate::algebra::BigRational;
 use crate::expression::Function;
-use crate::spec::{Parameter, Precision};
+use crate::parameter::{Parameter, Precision};
 
 /// Index of a value in its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

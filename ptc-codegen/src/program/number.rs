@@ -3,7 +3,7 @@
 use num_traits::{FromPrimitive, ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 /// `value` rounded to nearest in `precision`, as a double (which holds every float exactly).
 pub fn round(value: &BigRational, precision: Precision) -> f64 {

@@ -4,7 +4,7 @@ use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, below};
 use crate::expression::{Expression, Function, Variable};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// A value, and the size of the terms that it consists of: what one relative error of each term
 /// adds up to, to first order.

@@ -5,8 +5,10 @@ use astro_float_num::BigFloat;
 use super::long::{Arithmetic, below, is_finite};
 use super::series::Series;
 use crate::expression::{Expression, Function, Subject, Variable};
-use crate::mapping::Family;
-use crate::spec::{Parameter, Spec, TimeMapping};
+use crate::family::Family;
+use crate::mapping::TimeMapping;
+use crate::parameter::Parameter;
+use crate::request::Spec;
 
 /// Most rounds in which the root of mu is found: 64 that halve, and as many for the rest.
 const ROUNDS: usize = 200;

@@ -5,6 +5,7 @@
 //! from their recurrence, and the law is Theorem 1 as it stands. Every result is computed at two
 //! precisions, and again with more digits until both agree far beyond a double.
 
+pub mod call;
 mod law;
 mod long;
 mod mapping;
@@ -15,7 +16,8 @@ use astro_float_num::BigFloat;
 
 use crate::code;
 use crate::expression::{Expression, Variable};
-use crate::spec::{After, Domain, Feedback, Fixed, Parameter, Precision, Spec};
+use crate::parameter::{Domain, Fixed, Parameter, Precision};
+use crate::request::{After, Feedback, Spec};
 use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
 use mapping::Point;

@@ -4,7 +4,7 @@ use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, is_finite};
 use crate::expression::{Expression, Function, Variable};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// Coefficients of 1, z, z^2, ... up to a common order.
 pub(super) type Series = Vec<BigFloat>;

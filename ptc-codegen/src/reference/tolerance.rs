@@ -1,8 +1,9 @@
 //! What the emitted code may be wrong by: |u - u_ref|/scale, where scale is the sum of the absolute
 //! values of the terms of u. The one place of these numbers, for tests and for self-tests alike.
 
-use crate::mapping::Family;
-use crate::spec::{Precision, Spec};
+use crate::family::Family;
+use crate::parameter::Precision;
+use crate::request::Spec;
 
 /// What a controller of `family` and `precision` may be wrong by, for any order up to 12.
 pub fn control(family: Family, precision: Precision) -> f64 {

@@ -11,7 +11,8 @@ use crate::algebra::{BigInt, BigRational, integer};
 use crate::code::{
     Access, Code, Expr, Function, Given, Outcomes, Place, Shape, Statement, Status, Test, Variable,
 };
-use crate::spec::{After, Fixed, Guard, Parameter, Sampled, Spec};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{After, Guard, Sampled, Spec};
 
 /// A part of N_o at which the gains of the observer stay once it is through.
 const HELD_PART: i64 = 8;

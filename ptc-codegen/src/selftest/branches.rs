@@ -2,10 +2,10 @@
 
 use super::maker::Maker;
 use super::{CANDIDATES, Call, Draw, Session, Unreachable};
+use crate::parameter::Parameter;
 use crate::program::Op;
 use crate::program::number::settle;
 use crate::reference::Status;
-use crate::spec::Parameter;
 
 /// As many where an iteration has branches that few numbers take.
 const ITERATED: usize = 4000;
@@ -76,7 +76,7 @@ impl Maker<'_> {
                 }
                 // Equal ones, now and then: brackets of no width.
                 let size = if round % 3 == 0 { 0.875 } else { draw.between(0.2, 3.0) };
-                let signed = spec.domain(*parameter) == crate::spec::Domain::Finite;
+                let signed = spec.domain(*parameter) == crate::parameter::Domain::Finite;
                 let value = match draw.of(&[0, 1, 2, 3]) {
                     0 if signed => 0.0,
                     1 if signed => -size,

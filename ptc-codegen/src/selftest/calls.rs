@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
 use super::{CANDIDATES, Call, Draw, Session, Unreachable};
-use crate::emit::Controller;
+use crate::controller::Controller;
+use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::reference::Status;
-use crate::spec::{Guard, Parameter};
+use crate::request::Guard;
 
 /// Time-to-go as parts of tau, down to what is promised.
 const APPROACH: [f64; 10] = [1.0, 0.75, 0.4, 0.1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];

@@ -6,11 +6,12 @@ use std::collections::BTreeSet;
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
 use super::{Call, Session, greatest, own_law, own_rest};
-use crate::emit::{Controller, checked_fields};
+use crate::controller::{Controller, checked_fields};
+use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Decision;
 use crate::program::number::settle;
 use crate::reference::{self, Status, evaluate, tolerance};
-use crate::spec::{After, Parameter, Precision, Spec};
+use crate::request::{After, Spec};
 
 /// What the sessions are made from.
 pub(super) struct Maker<'a> {

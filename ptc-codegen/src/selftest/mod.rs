@@ -13,11 +13,11 @@ mod range;
 mod refused;
 mod trial;
 
+use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::emit::Controller;
 use crate::expression::{Expression, Variable};
 use crate::reference::Status;
-use crate::spec::{Spec, What};
+use crate::request::{Spec, What};
 
 /// Random calls among which those are kept that take a branch no other took.
 const CANDIDATES: usize = 400;
@@ -103,13 +103,13 @@ impl SelfTest {
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
         let mut refused_states =
-            refused::states(spec, chosen.value(crate::spec::Parameter::StartTime, 0.0));
+            refused::states(spec, chosen.value(crate::parameter::Parameter::StartTime, 0.0));
         refused_states.extend(overflow.states);
         Ok(Self {
             sessions,
             refused,
             refused_states,
-            tau_is_kept: spec.run_time_parameters().any(|p| p == crate::spec::Parameter::Tau),
+            tau_is_kept: spec.run_time_parameters().any(|p| p == crate::parameter::Parameter::Tau),
             unreachable: [overflow.unreachable, never].concat(),
         })
     }
@@ -164,7 +164,7 @@ impl Draw {
 /// The greatest finite number of the spec's precision.
 fn greatest(spec: &Spec) -> f64 {
     match spec.precision {
-        crate::spec::Precision::F64 => f64::MAX,
-        crate::spec::Precision::F32 => f64::from(f32::MAX),
+        crate::parameter::Precision::F64 => f64::MAX,
+        crate::parameter::Precision::F32 => f64::from(f32::MAX),
     }
 }

@@ -4,10 +4,11 @@
 use super::parameters::Chosen;
 use super::trial::Trial;
 use super::{Draw, Unreachable, greatest};
-use crate::emit::{Controller, checked_fields};
+use crate::controller::{Controller, checked_fields};
+use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::number::settle;
 use crate::program::{Op, Program, Value};
-use crate::spec::{Domain, Parameter, Precision, Spec};
+use crate::request::Spec;
 
 /// Sets that are tried.
 const TRIALS: usize = 3000;

@@ -1,8 +1,9 @@
 //! Values for the parameters that are left to run time, within their domains and bounds.
 
-use crate::emit::Controller;
+use crate::controller::Controller;
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number::{round, settle};
-use crate::spec::{Fixed, Parameter, Precision, Spec};
+use crate::request::Spec;
 
 /// Values of every parameter, fixed or chosen.
 pub(super) struct Chosen<'a> {

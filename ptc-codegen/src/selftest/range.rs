@@ -4,9 +4,10 @@ use super::CANDIDATES;
 use super::maker::{Maker, after};
 use super::overflow::{extreme, least};
 use super::{Call, Draw, Session, greatest};
+use crate::parameter::Parameter;
 use crate::program::number::settle;
 use crate::reference::Status;
-use crate::spec::{After, Parameter};
+use crate::request::After;
 
 impl Maker<'_> {
     /// A u that is no number, or that overflows without a bound: found by trial, as it is the

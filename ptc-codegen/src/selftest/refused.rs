@@ -1,9 +1,10 @@
 //! Parameters and states that `init` must refuse: each condition of a domain violated alone.
 
 use super::parameters::Chosen;
-use crate::emit::Controller;
+use crate::controller::Controller;
+use crate::parameter::{Domain, Parameter};
 use crate::program::number::settle;
-use crate::spec::{Domain, Parameter, Spec};
+use crate::request::Spec;
 
 /// Sets of run-time parameters, each legal but for one.
 pub(super) fn parameters(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Vec<Vec<f64>> {

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::emit::Controller;
+use crate::controller::Controller;
+use crate::parameter::Parameter;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::{Input, Program, Value};
 use crate::reference::Status;
-use crate::spec::{Guard, Parameter, Spec};
+use crate::request::{Guard, Spec};
 
 /// The inputs of a trial.
 pub(super) struct Trial<'a> {

@@ -5,12 +5,13 @@ use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Failure, Sample, Values, controller};
 use crate::lower::{ClosedLoop, closed_loop, mapped_back};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Program, Stage, Value, passes};
 use crate::reference::Status;
-use crate::spec::{Fixed, Parameter, Precision, Spec};
+use crate::request::Spec;
 
 /// The law of Theorem 1 with its plant: no eps, no sample period; u is clipped to u_max where the
 /// design fixes one.

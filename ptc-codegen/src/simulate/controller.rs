@@ -3,11 +3,12 @@
 use super::{Failure, Values};
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::{Domain, Parameter};
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Limits, Stage, Value, passes};
 use crate::reference::Status;
-use crate::spec::{After, Domain, Feedback, Guard, Parameter, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A controller that runs.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Controller, Failure, Sample, Values};
 use crate::plant::Plant;
-use crate::spec::Spec;
+use crate::request::Spec;
 
 /// The plant's x under the controller, which holds its gains from eps on and clips u.
 ///

@@ -2,11 +2,12 @@
 
 use super::{Failure, Values};
 use crate::lower;
+use crate::parameter::Precision;
 use crate::plant::Plant;
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
-use crate::spec::{Precision, Spec};
+use crate::request::Spec;
 
 /// f + g u, compiled.
 #[derive(Clone, Debug)]

@@ -12,10 +12,11 @@ use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::code::{Code, Instance};
 use crate::expression::Expression;
+use crate::parameter::Parameter;
 use crate::plant::Plant;
 use crate::reference::Status;
+use crate::request::Spec;
 use crate::samples;
-use crate::spec::{Parameter, Spec};
 
 /// What the loop around the controller is like.
 #[derive(Clone, Debug, PartialEq)]

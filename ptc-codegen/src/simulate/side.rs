@@ -4,7 +4,7 @@ use super::mode::Mode;
 use super::solver::{First, State};
 use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Failure, Sample, Values};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// One side of Theorem 1: what is integrated, and what is reported of it.
 pub trait Side {

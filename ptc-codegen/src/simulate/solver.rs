@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use super::mode::no_value;
 use super::pass::{Change, End, Method, Monitor, Pass, Reached, Visit, of};
 use super::{Accuracy, Failure};
-use crate::spec::MAX_ORDER;
+use crate::request::MAX_ORDER;
 
 /// A state of any order, with zeros after its last component, so that no step allocates.
 pub(super) type State = SVector<f64, MAX_ORDER>;

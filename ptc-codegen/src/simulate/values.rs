@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::Failure;
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::plant::Plant;
 use crate::program::machine::Machine;
 use crate::program::{Input, number};
-use crate::spec::{Fixed, Parameter, Precision, Spec};
+use crate::request::Spec;
 
 /// The values of the parameters of a controller and the symbols of its plant.
 #[derive(Clone, Debug, Default, PartialEq)]

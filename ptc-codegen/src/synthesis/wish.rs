@@ -7,7 +7,9 @@ use super::probe::Refused;
 use crate::check::examine::{decay, examine};
 use crate::check::{digits, poles};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::spec::{self, Entry, Feedback, Fixed, Parameter, Spec, Value, number, parse};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{self, Entry, Feedback, Spec};
+use crate::syntax::{Value, number, parse};
 use crate::verify::{self, Campaign};
 
 /// A design file of which the mapping, the law and eps may be missing.
@@ -69,7 +71,7 @@ impl<'a> Wish<'a> {
             Value::Number(value) => value.number()?.to_usize(),
             _ => None,
         });
-        let order = order.unwrap_or(1).clamp(1, spec::MAX_ORDER);
+        let order = order.unwrap_or(1).clamp(1, request::MAX_ORDER);
         let law = !gives(entries, &["gains", "poles", "pi0"]);
         let stand_in = Choice {
             mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
@@ -183,7 +185,7 @@ impl<'a> Wish<'a> {
 
 fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), Vec<Diagnostic>> {
     let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).collect();
-    spec::read(&all).map(|spec| (spec, all))
+    request::read(&all).map(|spec| (spec, all))
 }
 
 fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {

@@ -12,10 +12,11 @@ use super::trial::Instant;
 use super::{Campaign, Course, Kind, Scenario, Setting, Signal, Trial};
 use crate::expression::Expression;
 use crate::lower;
+use crate::parameter::{Parameter, Precision};
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
+use crate::request::Spec;
 use crate::simulate::Controller;
-use crate::spec::{Parameter, Precision, Spec};
 
 /// Parts of a step of the grid between which slopes are taken as constant, at least.
 const PARTS: u32 = 8;

@@ -38,8 +38,9 @@ pub use trial::{Instant, Judgement, Outcome, Status, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};
 
 use crate::expression::{Expression, Variable};
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::request::Spec;
 
 /// An interval, least and greatest value.
 pub type Interval = (f64, f64);

@@ -5,10 +5,11 @@ use std::fmt;
 use crate::expression::Expression;
 use crate::expression::existence::{self, Condition};
 use crate::lower;
+use crate::parameter::Precision;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Stage, Value, passes};
+use crate::request::Spec;
 use crate::simulate::{Failure, Values};
-use crate::spec::{Precision, Spec};
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]

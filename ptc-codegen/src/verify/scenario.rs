@@ -8,9 +8,9 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use super::course::{Course, between};
 use super::{Campaign, Interval, Signal};
 use crate::expression::{Expression, Function, Variable};
+use crate::parameter::{Name, Parameter};
 use crate::plant::Plant;
 use crate::simulate::Values;
-use crate::spec::{Name, Parameter};
 
 /// One scenario, in the plant's own units.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,9 @@
 
 use super::objective::Observer;
 use super::{Campaign, Level, Setting};
+use crate::parameter::Precision;
+use crate::request::Spec;
 use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Side};
-use crate::spec::{Precision, Spec};
 
 /// Both closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
@@ -224,7 +225,7 @@ impl Trial {
     pub fn at_start(&mut self, setting: &Setting) -> Result<Vec<f64>, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
-        let tau = setting.values.get(crate::spec::Parameter::Tau);
+        let tau = setting.values.get(crate::parameter::Parameter::Tau);
         self.observer.excess((tau, &setting.x0, 0.0), false, &mut |i, value| excess[i] = value);
         Ok(excess)
     }

@@ -95,7 +95,7 @@ mod tests {
                     x1 = 1\n[[objective]]\nbound = \"attractive\"\nerror = 1\n";
         let place = &mut |range: std::ops::Range<usize>| crate::diagnostic::Place(range.start);
         let (entries, _) = crate::design::read(text, place);
-        let spec = crate::spec::read(&entries).expect("a controller");
+        let spec = crate::request::read(&entries).expect("a controller");
         crate::verify::read_with_plant(&entries, &spec).expect("a campaign")
     }
 

@@ -11,8 +11,8 @@ use std::process::{Command, Output, Stdio};
 
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::spec::{Entry, Spec};
-use ptc_codegen::{design, spec};
+use ptc_codegen::request::{Entry, Spec};
+use ptc_codegen::{design, request};
 
 /// The entries of a design file's text.
 pub(crate) fn entries(text: &str) -> Vec<Entry> {
@@ -24,7 +24,7 @@ pub(crate) fn entries(text: &str) -> Vec<Entry> {
 /// The controller and the plant of a design file's text.
 pub(crate) fn design(text: &str) -> (Spec, Plant) {
     let entries = entries(text);
-    let spec = spec::read(&entries).unwrap_or_else(|found| panic!("{text}: {found:?}"));
+    let spec = request::read(&entries).unwrap_or_else(|found| panic!("{text}: {found:?}"));
     let plant = plant::read(&entries, &spec).expect("a plant").unwrap_or_default();
     (spec, plant)
 }

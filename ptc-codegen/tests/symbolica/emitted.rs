@@ -7,9 +7,9 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use ptc_codegen::mapping::{FAMILIES, Family};
+use ptc_codegen::family::{FAMILIES, Family};
+use ptc_codegen::parameter::Precision;
 use ptc_codegen::reference::tolerance::{control, custom};
-use ptc_codegen::spec::Precision;
 use serde_json::Value;
 
 /// Orders that are tested.

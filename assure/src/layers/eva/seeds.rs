@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::Result;
-use ptc_codegen::mapping::Family;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::family::Family;
+use ptc_codegen::request::Spec;
 
 use super::{MODES, analyse};
 use crate::context::Context;

@@ -6,10 +6,11 @@ use std::fmt;
 use ptc_codegen::expression::{Expression, Variable};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Parameter, Precision};
 use ptc_codegen::program::interpret::Interpreter;
 use ptc_codegen::program::{Input, Program, passes};
 use ptc_codegen::reference::{Call, Status, evaluate, tolerance};
-use ptc_codegen::spec::{Feedback, Guard, Parameter, Precision, Spec};
+use ptc_codegen::request::{Feedback, Guard, Spec};
 
 use crate::harness::program::{Outcome, Record, real};
 use crate::harness::specs::{calls_a_library, rounded};
@@ -160,7 +161,7 @@ fn passes(spec: &Spec, record: &Record) -> bool {
 
 /// A parameter, fixed or of the record.
 fn value(spec: &Spec, record: &Record, wanted: Parameter) -> f64 {
-    use ptc_codegen::spec::Fixed;
+    use ptc_codegen::parameter::Fixed;
     match spec.fixed.get(&wanted) {
         Some(Fixed::Infinite) => f64::INFINITY,
         Some(Fixed::Number { value, .. }) => {

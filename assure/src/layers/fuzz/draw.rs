@@ -2,7 +2,8 @@
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::spec::{Entry, Spec, parse, read};
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
 
 use crate::harness::random::Random;
 
@@ -184,9 +185,9 @@ pub(super) fn spec(keys: &Keys) -> Option<Spec> {
     };
     let spec = read(&keys.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()?;
     // What the checks refuse, and what overflows when it is generated, is no controller.
-    let spec = examine(&spec).accepted().ok()?.spec;
-    ptc_codegen::generate(&spec, ptc_codegen::emit::Language::C).ok()?;
-    Some(spec)
+    let report = examine(&spec);
+    ptc_codegen::Accepted::of(report.clone()).ok()?;
+    Some(report.spec)
 }
 
 /// Designs with one choice less, the simplest first.

@@ -1,8 +1,8 @@
 //! Intervals that hold what a program computes, not what exact arithmetic would.
 
 use crate::expression::Function;
+use crate::parameter::Precision;
 use crate::program::{self, Op, number};
-use crate::spec::Precision;
 
 /// Numbers between two bounds, and possibly infinities and NaN besides.
 #[derive(Clone, Copy, Debug, PartialEq)]

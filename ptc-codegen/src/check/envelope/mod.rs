@@ -22,9 +22,9 @@ pub(crate) use report::describe;
 use report::describe;
 use report::input_name;
 
+use crate::parameter::Precision;
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Value, number};
-use crate::spec::Precision;
 
 /// A value that may leave the range.
 #[derive(Clone, Debug, PartialEq)]
@@ -178,11 +178,13 @@ mod tests {
     use crate::check::{Outcome, Verdict};
     use crate::expression::Subject;
     use crate::expression::testing::mu;
+    use crate::family::Family;
     use crate::law::Law;
     use crate::lower;
-    use crate::mapping::{Custom, Family};
+    use crate::mapping::{Custom, TimeMapping};
+    use crate::parameter::Parameter;
     use crate::program::passes;
-    use crate::spec::{Parameter, Spec, TimeMapping};
+    use crate::request::Spec;
 
     fn program(n: usize, family: Family, precision: Precision) -> Program {
         let spec = Spec { precision, ..Spec::new(n, family) };

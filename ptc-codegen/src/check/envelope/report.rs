@@ -2,8 +2,8 @@
 
 use super::super::{Outcome, Verdict, digits};
 use super::{Envelope, Excess, Interval};
+use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Value, number};
-use crate::spec::Precision;
 
 /// The name of a value, else its expression.
 pub(crate) fn describe(program: &Program, value: Value) -> String {

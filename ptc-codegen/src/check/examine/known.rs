@@ -4,11 +4,14 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
-use crate::check::membership::enclosure::{Evaluator, Existence, Names};
+use crate::expression::enclosure::{Evaluator, Existence, Names};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable, leading};
-use crate::mapping::{Family, Form};
-use crate::spec::{Feedback, Fixed, Parameter, Spec, TimeMapping, number};
+use crate::family::Family;
+use crate::mapping::{Form, TimeMapping};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Feedback, Spec};
+use crate::syntax::number;
 
 /// Whether a parameter is fixed.
 pub(super) fn is_known(spec: &Spec, parameter: Parameter) -> bool {

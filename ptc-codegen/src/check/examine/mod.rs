@@ -19,12 +19,14 @@ use super::sampling::sampling;
 use super::{Outcome, Verdict};
 use crate::check::deadline::{ClosedLoop, deadline};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
+use crate::family::Family;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::mapping::Family;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::spec::{After, Clock, Feedback, Fixed, Parameter, Spec, What};
+use crate::request::{After, Clock, Feedback, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -34,6 +36,8 @@ const PIECES: f64 = 20.0;
 pub struct Report {
     /// The design, with eps where a check has set it.
     pub spec: Spec,
+    /// The closed forms of the design, where another engine than the library's own has made them.
+    pub expanded: Option<Expanded>,
     /// One outcome for each check.
     pub outcomes: Vec<Outcome>,
     /// The greatest value of a run-time parameter with which the checks hold: `init` refuses more.
@@ -61,54 +65,60 @@ impl Report {
         })
     }
 
-    /// The refusals as mistakes in the spec.
+    /// Whether no check refuses the design: the refusals as mistakes in the spec.
     ///
     /// # Errors
     /// One diagnostic for each refusal.
-    pub fn accepted(self) -> Result<Self, Vec<Diagnostic>> {
+    pub fn accepted(&self) -> Result<(), Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         for outcome in self.refusals() {
             let fix = outcome.fix.as_ref().map(|fix| format!("{fix}; ")).unwrap_or_default();
             found.push(
                 outcome.name,
-                self.spec.key_of(outcome.name),
+                deciding_key(&self.spec, outcome.name),
                 None,
                 outcome.summary.clone(),
                 format!("{fix}`allow` = {} lets it pass", outcome.name),
             );
         }
-        found.finish(Some(self))
+        found.finish(Some(()))
     }
 }
 
 /// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
 pub(crate) fn guarded(spec: &Spec) -> (Spec, Outcome, Outcome) {
     let mut spec = spec.clone();
-    let (sampling, deadline) = guard(&mut spec);
+    let (sampling, deadline) = guard(&mut spec, None);
     (spec, sampling, deadline)
 }
 
 /// Runs every check on `spec`. What lacks a value is not checked, and says which value.
 pub fn examine(spec: &Spec) -> Report {
+    examine_expanded(spec, None)
+}
+
+/// The same of what is made from the closed forms of another engine, where they are given.
+pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     if spec.sampled().is_some() {
         return in_samples(spec);
     }
     let mut spec = spec.clone();
+    let forms = expanded.as_ref();
     let membership = membership(&spec);
     let (growth, greatest) = check_growth(&spec);
-    choose_eps(&mut spec);
-    let (sampling, deadline) = guard(&mut spec);
+    choose_eps(&mut spec, forms);
+    let (sampling, deadline) = guard(&mut spec, forms);
     let (looped, worst) = match known::lacking(&spec) {
         Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
-        None => sampled::outcome(&spec),
+        None => sampled::outcome(&spec, forms),
     };
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let deadline = superseded(deadline, decided);
-    let envelope = envelope(&spec);
+    let envelope = envelope(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
     let outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
-    Report { spec, outcomes, greatest, worst }
+    Report { spec, expanded, outcomes, greatest, worst }
 }
 
 /// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
@@ -125,7 +135,7 @@ fn in_samples(spec: &Spec) -> Report {
             let reason = format!("`{}` is left to run time", open.spelling());
             (Outcome::not_checked(sampled::NAME, reason), None)
         }
-        None => sampled::outcome(&continued),
+        None => sampled::outcome(&continued, None),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let outcomes = vec![
@@ -136,7 +146,7 @@ fn in_samples(spec: &Spec) -> Report {
         looped,
         lacks("envelope"),
     ];
-    Report { spec: spec.clone(), outcomes, greatest: None, worst }
+    Report { spec: spec.clone(), expanded: None, outcomes, greatest: None, worst }
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop
@@ -151,7 +161,7 @@ fn superseded(outcome: Outcome, decided: bool) -> Outcome {
 }
 
 /// Where eps is open and something disturbs the loop, the eps whose worst final error is least.
-fn choose_eps(spec: &mut Spec) {
+fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
     let promises = &spec.promises;
     let disturbed =
         !promises.noise.is_empty() || !promises.sensor_step.is_empty() || promises.u_step.is_some();
@@ -159,7 +169,8 @@ fn choose_eps(spec: &mut Spec) {
     if !disturbed || !open || known::lacking(spec).is_some() {
         return;
     }
-    let best = Loop::new(spec).ok().and_then(|closed| closed.best_eps(&Numbers::new(spec)));
+    let closed = Loop::new(spec, expanded).ok();
+    let best = closed.and_then(|closed| closed.best_eps(&Numbers::new(spec, expanded)));
     if let Some(eps) = best.and_then(known::rounded_down) {
         spec.fixed.insert(Parameter::Eps, eps);
     }
@@ -242,7 +253,7 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
 }
 
 /// What the sample period and the wanted error ask of eps; sets it where the design leaves it open.
-fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
+fn guard(spec: &mut Spec, expanded: Option<&Expanded>) -> (Outcome, Outcome) {
     let number = |value: &Option<Fixed>| value.as_ref().and_then(known::to_f64);
     let period = number(&spec.promises.sample_time);
     // The smallest one bounds every state.
@@ -263,7 +274,7 @@ fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
     if lacking.is_some() {
         return (lacks("sampling"), lacks("deadline"));
     }
-    let numbers = Numbers::new(spec);
+    let numbers = Numbers::new(spec, expanded);
     let tau = numbers.tau;
     let sampled = period.map(|period| sampling(&|t| numbers.gains(t), period, tau));
     let bounds: Vec<_> = spec.promises.x0_max.iter().filter_map(known::to_f64).collect();
@@ -292,7 +303,7 @@ fn guard(spec: &mut Spec) -> (Outcome, Outcome) {
     )
 }
 
-fn envelope(spec: &Spec) -> Outcome {
+fn envelope(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
     let lacks = |reason: String| Outcome::not_checked("envelope", reason);
     if spec.promises.x_max.is_empty() {
         return lacks("`x_max` is not given".to_owned());
@@ -311,7 +322,7 @@ fn envelope(spec: &Spec) -> Outcome {
     if let Some(open) = spec.parameters().into_iter().find(open) {
         return lacks(format!("`{}` is left to run time without bounds", open.spelling()));
     }
-    let law = Law::of(spec);
+    let law = Law::from(spec, expanded);
     let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
     let round = |value: &Fixed| {
         value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
@@ -340,18 +351,16 @@ fn envelope(spec: &Spec) -> Outcome {
     Outcome::from(&scan(&program, &input, eps, tau, pieces.ceil() as u32))
 }
 
-impl Spec {
-    /// The key of the spec that decides a check.
-    fn key_of(&self, check: &str) -> &'static str {
-        match check {
-            "membership" if self.custom().is_some_and(|c| c.subject.key() == "kappa") => "kappa",
-            "membership" => "mu",
-            "growth" if !self.poles.is_empty() => "poles",
-            "growth" => "gains",
-            "envelope" => "x_max",
-            _ if self.fixed.contains_key(&Parameter::Eps) => "eps",
-            "sampling" => "sample_time",
-            _ => "error",
-        }
+/// The key of the spec that decides a check.
+fn deciding_key(spec: &Spec, check: &str) -> &'static str {
+    match check {
+        "membership" if spec.custom().is_some_and(|c| c.subject.key() == "kappa") => "kappa",
+        "membership" => "mu",
+        "growth" if !spec.poles.is_empty() => "poles",
+        "growth" => "gains",
+        "envelope" => "x_max",
+        _ if spec.fixed.contains_key(&Parameter::Eps) => "eps",
+        "sampling" => "sample_time",
+        _ => "error",
     }
 }

@@ -3,11 +3,13 @@
 use std::cell::RefCell;
 
 use super::known::to_f64;
+use crate::expansion::Expanded;
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Program, passes};
-use crate::spec::{After, Feedback, Guard, Parameter, Precision, Spec, What};
+use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// A linear design with all its numbers.
 pub(crate) struct Numbers<'a> {
@@ -20,7 +22,7 @@ pub(crate) struct Numbers<'a> {
 
 impl<'a> Numbers<'a> {
     /// The numbers of a spec that lacks none.
-    pub(crate) fn new(spec: &'a Spec) -> Self {
+    pub(crate) fn new(spec: &'a Spec, expanded: Option<&Expanded>) -> Self {
         let mut linear = Spec {
             precision: Precision::F64,
             guard: Guard::None,
@@ -32,7 +34,8 @@ impl<'a> Numbers<'a> {
         // The guard is what is sought: nothing is held here.
         linear.fixed.remove(&Parameter::Eps);
         let observer = Spec { feedback: Feedback::Extern, ..linear.clone() };
-        let program = |spec: &Spec| passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        let program =
+            |spec: &Spec| passes::optimise(lower(spec, &Law::from(spec, expanded)), &mut |_, _| {});
         let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(f64::NAN);
         Self { spec, tau, linear: program(&linear), observer: program(&observer) }
     }

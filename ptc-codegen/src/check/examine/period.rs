@@ -4,7 +4,9 @@ use super::known::{lacking, to_f64};
 use super::numbers::Numbers;
 use crate::check::sampling::is_stable;
 use crate::check::{middle, to_f64 as count};
-use crate::spec::{Parameter, Spec};
+use crate::expansion::Expanded;
+use crate::parameter::Parameter;
+use crate::request::Spec;
 
 /// Ratio of neighbouring periods of the search.
 const STEP: f64 = 1.02;
@@ -16,12 +18,12 @@ const ABOVE: f64 = 1e2;
 /// The first sample period, to three digits from below, at which the loop with the gains held at eps
 /// is unstable: none where the design leaves a number open that decides it, and none inside where no
 /// stable period was found.
-pub(crate) fn held_period(spec: &Spec) -> Option<Option<f64>> {
+pub(crate) fn held_period(spec: &Spec, expanded: Option<&Expanded>) -> Option<Option<f64>> {
     let eps = spec.fixed.get(&Parameter::Eps).and_then(to_f64)?;
     if lacking(spec).is_some() {
         return None;
     }
-    let period = first_unstable(&Numbers::new(spec).gains(eps));
+    let period = first_unstable(&Numbers::new(spec, expanded).gains(eps));
     Some(period.map(|period| {
         let unit = 10f64.powf(period.log10().floor() - 2.0);
         (period / unit).floor() * unit

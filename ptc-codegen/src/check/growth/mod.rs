@@ -33,8 +33,8 @@ use nalgebra::Complex;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::poles;
-use super::polynomial::Polynomial;
-use super::stability::{is_bounded, is_hurwitz};
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::stability::{is_bounded, is_hurwitz};
 use crate::algebra::{BigInt, BigRational};
 
 /// What the mode of a simple pole at -m rho is as a function of time-to-go.
@@ -192,7 +192,7 @@ mod tests {
     use crate::algebra::integer;
     use crate::check::deadline::{ClosedLoop, deadline};
     use crate::check::digits;
-    use crate::check::poles::{Pole, gains};
+    use crate::request::{Pole, gains};
 
     fn exact(poles: &[i64]) -> Vec<BigRational> {
         let poles: Vec<_> = poles.iter().map(|re| Pole::real(integer(*re))).collect();

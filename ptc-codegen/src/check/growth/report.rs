@@ -156,8 +156,8 @@ impl From<&Growth> for Outcome {
 mod tests {
     use crate::algebra::{BigRational, integer};
     use crate::check::growth::{Modes, growth, too_fast};
-    use crate::check::poles::{Pole, gains};
     use crate::check::{Outcome, Verdict};
+    use crate::request::{Pole, gains};
 
     fn told(poles: &[(i64, i64)], rho: BigRational, modes: Modes) -> Outcome {
         let poles: Vec<_> =

@@ -1,15 +1,15 @@
 //! The value at the start, the limit at the deadline, and smoothness between them.
 
 use super::Verdict;
-use super::enclosure::Existence;
 use super::pieces::{Wanted, left_open};
 use super::problem::Problem;
 use super::smooth::needs;
+use crate::expression::enclosure::Existence;
 use crate::expression::leading::{Limit, limit, limit_at_zero};
 use crate::expression::normal::normal;
 use crate::expression::sign::Sign;
 use crate::expression::{Expression, Variable};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 impl Problem<'_> {
     pub(super) fn start(&mut self) -> Verdict {

@@ -3,10 +3,10 @@
 use num_traits::{Signed, Zero};
 
 use super::Verdict;
-use super::enclosure::Existence;
 use super::pieces::Wanted;
 use super::problem::Problem;
 use crate::algebra::{BigRational, integer};
+use crate::expression::enclosure::Existence;
 use crate::expression::interval::Interval;
 use crate::expression::leading::{scale, scale_at_zero};
 use crate::expression::normal::normal;

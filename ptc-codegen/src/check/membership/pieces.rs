@@ -1,7 +1,7 @@
 //! A sign on all of an interval, by halving it until an enclosure tells.
 
-use super::enclosure::{Evaluator, Existence, Names};
 use crate::algebra::{BigRational, integer};
+use crate::expression::enclosure::{Evaluator, Existence, Names};
 use crate::expression::interval::Interval;
 use crate::expression::{Expression, Variable};
 

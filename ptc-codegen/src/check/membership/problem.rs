@@ -2,16 +2,16 @@
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::enclosure::{Evaluator, Names};
 use super::pieces::{Range, Wanted, left_open};
 use super::{Ranges, Verdict};
 use crate::algebra::{BigRational, integer};
+use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::normal::{complement, normal};
 use crate::expression::sign::{Sign, sign};
 use crate::expression::{Expression, Subject, Variable};
 use crate::mapping::Custom;
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// A mapping, its parameters and the work that is left for a proof.
 pub(super) struct Problem<'a> {

@@ -1,6 +1,6 @@
-use super::enclosure::{Evaluator, Names};
 use super::*;
 use crate::algebra::integer;
+use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::testing::{evaluate, kappa, mu, random};
 use crate::expression::{Subject, Variable};

@@ -6,7 +6,7 @@
 
 use super::rounded::{Rounded, unit_roundoff};
 use crate::expression::range::Range;
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 /// A matrix with bounds of the distance of each entry from the true one, by rows.
 #[derive(Clone, Debug)]

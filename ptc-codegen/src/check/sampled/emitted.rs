@@ -10,7 +10,8 @@ use super::chain::{Chain, Near, Row, Step, centre};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Operator, Place, Shape, Statement, Test};
 use crate::expression::range::Range;
-use crate::spec::{Precision, Sampled, Spec};
+use crate::parameter::Precision;
+use crate::request::{Sampled, Spec};
 
 /// What a name holds at one sample.
 #[derive(Clone, Debug)]

@@ -2,18 +2,25 @@
 
 use super::chain::Gains;
 use super::rounded::{Enclosure, Rounded, unit_roundoff};
+use crate::expansion::Expanded;
 use crate::expression::range::Range;
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::Parameter;
 use crate::program::{Input, Program, Stage, passes};
-use crate::spec::{After, Parameter, Spec};
+use crate::request::{After, Spec};
 
 /// The rows of gains of samples 0..=`last` with period `h`, the last ones held from there on; none
 /// where a value of the program is not enclosed.
-pub(super) fn gains(spec: &Spec, h: Range, last: usize) -> Option<Vec<Gains>> {
+pub(super) fn gains(
+    spec: &Spec,
+    expanded: Option<&Expanded>,
+    h: Range,
+    last: usize,
+) -> Option<Vec<Gains>> {
     // What follows the deadline is no part of the law before it.
     let spec = Spec { after: After::Hold, ..spec.clone() };
-    let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
+    let program = passes::optimise(lower(&spec, &Law::from(&spec, expanded)), &mut |_, _| {});
     Acting::new(&spec, &program)?.rows(h, last)
 }
 

@@ -11,9 +11,11 @@ use super::gains::gains;
 use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
+use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
@@ -46,6 +48,8 @@ pub struct Way {
 /// The loop of a design in numbers.
 pub(crate) struct Loop<'a> {
     spec: &'a Spec,
+    /// The closed forms of another engine.
+    pub(super) expanded: Option<&'a Expanded>,
     period: Range,
     samples: usize,
     chain: Chain,
@@ -56,7 +60,7 @@ impl<'a> Loop<'a> {
     ///
     /// # Errors
     /// What it lacks, or why it is not looked at.
-    pub(crate) fn new(spec: &'a Spec) -> Result<Self, String> {
+    pub(crate) fn new(spec: &'a Spec, expanded: Option<&'a Expanded>) -> Result<Self, String> {
         let promises = &spec.promises;
         let h = exact(promises.sample_time.as_ref()).ok_or("`sample_time` is not given")?;
         let tau = exact(spec.fixed.get(&Parameter::Tau)).ok_or("`tau` is left to run time")?;
@@ -91,7 +95,7 @@ impl<'a> Loop<'a> {
         let range = |value: &BigRational| Range::from(&Interval::exact(value));
         let period = range(&h);
         let chain = Chain::new(spec.n, period, range(&gain), delay);
-        Ok(Self { spec, period, samples, chain })
+        Ok(Self { spec, expanded, period, samples, chain })
     }
 
     /// The loop with what disturbs it.
@@ -111,7 +115,7 @@ impl<'a> Loop<'a> {
     fn acting(&self) -> Result<Sampled, String> {
         let chain = self.chain.clone();
         let Some(own) = self.spec.sampled() else {
-            let rows = gains(self.spec, self.period, self.samples)
+            let rows = gains(self.spec, self.expanded, self.period, self.samples)
                 .ok_or("the gains of this mapping are not enclosed")?;
             return Ok(Sampled::new(chain, &rows));
         };

@@ -5,15 +5,17 @@ use num_traits::ToPrimitive;
 use super::judge::{Loop, Worst};
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, digits, list};
-use crate::spec::{Fixed, Parameter, Spec};
+use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
 
 /// The check of a design whose loop is known, and its worst case.
-pub(crate) fn outcome(spec: &Spec) -> (Outcome, Option<Worst>) {
+pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
     let eps = spec.fixed.contains_key(&Parameter::Eps);
-    let found = Loop::new(spec).and_then(|closed| {
+    let found = Loop::new(spec, expanded).and_then(|closed| {
         if !eps {
             return Err("`eps` is left to run time".to_owned());
         }
@@ -145,7 +147,7 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     });
     // In samples eps is a hold that the design chose.
     let open = spec.sampled().is_none();
-    let eps = open.then(|| closed.best_eps(&Numbers::new(spec))).flatten();
+    let eps = open.then(|| closed.best_eps(&Numbers::new(spec, closed.expanded))).flatten();
     let eps = eps.map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

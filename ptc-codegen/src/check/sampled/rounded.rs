@@ -10,8 +10,8 @@ use astro_float_num::Consts;
 use crate::algebra::BigRational;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
+use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Stage, Value, number};
-use crate::spec::Precision;
 
 /// A value of the program.
 #[derive(Clone, Copy, Debug)]

@@ -5,8 +5,10 @@ use super::gains::gains;
 use super::worst::{Sampled, Signals};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::mapping::Family;
-use crate::spec::{Fixed, Parameter, Spec, number};
+use crate::family::Family;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+use crate::syntax::number;
 
 /// Loops in 50-digit arithmetic: `tests/data/sampled_loops.json`.
 const LOOPS: &str = include_str!("../../../../tests/data/sampled_loops.json");
@@ -41,7 +43,7 @@ fn final_errors_are_those_of_the_reference() {
         let samples = case["samples"].as_u64().expect("samples") as usize;
         let h = range(&text(&case["tau"])) / Range::from(samples as f64);
         let delay = case["delay"].as_u64().expect("delay") as usize;
-        let rows = gains(&spec, h, samples).expect("gains");
+        let rows = gains(&spec, None, h, samples).expect("gains");
         let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), &rows);
         sampled.x0 = numbers(&case["x0_max"]);
         sampled.noise = numbers(&case["noise"]);
@@ -88,14 +90,14 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
             ("eps", eps),
             ("u_max", "inf"),
         ];
-        let entry = |(key, text): &(&str, &str)| crate::spec::Entry {
+        let entry = |(key, text): &(&str, &str)| crate::request::Entry {
             key: (*key).to_owned(),
             place: crate::diagnostic::Place(0),
-            value: crate::spec::parse(key, text, &mut |_| crate::diagnostic::Place(0))
+            value: crate::syntax::parse(key, text, &mut |_| crate::diagnostic::Place(0))
                 .expect("a value"),
         };
         let spec =
-            crate::spec::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design");
+            crate::request::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design");
         let own = spec.sampled().expect("a clock in samples");
         let h = range(&spec.fixed[&Parameter::SampleTime]);
         let chain = Chain::new(n, h, Range::from(1.0), 0);

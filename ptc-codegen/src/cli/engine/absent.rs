@@ -4,7 +4,7 @@ use ptc_codegen::expansion::ClosedForms;
 use ptc_codegen::expression::Expression;
 use ptc_codegen::mapping::{Custom, Mapping};
 
-use super::Part;
+use super::part::Part;
 use crate::cli::report::Failure;
 
 pub(super) fn of_ring(_: usize, _: &Mapping, _: Part) -> Result<ClosedForms, Failure> {

@@ -1,7 +1,7 @@
 //! The engines that expand closed forms, behind one seam: an order and a mapping in, closed forms out.
 //!
 //! The library's own engine expands where a form is needed. Another one is asked once, before the
-//! checks, and what it gives stands in the spec; every later stage takes it from there.
+//! checks, and what it gives goes with the report of the checks to every later stage.
 
 #[cfg(feature = "symbolica")]
 pub(crate) mod symbolica;
@@ -9,10 +9,14 @@ pub(crate) mod symbolica;
 #[path = "absent.rs"]
 mod symbolica;
 
+mod part;
+
 use clap::ValueEnum;
 use ptc_codegen::expansion::{self, ClosedForms, Expanded};
 use ptc_codegen::mapping::Mapping;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
+
+pub(crate) use part::Part;
 
 use super::report::Failure;
 
@@ -23,15 +27,6 @@ pub(crate) enum Engine {
     Ptc,
     /// the computer algebra system Symbolica, which has a licence of its own
     Symbolica,
-}
-
-/// Which closed forms are asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    /// r_k alone.
-    R,
-    /// r_k and B_{i,j}.
-    All,
 }
 
 impl Engine {
@@ -54,28 +49,29 @@ impl Engine {
         }
     }
 
-    /// The spec with the closed forms of its design, where they come from another engine than the
-    /// library's own.
+    /// The closed forms of the design of `spec`, where they come from another engine than the
+    /// library's own; the spec names it where its bytes depend on it.
     ///
     /// # Errors
     /// As [`Engine::expand`].
-    pub(crate) fn prepare(self, mut spec: Spec) -> Result<Spec, Failure> {
+    pub(crate) fn prepare(self, spec: &mut Spec) -> Result<Option<Expanded>, Failure> {
         if self == Self::Ptc {
-            return Ok(spec);
+            return Ok(None);
         }
         let n = spec.n;
-        spec.expanded = Some(match (spec.ring(), spec.custom()) {
+        Ok(match (spec.ring(), spec.custom()) {
             (Some(ring), _) if spec.is_iterated() => {
                 let free = self.expand(n, &Mapping::free(n), Part::All)?;
                 let r = self.expand(n, &ring, Part::R)?.r;
-                Expanded::Family(ClosedForms { r, ..free })
+                Some(Expanded::Family(ClosedForms { r, ..free }))
             }
-            (Some(ring), _) => Expanded::Family(self.expand(n, &ring, Part::All)?),
+            (Some(ring), _) => Some(Expanded::Family(self.expand(n, &ring, Part::All)?)),
             (None, Some(custom)) => {
-                Expanded::Custom { engine: "symbolica", r: symbolica::of_custom(n, custom)? }
+                let r = symbolica::of_custom(n, custom)?;
+                spec.engine = Some("symbolica");
+                Some(Expanded::Custom(r))
             }
-            (None, None) => return Ok(spec),
-        });
-        Ok(spec)
+            (None, None) => None,
+        })
     }
 }

@@ -3,9 +3,9 @@
 use num_traits::{Signed, ToPrimitive};
 use ptc_codegen::algebra::{BigRational, integer};
 use ptc_codegen::expression::{Expression, Function, Variable};
-use ptc_codegen::spec::Parameter;
+use ptc_codegen::parameter::Parameter;
 
-use super::{
+use super::element::{
     APPLIED, Math, applied, fenced, fraction, name, number, operator, relation, root, row,
     sequence, sub, sup,
 };

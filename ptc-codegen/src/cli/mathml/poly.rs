@@ -3,7 +3,7 @@
 use num_traits::{One, Signed, Zero};
 use ptc_codegen::algebra::{BigRational, Kind, Monomial, Poly, Symbol};
 
-use super::{
+use super::element::{
     Math, TIMES, fenced, fraction, mark, name, number, operator, product, relation, row, sequence,
     sub, sub_sup, sup,
 };
@@ -62,7 +62,9 @@ fn power(symbol: Symbol, exponent: i32) -> Math {
             let rate = fraction(name("\u{3c0}"), row([number(2), name("\u{3c4}")]));
             bracketed(product(rate, name("y")), exponent)
         }
-        Kind::Slope => bracketed(fraction(super::prime(name("\u{3ba}")), name("a")), exponent),
+        Kind::Slope => {
+            bracketed(fraction(super::element::prime(name("\u{3ba}")), name("a")), exponent)
+        }
         Kind::Derivative => {
             let written = match index {
                 Some(order @ 1..=2) => {

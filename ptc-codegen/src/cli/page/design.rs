@@ -1,7 +1,8 @@
 //! What a design is, in tables, and the command that runs it again.
 
+use ptc_codegen::parameter::Fixed;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{After, Feedback, Fixed, Guard, Spec};
+use ptc_codegen::request::{After, Feedback, Guard, Spec};
 
 use crate::cli::source::Source;
 

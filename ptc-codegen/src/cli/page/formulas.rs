@@ -1,19 +1,20 @@
 //! The formulas of a design: plant, mapping, closed forms, law and gains.
 
 use ptc_codegen::algebra::{Kind, Symbol};
-use ptc_codegen::expression::{Expression, Subject as Meaning, Variable};
+use ptc_codegen::expression::{Expression, Subject as Meaning, Variable, family_form};
+use ptc_codegen::family::Family;
 use ptc_codegen::law::{Form, Law};
-use ptc_codegen::mapping::{Family, Form as Computed};
+use ptc_codegen::mapping::{Form as Computed, TimeMapping};
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{Feedback, Parameter, Spec, TimeMapping};
+use ptc_codegen::request::{Feedback, Spec};
 
-use crate::cli::args::Subject;
 use crate::cli::mathml::{
     self, Math, applied, bold, dot, equal, fenced, fraction, name, named, number, of_expression,
     of_poly, operator, prime, product, relation, row, sub, sub_sup, sup, variable, words,
 };
 use crate::cli::report::Failure;
-use crate::cli::show;
+use crate::cli::show::{self, Subject};
 
 /// Formulas of one subject.
 pub(super) struct Group {
@@ -94,10 +95,10 @@ fn mapping(spec: &Spec) -> Group {
                     let tau = Expression::from(Parameter::Tau);
                     spec.time_mapping.complement().map(|complement| tau.sub(complement))
                 }
-                _ => info.form(Meaning::Mu),
+                _ => family_form(info, Meaning::Mu),
             };
             formulas.extend(form.map(|form| equal(mu, of_expression(&form))));
-            match info.form(Meaning::Family) {
+            match family_form(info, Meaning::Family) {
                 Some(form) => formulas.push(equal(kappa, of_expression(&form))),
                 None => told.push_str(&format!(" kappa(Dt) is {}.", info.kappa)),
             }

@@ -7,13 +7,13 @@ use std::path::Path;
 
 use askama::Template;
 use askama::filters::HtmlSafe;
+use ptc_codegen::Accepted;
 use ptc_codegen::check::Verdict;
-use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::check::examine::Report;
 use ptc_codegen::emit::{File, Language};
-use ptc_codegen::generate;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::plot::Figure;
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::mathml::{Math, display, inline};
 use super::report::Failure;
@@ -81,6 +81,8 @@ pub(crate) struct Judged {
 /// What a report is made of.
 pub(crate) struct Content<'a> {
     pub(crate) spec: &'a Spec,
+    /// What the checks say of it.
+    pub(crate) report: &'a Report,
     pub(crate) plant: &'a Plant,
     pub(crate) source: &'a Source,
     /// The command that makes the report again.
@@ -135,9 +137,9 @@ pub(crate) fn named(asked: Option<&Path>) -> Result<(), Failure> {
 /// # Errors
 /// Closed forms that an engine does not give.
 pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
-    let Content { spec, plant, source, command, section } = content;
-    let report = examine(spec);
-    let (files, refused) = match generate(spec, Language::C) {
+    let Content { spec, report, plant, source, command, section } = content;
+    let code = Accepted::of(Report::clone(report)).and_then(|own| own.files(Language::C, &[]));
+    let (files, refused) = match code {
         Ok(files) => (files, Vec::new()),
         Err(found) => {
             let told = found.iter().map(|wrong| format!("{}; {}", wrong.message, wrong.help));
@@ -152,7 +154,7 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
         design: source.text().map(|text| (design::file(spec), text)),
         groups: formulas::groups(&report.spec, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
-        report: &report,
+        report,
         section,
         files,
         refused,

@@ -1,6 +1,7 @@
 //! `show`: the expansions behind a controller, in text, LaTeX or JSON.
 
 mod abstracts;
+mod args;
 mod json;
 mod latex;
 mod law;
@@ -12,11 +13,17 @@ mod text;
 use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::family::Family;
+use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::law::Law;
-use ptc_codegen::mapping::{Family, Mapping};
-use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value};
+use ptc_codegen::mapping::Mapping;
+use ptc_codegen::parameter::{Fixed, Parameter};
+use ptc_codegen::request::{MAX_ORDER, Spec};
+use ptc_codegen::syntax::{Node, Value};
 
-use super::args::{Format, Show, Subject};
+use args::Format;
+pub(crate) use args::{EXAMPLES, Show, Subject};
+
 use super::engine::{Engine, Part};
 #[cfg(feature = "simulation")]
 use super::mathml::Math;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::args::{Design, SpecFlags};
+use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
 The plant xn' = f + g*u stands in the design, under [plant]: f and g are expressions in x1..xn, t

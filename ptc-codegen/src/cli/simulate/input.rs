@@ -4,10 +4,12 @@ use std::ops::Range;
 
 use num_traits::{One, Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
+use ptc_codegen::parameter::Fixed;
+use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::Loop;
-use ptc_codegen::spec::{Fixed, Spec, number};
+use ptc_codegen::syntax::number;
 
-use super::Simulate;
+use super::args::Simulate;
 use crate::cli::report::{Failure, Notice, Quote};
 
 /// What a run is asked for, beside the design.
@@ -82,7 +84,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
             "give --sample-time, or sample_time in the design",
         ));
     };
-    let tau = spec.fixed.get(&ptc_codegen::spec::Parameter::Tau).and_then(to_f64);
+    let tau = spec.fixed.get(&ptc_codegen::parameter::Parameter::Tau).and_then(to_f64);
     if tau.is_some_and(|tau| tau / period > MAX_SAMPLES) {
         return Err(Failure::because(
             format!(

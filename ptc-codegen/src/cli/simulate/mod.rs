@@ -6,17 +6,13 @@ mod page;
 mod picture;
 mod run;
 
-use ptc_codegen::plant::Plant;
-use ptc_codegen::simulate::{Cause, Failure as Ended, Values};
-use ptc_codegen::spec::{Parameter, Spec};
-
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Outputs};
 use super::page as html;
-use super::report::{Failure, Notice, note};
+use super::report::{Failure, note};
 use super::write;
 
 /// Runs `simulate`.
@@ -72,54 +68,6 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let printed = files.iter().any(|(place, _)| place.is_standard_output());
     let told = output::write(&files)?;
     if printed { Ok(()) } else { write::to_stdout(&told) }
-}
-
-/// What a run needs and lacks, all at once.
-fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
-    let values = Values::of(spec, plant);
-    let missing = values.missing(spec, plant, emitted);
-    if missing.is_empty() {
-        return Ok(values);
-    }
-    let symbols = plant.symbols(spec);
-    let (mut names, mut flags) = (Vec::<String>::new(), Vec::<String>::new());
-    for parameter in missing {
-        let name = parameter.spelling();
-        let flag = match parameter {
-            Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
-                format!("--{name} VALUE").replace('_', "-")
-            }
-            // A sample period is given, and eps does not follow from it.
-            Parameter::Eps => "--eps VALUE".to_owned(),
-            Parameter::Gain(_) => "--gains or --poles".to_owned(),
-            Parameter::Samples => "--tau VALUE".to_owned(),
-            Parameter::SampleTime => "--sample-time VALUE".to_owned(),
-            _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
-            _ => format!("--param {name}=VALUE"),
-        };
-        names.push(name);
-        if !flags.contains(&flag) {
-            flags.push(flag);
-        }
-    }
-    let (verb, one) = if names.len() == 1 { ("has", "a value") } else { ("have", "values") };
-    let title =
-        format!("{} {verb} no value in the design, and a run needs {one}", names.join(", "));
-    Err(Failure::because(title, &format!("give {}", flags.join(", "))))
-}
-
-/// Why a run ended early, with the tau of the run.
-fn ended(failure: Ended, tau: f64) -> Failure {
-    let title = match failure.cause {
-        Cause::Unfinished => format!("undecided: tau = {tau}: {}", failure.message),
-        Cause::Input | Cause::Range => format!("tau = {tau}: {}", failure.message),
-    };
-    let notices = vec![Notice { help: Some(failure.help), ..Notice::of(title) }];
-    match failure.cause {
-        Cause::Input => Failure::bad_input(notices),
-        Cause::Range => Failure::refused(notices),
-        Cause::Unfinished => Failure::undecided(notices),
-    }
 }
 
 fn csv(runs: &[Run]) -> String {

@@ -1,9 +1,11 @@
 //! The report of the runs.
 
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plant::Plant;
-use ptc_codegen::spec::{Fixed, Parameter, Spec};
+use ptc_codegen::request::Spec;
 
-use super::Simulate;
+use super::args::Simulate;
 use super::picture::figure;
 use super::run::{Row, Run};
 use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
@@ -21,15 +23,21 @@ pub(super) fn text(
     runs: &[Run],
 ) -> Result<String, Failure> {
     let mut spec = spec.clone();
-    if runs.len() > 1 {
-        // One controller has made all of them: the one to which tau is told at run time.
-        spec.fixed.remove(&Parameter::Tau);
-    }
+    let report = match runs {
+        [Run { report: Some(report), .. }] => report.clone(),
+        [_] => examine(&spec),
+        _ => {
+            // One controller has made all of them: the one to which tau is told at run time.
+            spec.fixed.remove(&Parameter::Tau);
+            examine(&spec)
+        }
+    };
     let seed = (request.seed != 0).then(|| request.seed.to_string());
     let flags =
         [("--x0", Some(request.x0.clone())), ("--at", request.at.clone()), ("--seed", seed)];
     let content = Content {
         spec: &spec,
+        report: &report,
         plant,
         source,
         command: command("simulate", &spec, source, &flags),
@@ -39,7 +47,7 @@ pub(super) fn text(
 }
 
 fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Failure> {
-    let held = runs.iter().any(|run| run.held);
+    let held = runs.iter().any(|run| run.is_held());
     let how = match held {
         true => "The emitted controller at each sample; its u is held until the next.",
         false => {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use num_traits::ToPrimitive;
 use ptc_codegen::plot::{Figure, Trace};
-use ptc_codegen::spec::Spec;
+use ptc_codegen::request::Spec;
 
 use super::run::Run;
 use crate::cli::page::undrawn;
@@ -44,7 +44,7 @@ impl Kind {
 
 pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
     let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
-    let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
+    let loops = if runs.iter().any(|run| run.is_held()) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
     Figure {
         title: format!("{}: n = {}, {}, {loops}", spec.name(), spec.n, spec.mapping_name()),
@@ -65,6 +65,6 @@ fn trace(run: &Run) -> Trace {
         stretched: column(&|row| row.stretched),
         x: (0..run.n).map(|j| column(&|row| row.x[j])).collect(),
         u: column(&|row| row.u),
-        held: run.held,
+        held: run.is_held(),
     }
 }

@@ -1,13 +1,15 @@
 //! One run for one tau, kept for the CSV and the picture.
 
-use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
-use ptc_codegen::simulate::{Accuracy, Continuous, Loop, Sample, Sampled, Values};
-use ptc_codegen::spec::{Parameter, Spec};
+use ptc_codegen::request::Spec;
+use ptc_codegen::simulate::{
+    Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values,
+};
 
 use super::input::Asked;
-use super::{complete, ended};
 use crate::cli::report::{self, Failure, Notice};
 
 /// A run.
@@ -16,16 +18,21 @@ pub(super) struct Run {
     pub(super) n: usize,
     pub(super) t0: f64,
     pub(super) u_max: f64,
-    /// Whether u is held between the rows.
-    pub(super) held: bool,
+    /// What the checks say, where the emitted controller is in the loop.
+    pub(super) report: Option<Report>,
     pub(super) rows: Vec<Row>,
 }
 
 impl Run {
-    fn new(spec: &Spec, values: &Values, held: bool, rows: Vec<Row>) -> Self {
+    fn new(n: usize, values: &Values, report: Option<Report>, rows: Vec<Row>) -> Self {
         let [tau, t0, u_max] =
             [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
-        Self { tau, n: spec.n, t0, u_max, held, rows }
+        Self { tau, n, t0, u_max, report, rows }
+    }
+
+    /// Whether u is held between the rows.
+    pub(super) fn is_held(&self) -> bool {
+        self.report.is_some()
     }
 }
 
@@ -87,7 +94,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
             ..Notice::of(title)
         }]));
     }
-    Ok(Run::new(spec, &values, false, rows))
+    Ok(Run::new(spec.n, &values, None, rows))
 }
 
 /// The emitted controller at each sample.
@@ -132,5 +139,53 @@ pub(super) fn sampled(
             "an actuator would see 0 there: see the checks of `check`, and the range of the states";
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
-    Ok(Run::new(spec, &values, true, rows))
+    Ok(Run::new(spec.n, &values, Some(report), rows))
+}
+
+/// What a run needs and lacks, all at once.
+fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure> {
+    let values = Values::of(spec, plant);
+    let missing = values.missing(spec, plant, emitted);
+    if missing.is_empty() {
+        return Ok(values);
+    }
+    let symbols = plant.symbols(spec);
+    let (mut names, mut flags) = (Vec::<String>::new(), Vec::<String>::new());
+    for parameter in missing {
+        let name = parameter.spelling();
+        let flag = match parameter {
+            Parameter::Tau | Parameter::StartTime | Parameter::UMax => {
+                format!("--{name} VALUE").replace('_', "-")
+            }
+            // A sample period is given, and eps does not follow from it.
+            Parameter::Eps => "--eps VALUE".to_owned(),
+            Parameter::Gain(_) => "--gains or --poles".to_owned(),
+            Parameter::Samples => "--tau VALUE".to_owned(),
+            Parameter::SampleTime => "--sample-time VALUE".to_owned(),
+            _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
+            _ => format!("--param {name}=VALUE"),
+        };
+        names.push(name);
+        if !flags.contains(&flag) {
+            flags.push(flag);
+        }
+    }
+    let (verb, one) = if names.len() == 1 { ("has", "a value") } else { ("have", "values") };
+    let title =
+        format!("{} {verb} no value in the design, and a run needs {one}", names.join(", "));
+    Err(Failure::because(title, &format!("give {}", flags.join(", "))))
+}
+
+/// Why a run ended early, with the tau of the run.
+fn ended(failure: Ended, tau: f64) -> Failure {
+    let title = match failure.cause {
+        Cause::Unfinished => format!("undecided: tau = {tau}: {}", failure.message),
+        Cause::Input | Cause::Range => format!("tau = {tau}: {}", failure.message),
+    };
+    let notices = vec![Notice { help: Some(failure.help), ..Notice::of(title) }];
+    match failure.cause {
+        Cause::Input => Failure::bad_input(notices),
+        Cause::Range => Failure::refused(notices),
+        Cause::Unfinished => Failure::undecided(notices),
+    }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::args::{Design, SpecFlags};
+use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
 What is verified stands in the design: under [plant] the plant, with [least, greatest] for each symbol

@@ -5,6 +5,7 @@
 //! and then one record a chunk: its range, a checksum, and the numbers of its rows. A record that ends
 //! too soon was being written; whatever else differs from what was written is damage.
 
+mod failure;
 mod header;
 mod lock;
 
@@ -18,6 +19,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use ptc_codegen::verify::record::{PROGRAM, Row, differing, hash};
 use ptc_codegen::verify::{Campaign, chunks};
 
+use failure::{foreign, unusable};
 use header::{Header, OWNER, owner, owner_line};
 use lock::lock;
 
@@ -263,20 +265,6 @@ impl Journal {
             },
         )
     }
-}
-
-fn foreign(path: &Path, what: &str) -> Failure {
-    Failure::because(
-        format!("{} {what}", path.display()),
-        "rows under way are kept there: move it away, or give another --out",
-    )
-}
-
-fn unusable(path: &Path, why: &str) -> Failure {
-    Failure::because(
-        format!("cannot use {}, which keeps the rows under way: {why}", path.display()),
-        "remove this file to run all scenarios again, or give another --out",
-    )
 }
 
 fn damaged(chunk: &Range<u64>) -> io::Error {

@@ -4,24 +4,24 @@ mod args;
 mod journal;
 mod page;
 mod parts;
+mod progress;
 mod report;
 
 use std::ops::Range;
 
-use indicatif::{ProgressBar, ProgressStyle};
-use ptc_codegen::simulate::{self, Cause};
-use ptc_codegen::spec;
+use ptc_codegen::request;
 use ptc_codegen::verify::{self, Campaign, Corners, Impossible, Trial};
 
 pub(crate) use args::{EXAMPLES, Verify};
 use journal::Journal;
 use parts::Rows;
+pub(crate) use progress::progress;
 use report::End;
 pub(crate) use report::against;
 
 use super::output::{self, Outputs};
 use super::page as html;
-use super::report::{Failure, Notice};
+use super::report::Failure;
 use super::source::Source;
 use super::write;
 
@@ -114,7 +114,7 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
         }
     }
     let parsed = source.parse();
-    let read = spec::read(&parsed.entries)
+    let read = request::read(&parsed.entries)
         .and_then(|spec| verify::read_with_plant(&parsed.entries, &spec));
     match read {
         Ok(campaign) => parsed.finish(Some(campaign), Vec::new()),
@@ -172,29 +172,4 @@ fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
 
 fn searched(campaign: &Campaign) -> u64 {
     (campaign.corners().len() + campaign.search * campaign.objectives.len()) as u64
-}
-
-/// A bar on the standard error, where that is a terminal.
-pub(crate) fn progress(what: &'static str, count: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len}, {eta} left");
-    let bar = ProgressBar::new(count).with_message(what);
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
-}
-
-impl From<simulate::Failure> for Failure {
-    fn from(failure: simulate::Failure) -> Self {
-        let notice = Notice { help: Some(failure.help), ..Notice::of(failure.message) };
-        match failure.cause {
-            Cause::Input => Self::bad_input(vec![notice]),
-            Cause::Range => Self::refused(vec![notice]),
-            Cause::Unfinished => Self::undecided(vec![notice]),
-        }
-    }
-}
-
-fn unwritable(notice: Notice) -> Failure {
-    Failure::bad_input(vec![notice])
 }

@@ -1,10 +1,11 @@
 //! The report of a verification.
 
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
-use ptc_codegen::spec::Parameter;
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
-use super::Verify;
+use super::args::Verify;
 use super::report::{APART, End, Judged, Summary, Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
@@ -24,6 +25,7 @@ pub(super) fn text(
     let flags = [("--scenarios", request.scenarios.clone()), ("--seed", request.seed.clone())];
     let content = Content {
         spec,
+        report: &examine(spec),
         plant: &campaign.plant,
         source,
         command: command("verify", spec, source, &flags),

@@ -11,9 +11,9 @@ use ptc_codegen::verify::record::{self, Row, Writer};
 use ptc_codegen::verify::{Campaign, Tally, Trial, chunks, sample};
 
 use super::journal::{Journal, SUFFIX};
-use super::{Notice, progress, unwritable};
+use super::progress::progress;
 use crate::cli::output::{Kind, Outputs, Place, commit, open_beside, through, with_suffix};
-use crate::cli::report::Failure;
+use crate::cli::report::{Failure, Notice};
 
 /// Where the rows go.
 pub(super) struct Rows {
@@ -208,17 +208,17 @@ fn write(
 fn unread(path: &Path, error: &dyn Display) -> Failure {
     let error = error.to_string();
     let error = error.strip_prefix("Parquet error: ").unwrap_or(&error);
-    unwritable(Notice {
+    Failure::bad_input(vec![Notice {
         help: Some(
             "give files that `verify --out` wrote for this design, scenarios and seed".to_owned(),
         ),
         ..Notice::of(format!("cannot use {}: {error}", path.display()))
-    })
+    }])
 }
 
 fn write_failed(path: &Path, error: &dyn Display) -> Failure {
-    unwritable(Notice {
+    Failure::bad_input(vec![Notice {
         help: Some("give a file in a folder that can be written with --out".to_owned()),
         ..Notice::of(format!("cannot write {}: {error}", path.display()))
-    })
+    }])
 }

@@ -3,7 +3,7 @@
 use super::text::{Level, Lines, Text, length};
 use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::File;
-use crate::spec::Precision;
+use crate::parameter::Precision;
 
 struct C<'a> {
     code: &'a Code,

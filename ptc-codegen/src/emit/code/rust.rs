@@ -3,7 +3,7 @@
 use super::text::{Level, Lines, Text, length};
 use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::{File, rust::module_text};
-use crate::spec::{Precision, type_name};
+use crate::parameter::{Precision, type_name};
 
 struct Rust<'a> {
     code: &'a Code,

@@ -1,8 +1,8 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
 use crate::code::{Expr, Operator, Shape, Test};
+use crate::parameter::Precision;
 use crate::program::number;
-use crate::spec::Precision;
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

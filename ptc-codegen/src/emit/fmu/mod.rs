@@ -10,8 +10,8 @@ use super::c;
 use super::example::Example;
 use super::frame::{Frame, Requirement, literal, parameter_text};
 use super::{Controller, File, Language, Target, stands_alone, text_of, tidy};
+use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::{Fixed, Parameter, Precision};
 use variables::{Unit, Variable};
 
 /// A version of the interface.

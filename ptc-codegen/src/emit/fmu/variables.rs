@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::super::example::Example;
+use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::spec::{Domain, Fixed, Parameter, Precision, Spec};
+use crate::request::Spec;
 
 /// A variable as both versions of modelDescription.xml tell it.
 pub(super) struct Variable {

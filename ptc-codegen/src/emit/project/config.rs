@@ -4,8 +4,9 @@ use super::super::example::{DEFAULTS, Example};
 use super::super::frame::literal;
 use super::super::{Controller, Language, c, declared, rust};
 use super::constant;
+use crate::parameter::Parameter;
 use crate::program::number;
-use crate::spec::{Parameter, Spec};
+use crate::request::Spec;
 
 /// A run-time parameter, or an array of them.
 pub(super) struct Setting {

@@ -11,7 +11,8 @@ use super::{Controller, File, Language, c, rust, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
-use crate::spec::{Precision, Spec};
+use crate::parameter::Precision;
+use crate::request::Spec;
 use config::Config;
 use templates::{
     Arduino, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, Linker, MainC, MainRust,

@@ -12,10 +12,10 @@ pub(crate) use self::scale::Scale;
 use self::scale::Product;
 use self::series::{Series, Term};
 use super::effort::{self, bounded};
+use super::enclosure::{Evaluator, Existence, Names};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
-use crate::check::membership::enclosure::{Evaluator, Existence, Names};
 
 /// Most work of one search, in operations on small coefficients.
 const MAX_WORK: usize = 4000;

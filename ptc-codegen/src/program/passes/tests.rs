@@ -3,12 +3,14 @@
 use super::{PASSES, append, optimise};
 use crate::algebra::integer;
 use crate::expression::Function;
+use crate::family::{FAMILIES, Family};
 use crate::law::Law;
 use crate::lower::lower;
-use crate::mapping::{FAMILIES, Family};
+use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Interpreter;
 use crate::program::{Input, Op, Program, Stage, Value, cost};
-use crate::spec::{Parameter, Precision, Spec, number};
+use crate::request::Spec;
+use crate::syntax::number;
 
 /// Numbers in (0.5, 2.5) that differ from input to input, rounded to the precision.
 fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {

@@ -8,14 +8,14 @@ use super::flow::Rows;
 use super::form::Values;
 use super::series::{Arithmetic, Series, product};
 use crate::algebra::{BigInt, BigRational, integer};
-use crate::check::membership::enclosure::{Evaluator, Names};
 use crate::expansion::bell::factorials;
+use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::range::Range;
 use crate::expression::{Expression, Variable};
-use crate::mapping::{Form, Kappa};
-use crate::spec::{Fixed, Parameter, TimeMapping};
+use crate::mapping::{Form, Kappa, TimeMapping};
+use crate::parameter::{Fixed, Parameter};
 
 /// A mapping in units of tau: its T is the T/tau of the run.
 pub(super) struct Clock {

@@ -16,8 +16,9 @@ use crate::check::envelope::{Interval, outward};
 use crate::expression::interval::Interval as Exact;
 use crate::law::Law;
 use crate::lower::lower;
+use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Program, number, passes};
-use crate::spec::{Fixed, Parameter, Spec, What};
+use crate::request::{Spec, What};
 
 /// Cells at which the program may be looked at.
 const MOST: usize = 20_000;

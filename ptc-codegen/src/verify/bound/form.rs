@@ -13,7 +13,7 @@ use crate::algebra::BigRational;
 use crate::expression::existence::{self, Condition};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// The values of what is fixed.
 pub(super) type Values = BTreeMap<Parameter, BigRational>;

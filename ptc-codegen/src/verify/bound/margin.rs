@@ -9,11 +9,11 @@ use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
 use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
-use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::expression::{Expression, Variable};
-use crate::spec::Parameter;
+use crate::parameter::Parameter;
 
 /// What stands beside the loop in an objective.
 pub(super) struct Bounds {

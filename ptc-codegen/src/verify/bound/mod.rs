@@ -29,12 +29,12 @@ use margin::{Aim, Bounds, Why};
 use super::{Campaign, Kind, Objective};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::digits;
-use crate::expression::Expression;
-use crate::expression::existence;
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::range::Range;
-use crate::spec::{Feedback, Fixed, Parameter};
+use crate::expression::{Expression, existence};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
 const CELLS: usize = 6000;

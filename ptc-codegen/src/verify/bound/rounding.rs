@@ -21,8 +21,8 @@ use num_traits::{Signed, ToPrimitive};
 use crate::check::envelope::Interval;
 use crate::check::envelope::bounds::Bounds;
 use crate::expression::Function;
+use crate::parameter::Precision;
 use crate::program::{Op, Program, Value, number, rows};
-use crate::spec::Precision;
 
 /// What covers the roundings of one step of a bound.
 const MORE: f64 = 1.0 + 1e-14;
@@ -178,12 +178,13 @@ fn slope(function: Function, a: Rounded) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::family::Family;
     use crate::law::Law;
     use crate::lower::lower;
-    use crate::mapping::Family;
+    use crate::parameter::Parameter;
     use crate::program::interpret::Interpreter;
     use crate::program::{Input, passes};
-    use crate::spec::{Parameter, Spec};
+    use crate::request::Spec;
 
     fn program(n: usize, family: Family, precision: Precision) -> Program {
         let spec = Spec { precision, ..Spec::new(n, family) };

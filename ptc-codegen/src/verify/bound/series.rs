@@ -1,6 +1,6 @@
 //! Taylor series of an expression whose coefficients are enclosed, by Taylor arithmetic.
 
-use crate::check::membership::enclosure::{Evaluator, Names};
+use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::range::Range;
 use crate::expression::{Expression, Function, Variable};
 

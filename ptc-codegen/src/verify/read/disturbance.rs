@@ -1,8 +1,9 @@
 //! The table `[disturbance]`.
 
 use super::{Given, Reader, to_f64};
-use crate::diagnostic::near_miss;
-use crate::spec::{Parameter, Value, shorten};
+use crate::diagnostic::{near_miss, shorten};
+use crate::parameter::Parameter;
+use crate::syntax::Value;
 use crate::verify::{Interval, Signal};
 
 impl Reader<'_> {

@@ -10,10 +10,12 @@ use num_traits::ToPrimitive;
 
 use super::keys::KEYS;
 use super::{Campaign, Interval, Objective, Signal};
-use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::Expression;
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
-use crate::spec::{Entry, Fixed, Node, Parameter, Spec, Value, real, shorten};
+use crate::request::{Entry, Spec};
+use crate::syntax::{Node, Value, real};
 
 /// What stands at a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
@@ -24,7 +26,7 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// # Errors
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
-    crate::needs_time(spec, "a campaign")?;
+    spec.needs_time("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let Some(plant) = plant else {
         found.push(Diagnostic {

@@ -2,7 +2,8 @@
 
 use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, resolve};
-use crate::spec::{Value, known};
+use crate::request::known;
+use crate::syntax::Value;
 use crate::verify::keys::OBJECTIVE_KEYS;
 use crate::verify::{Kind, Objective};
 

@@ -17,7 +17,7 @@ use ptc_codegen::expression::{Expression, Variable};
 use ptc_codegen::mapping::{Custom, Form, Mapping};
 use serde_json::{Value, json};
 
-use super::Part;
+use super::part::Part;
 use crate::cli::report::Failure;
 use child::Wrong;
 use postfix::{Names, Polynomials};

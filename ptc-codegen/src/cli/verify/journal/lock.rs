@@ -6,8 +6,8 @@ use std::path::Path;
 
 use fs4::{FileExt, TryLockError};
 
+use super::failure::{foreign, unusable};
 use super::header::{OWNER, owner};
-use super::{foreign, unusable};
 use crate::cli::output::same_file;
 use crate::cli::report::Failure;
 

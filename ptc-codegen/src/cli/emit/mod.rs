@@ -1,0 +1,207 @@
+//! `emit`: the source of a controller, to files, to the standard output, or compared with files.
+
+mod args;
+
+use std::path::Path;
+
+use ptc_codegen::Accepted;
+use ptc_codegen::check::examine::examine_expanded;
+use ptc_codegen::controller::measured::Measured;
+use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::emit::{File, Language, Project};
+use ptc_codegen::expansion::Expanded;
+use ptc_codegen::request::Spec;
+
+pub(crate) use args::{EXAMPLES, Emit};
+
+use super::compare::compare;
+use super::fmu;
+use super::output::{self, Outputs};
+use super::project as folder;
+use super::read;
+use super::report::Failure;
+use super::write;
+
+/// Runs `emit`.
+pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
+    beside_c(request)?;
+    let mut outputs = Outputs::default();
+    let inputs = [("the design", &request.design.design), ("the table of --cost", &request.cost)];
+    for (name, path) in inputs {
+        path.iter().for_each(|path| outputs.reads(name, path));
+    }
+    if let (Some(out), false) = (&request.out, request.check) {
+        // What can be no folder is found before the work.
+        outputs.folder("--out", out)?;
+    }
+    let source = request.spec.0.with_design(request.design.design.as_deref())?;
+    let given = source.parse();
+    let mut spec = given.read()?;
+    let expanded = request.engine.engine.prepare(&mut spec)?;
+    let dump = |pass: &str| ptc_codegen::dump(&spec, expanded.as_ref(), pass);
+    if let Some(program) = request.dump.as_deref().and_then(dump) {
+        return write::to_stdout(&program);
+    }
+    match request.project {
+        Some(kind) => match project(&spec, expanded, kind) {
+            Ok(files) => make(request, &mut outputs, &spec.name(), &files),
+            Err(found) => given.finish(None, found),
+        },
+        None => {
+            // The grammar asks for one of the two.
+            let language = request.lang.unwrap_or(Language::C);
+            let measured = measured(request.cost.as_deref(), &spec)?;
+            match sources(request, (&spec, expanded), language, &measured) {
+                Ok(files) => place(request, &mut outputs, (&spec.name(), language), &files),
+                Err(found) => given.finish(None, found),
+            }
+        }
+    }
+}
+
+/// What goes beside C alone is asked for with C.
+fn beside_c(request: &Emit) -> Result<(), Failure> {
+    let given = [
+        (request.acsl, "--acsl"),
+        (request.selftest, "--selftest"),
+        (request.cost.is_some(), "--cost"),
+    ];
+    let Some((_, flag)) = given.iter().find(|(given, _)| *given) else { return Ok(()) };
+    let other = match (request.lang, request.project, &request.dump) {
+        (Some(Language::C), _, None) => return Ok(()),
+        (_, _, Some(_)) => "--dump".to_owned(),
+        (Some(language), _, _) => format!("--lang {}", language.name()),
+        (None, Some(project), _) => format!("--project {}", project.name()),
+        (None, None, _) => return Ok(()),
+    };
+    Err(Failure::because(
+        format!("`{flag}` goes with C, and `{other}` asks for something else"),
+        &format!("give --lang c without --dump, or leave {flag} out"),
+    ))
+}
+
+/// The files of a project.
+fn project(
+    spec: &Spec,
+    expanded: Option<Expanded>,
+    kind: Project,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    // What cannot stand alone is not checked first.
+    kind.accepts(spec)?;
+    Accepted::of(examine_expanded(spec, expanded))?.project(kind)
+}
+
+/// The files of a language, and what goes with them by flags.
+fn sources(
+    request: &Emit,
+    (spec, expanded): (&Spec, Option<Expanded>),
+    language: Language,
+    measured: &[Measured],
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let accepted = Accepted::of(examine_expanded(spec, expanded))?;
+    let mut files = match request.acsl {
+        true => accepted.files_with_proof()?,
+        false => accepted.files(language, measured)?,
+    };
+    if request.selftest {
+        files.extend(accepted.selftest()?);
+    }
+    Ok(files)
+}
+
+/// Most bytes of a table of costs.
+const MAX_TABLE: u64 = 1 << 24;
+
+/// What the table in `file` holds of the controller; nothing without a file.
+fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> {
+    let Some(file) = file else { return Ok(Vec::new()) };
+    let text = read::text(file, MAX_TABLE)?;
+    let mut table = Measured::table(&text).map_err(|wrong| {
+        let help = "give a table as `cargo assure cost` writes it";
+        Failure::because(format!("{} is no table of costs: {wrong}", file.display()), help)
+    })?;
+    let command = spec.command();
+    table.retain(|measured| measured.command == command);
+    if table.is_empty() {
+        return Err(Failure::because(
+            format!("{} holds no cost of this controller, `{command}`", file.display()),
+            "measure it, in the source of ptc: cargo assure --design DESIGN",
+        ));
+    }
+    Ok(table)
+}
+
+/// Prints, compares or writes the files of a language.
+fn place(
+    request: &Emit,
+    outputs: &mut Outputs,
+    (name, language): (&str, Language),
+    files: &[File],
+) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new("."));
+    if request.check {
+        return match (out.as_os_str() == "-", language.fmi()) {
+            (true, _) => Err(Failure::because(
+                "`--check` has no files to compare with where `--out` is `-`".to_owned(),
+                "give the folder that holds them, for example -o out",
+            )),
+            (false, Some(_)) => fmu::check(out, name, files),
+            (false, None) => compare_folder(out, files),
+        };
+    }
+    let place = outputs.folder("--out", out)?;
+    let told = match (place.is_stream(), language.fmi()) {
+        (true, Some(_)) => return Err(unprintable("an FMU is an archive")),
+        (true, None) => output::write(&[(place, joined(files, language).as_bytes())])?,
+        (false, Some(version)) => {
+            let (archive, content) = fmu::archive(name, version, files)?;
+            outputs.write_in(out, &[(&archive, content)])?
+        }
+        (false, None) => {
+            let files: Vec<_> = files.iter().map(|f| (f.name.as_str(), &f.text)).collect();
+            outputs.write_in(out, &files)?
+        }
+    };
+    write::to_stdout(&told)
+}
+
+/// Compares or writes the files of a project.
+fn make(request: &Emit, outputs: &mut Outputs, name: &str, files: &[File]) -> Result<(), Failure> {
+    let out = request.out.as_deref().unwrap_or(Path::new(name));
+    if out.as_os_str() == "-" {
+        return Err(unprintable("a project is a folder"));
+    }
+    if request.check {
+        return compare_folder(out, files);
+    }
+    let place = outputs.folder("--out", out)?;
+    if place.is_stream() {
+        return Err(unprintable("a project is a folder"));
+    }
+    folder::write(&place, files)
+}
+
+fn unprintable(what: &str) -> Failure {
+    Failure::because(
+        format!("{what}, which is no text to print"),
+        "give the folder to write to, for example -o out",
+    )
+}
+
+/// All files in one text; a comment names each where there are several.
+fn joined(files: &[File], language: Language) -> String {
+    let (open, close) = language.comment();
+    match files {
+        [only] => only.text.clone(),
+        _ => {
+            files.iter().map(|f| format!("{open}---- {} ----{close}\n{}", f.name, f.text)).collect()
+        }
+    }
+}
+
+/// Compares the files with those in `folder`.
+fn compare_folder(folder: &Path, files: &[File]) -> Result<(), Failure> {
+    // Of what is longer the first line that differs is shown.
+    let most = |file: &File| file.text.len() as u64 + 4096;
+    compare(folder, files, &mut |file| read::start(&folder.join(&file.name), most(file)))
+}

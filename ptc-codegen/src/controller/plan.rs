@@ -1,0 +1,197 @@
+//! Which value lives where: the fields that `init` and `arm` leave, and the work of each function.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expression::Function;
+use crate::parameter::Parameter;
+use crate::program::{Input, Op, Program, Stage, Value};
+
+/// The emitted functions that compute something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Routine {
+    /// Parameters to fields.
+    Init,
+    /// Start time to fields.
+    Arm,
+    /// Time and state to u.
+    Step,
+    /// Time to gains.
+    Tick,
+    /// Gains and state to u.
+    Axis,
+}
+
+/// A field of the controller.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Field {
+    /// The value it keeps.
+    pub(crate) value: Value,
+    /// Its name.
+    pub(crate) name: String,
+    /// Its meaning.
+    pub(crate) meaning: String,
+    /// Whether `arm` sets it (else `init` does).
+    pub(crate) armed: bool,
+}
+
+/// What one call computes together: the stages between two sets of fields.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Phase {
+    Init,
+    Arm,
+    Call,
+}
+
+impl Routine {
+    /// Every one.
+    pub(crate) const ALL: [Self; 5] = [Self::Init, Self::Arm, Self::Step, Self::Tick, Self::Axis];
+}
+
+impl Phase {
+    fn of(stage: Stage) -> Self {
+        match stage {
+            Stage::Generation | Stage::Init => Self::Init,
+            Stage::Arm => Self::Arm,
+            Stage::Tick | Stage::Step => Self::Call,
+        }
+    }
+}
+
+/// The layout of a program in an emitted file.
+pub(crate) struct Plan<'a> {
+    /// The program.
+    pub(crate) program: &'a Program,
+    /// The fields, in order of computation.
+    pub(crate) fields: Vec<Field>,
+    names: BTreeMap<Value, String>,
+}
+
+impl<'a> Plan<'a> {
+    /// The plan of `program`, whose names `rename` makes those of the language.
+    pub(crate) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
+        let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
+        for (index, definition) in program.values.iter().enumerate() {
+            let name = match (&definition.name, &definition.op) {
+                (Some((name, _)), _) => name.clone(),
+                (None, Op::Input(input)) => input_name(*input),
+                _ => continue,
+            };
+            plan.names.insert(Value(index), rename(&name));
+        }
+        let mut kept = BTreeSet::new();
+        kept.extend(program.limits.start_time);
+        kept.extend(program.limits.u_max);
+        kept.extend([program.limits.hold_from, program.limits.eps]);
+        for value in program.needed(&program.outputs()) {
+            let definition = program.get(value);
+            let phase = Phase::of(definition.stage);
+            let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
+            kept.extend(definition.op.operands().into_iter().filter(earlier));
+        }
+        let results = program.gains.iter().chain([&program.step]).chain(&program.axis);
+        kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
+        let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
+        for value in kept {
+            plan.keep(value);
+        }
+        plan
+    }
+
+    fn keep(&mut self, value: Value) {
+        let definition = self.program.get(value);
+        let name = self.names.entry(value).or_insert_with(|| format!("f{}", value.0)).clone();
+        let meaning = match (&definition.name, &definition.op) {
+            (Some((_, meaning)), _) => meaning.clone(),
+            (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
+            (None, Op::Input(Input::StartTime)) => "start time".to_owned(),
+            (None, Op::Input(Input::StateAtStart(_))) => "state at the start".to_owned(),
+            _ if definition.stage == Stage::Arm => "derived at the start time".to_owned(),
+            _ => "derived from the parameters".to_owned(),
+        };
+        self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
+    }
+
+    /// Whether a value is written as a literal wherever it is used.
+    pub(crate) fn is_literal(&self, value: Value) -> bool {
+        matches!(self.program.get(value).op, Op::Number(_))
+    }
+
+    /// Name of a value that has one.
+    pub(crate) fn name(&self, value: Value) -> Option<&str> {
+        self.names.get(&value).map(String::as_str)
+    }
+
+    /// What `function` must compute.
+    pub(crate) fn roots(&self, function: Routine) -> Vec<Value> {
+        match function {
+            Routine::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
+            Routine::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
+            Routine::Step => {
+                let limits = self.program.limits;
+                let mut roots = vec![self.program.step, limits.late];
+                roots.extend(limits.past);
+                roots
+            }
+            Routine::Tick => {
+                self.program.gains.iter().copied().chain([self.program.limits.late]).collect()
+            }
+            Routine::Axis => self.program.axis.into_iter().collect(),
+        }
+    }
+
+    /// The values that `function` computes itself, in order.
+    fn computed(&self, function: Routine) -> Vec<Value> {
+        let roots = self.roots(function);
+        let mut wanted: BTreeSet<Value> = roots.iter().copied().collect();
+        for value in self.program.needed(&roots).into_iter().rev() {
+            if wanted.contains(&value) && !self.is_field(function, value) {
+                wanted.extend(self.program.get(value).op.operands());
+            }
+        }
+        wanted.into_iter().filter(|value| !self.is_field(function, *value)).collect()
+    }
+
+    /// Whether `function` calls a function of the mathematical library.
+    pub(crate) fn calls_library(&self, function: Routine) -> bool {
+        let own = |op: &Op| matches!(op, Op::Call(Function::Abs | Function::Sign, _));
+        self.computed(function).into_iter().any(|value| {
+            let op = &self.program.get(value).op;
+            matches!(op, Op::Call(..) | Op::Pow(..)) && !own(op)
+        })
+    }
+
+    /// Whether `function` reads `value` from a field instead of computing it.
+    pub(crate) fn is_field(&self, function: Routine, value: Value) -> bool {
+        let own = match function {
+            Routine::Init => Phase::Init,
+            Routine::Arm => Phase::Arm,
+            Routine::Step | Routine::Tick | Routine::Axis => Phase::Call,
+        };
+        !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
+    }
+}
+
+/// Name of a parameter as a local value, in every language.
+pub(crate) fn parameter_name(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Gain(i) => format!("k{i}"),
+        Parameter::Rate(i) => format!("a{i}"),
+        // Apart from the names of the code itself.
+        Parameter::Named(name) => format!("p_{name}"),
+        parameter => parameter.key().to_owned(),
+    }
+}
+
+/// Name of an input in every language.
+fn input_name(input: Input) -> String {
+    match input {
+        Input::Parameter(parameter) => parameter_name(parameter),
+        Input::StartTime => "t0".to_owned(),
+        Input::Time => "t".to_owned(),
+        Input::State(j) => format!("x{j}"),
+        Input::StateAtStart(j) => format!("x{j}_0"),
+        Input::Drift => "f".to_owned(),
+        Input::Control => "u".to_owned(),
+        Input::Gain(j) => format!("gain{j}"),
+    }
+}

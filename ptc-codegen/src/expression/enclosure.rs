@@ -1,0 +1,189 @@
+//! Enclosures of an expression over intervals of what stands in it, with a bound on the work.
+
+use std::collections::BTreeMap;
+
+use astro_float_num::Consts;
+
+use super::interval::Interval;
+use super::{Expression, Function};
+
+/// Most work for one mapping, in operations on intervals: well below a second.
+const MAX_OPERATIONS: usize = 60_000;
+/// What a function or a power costs, in such operations.
+const COST_OF_CALL: usize = 32;
+
+/// Evaluates expressions, until the work is used up.
+pub(crate) struct Evaluator {
+    cache: Option<Consts>,
+    left: usize,
+    existence: Existence,
+}
+
+/// For which of the arguments an expression has a value; the worst of its parts decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Existence {
+    /// For all of them, within the range of doubles.
+    Certain,
+    /// Perhaps not where a divisor is 0 or a function has a pole, or where it leaves that range:
+    /// there it may have a value by continuity only.
+    ButAtPoles,
+    /// Perhaps only for those within the domain of a function.
+    Partly,
+    /// For none.
+    Never,
+}
+
+/// What is known of the values of an expression.
+pub(crate) struct Value {
+    /// It holds every value that exists.
+    pub(crate) interval: Interval,
+    pub(crate) existence: Existence,
+}
+
+/// The intervals of names.
+pub(crate) type Names = BTreeMap<Expression, Interval>;
+
+impl Evaluator {
+    pub(crate) fn new() -> Self {
+        Self { cache: Consts::new().ok(), left: MAX_OPERATIONS, existence: Existence::Certain }
+    }
+
+    /// The same with all of the work left; the constants of its functions, which take long, are kept.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn again(&mut self) -> &mut Self {
+        self.left = MAX_OPERATIONS;
+        self
+    }
+
+    /// A function of an interval.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn call(&mut self, function: Function, x: &Interval) -> Option<Interval> {
+        Some(x.call(function, self.cache.as_mut()?))
+    }
+
+    /// x^exponent of a positive x.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn power(&mut self, x: &Interval, exponent: &Interval) -> Option<Interval> {
+        Some(x.power(exponent, self.cache.as_mut()?))
+    }
+
+    /// The values of an expression that has one for every argument.
+    #[cfg(feature = "campaign")]
+    pub(crate) fn sound(&mut self, expression: &Expression, names: &Names) -> Option<Interval> {
+        let value = self.again().value(expression, names)?;
+        (value.existence == Existence::Certain).then_some(value.interval)
+    }
+
+    /// Whether no work is left.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.left == 0 || self.cache.is_none()
+    }
+
+    /// The values of an expression; none for an unknown name or where the work is used up.
+    pub(crate) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
+        self.existence = Existence::Certain;
+        let interval = self.enclose(expression, names)?;
+        Some(Value { interval, existence: self.existence })
+    }
+
+    fn note(&mut self, existence: Existence) {
+        self.existence = self.existence.max(existence);
+    }
+
+    /// The values of an expression, of which every operation notes for which arguments it exists.
+    fn enclose(&mut self, e: &Expression, names: &Names) -> Option<Interval> {
+        use Expression as E;
+        let cost = if matches!(e, E::Call(..) | E::Power(..)) { COST_OF_CALL } else { 1 };
+        let left = self.left.checked_sub(cost);
+        self.left = left.unwrap_or(0);
+        left?;
+        let interval = match e {
+            E::Number(number) => Interval::exact(number),
+            E::Pi => Interval::pi(self.cache.as_mut()?),
+            E::Parameter(_) | E::Variable(_) => names.get(e)?.clone(),
+            E::Neg(a) => self.enclose(a, names)?.neg(),
+            E::Add(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?),
+            E::Sub(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?.neg()),
+            E::Mul(a, b) => self.enclose(a, names)?.times(&self.enclose(b, names)?),
+            E::Div(a, b) => {
+                let under = self.enclose(b, names)?;
+                if under.has_zero() {
+                    self.note(Existence::ButAtPoles);
+                }
+                self.enclose(a, names)?.over(&under)
+            }
+            E::Min(a, b) => self.enclose(a, names)?.least(&self.enclose(b, names)?),
+            E::Max(a, b) => self.enclose(a, names)?.most(&self.enclose(b, names)?),
+            E::Power(a, b) => self.raised(a, b, names)?,
+            E::Call(function, a) => {
+                let inner = self.enclose(a, names)?;
+                self.applied(*function, &inner)?
+            }
+        };
+        if !interval.is_within_doubles() {
+            self.note(Existence::ButAtPoles);
+        }
+        Some(interval)
+    }
+
+    fn raised(&mut self, a: &Expression, b: &Expression, names: &Names) -> Option<Interval> {
+        let base = self.enclose(a, names)?;
+        if let Some(k) = b.small_integer() {
+            if k < 0 && base.has_zero() {
+                self.note(Existence::ButAtPoles);
+            }
+            return Some(base.whole_power(k));
+        }
+        let exponent = self.enclose(b, names)?;
+        self.note(match () {
+            () if base.is_negative() => Existence::Never,
+            () if !base.is_not_negative() => Existence::Partly,
+            () if base.has_zero() && !exponent.is_positive() => Existence::ButAtPoles,
+            () => Existence::Certain,
+        });
+        if !base.is_not_negative() {
+            return Some(Interval::whole());
+        }
+        Some(base.power(&exponent, self.cache.as_mut()?))
+    }
+
+    fn applied(&mut self, function: Function, inner: &Interval) -> Option<Interval> {
+        let one = Interval::integer(1);
+        let cache = self.cache.as_mut()?;
+        let inside = |partly: bool, outside: bool, on_edge: bool| match () {
+            () if outside => Existence::Never,
+            () if partly => Existence::Partly,
+            () if on_edge => Existence::ButAtPoles,
+            () => Existence::Certain,
+        };
+        let (existence, inner) = match function {
+            Function::Sqrt => {
+                (inside(!inner.is_not_negative(), inner.is_negative(), false), inner.clone())
+            }
+            Function::Ln => {
+                let negative = inner.is_negative();
+                let partly = !inner.is_not_negative();
+                // Only its positive part has logarithms.
+                let there = match partly && !negative {
+                    true => inner.most(&Interval::integer(0)),
+                    false => inner.clone(),
+                };
+                (inside(partly, negative, inner.has_zero()), there)
+            }
+            Function::Atanh => {
+                let (over, under) = (one.plus(inner), one.plus(&inner.neg()));
+                let partly = !over.is_not_negative() || !under.is_not_negative();
+                let outside = over.is_negative() || under.is_negative();
+                (inside(partly, outside, over.has_zero() || under.has_zero()), inner.clone())
+            }
+            Function::Tan => {
+                let pole = inner.call(Function::Cos, cache).has_zero();
+                (inside(false, false, pole), inner.clone())
+            }
+            _ => (Existence::Certain, inner.clone()),
+        };
+        let value = inner.call(function, cache);
+        self.note(existence);
+        Some(value)
+    }
+}

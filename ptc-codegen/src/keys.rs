@@ -1,0 +1,246 @@
+//! The keys of a design: tables that feed the reader, the help, the docs and the diagnostics.
+
+/// A key of a spec.
+#[derive(Clone, Copy, Debug)]
+pub struct KeyInfo {
+    /// Name, in the macro; the flag on the command line is `--` with `-` for `_`.
+    pub key: &'static str,
+    /// Meaning.
+    pub meaning: &'static str,
+    /// What is legal.
+    pub legal: &'static str,
+    /// An example of the value as it is written on the command line.
+    pub example: &'static str,
+}
+
+/// All keys, in the order in which they are told.
+pub static KEYS: [KeyInfo; 33] = [
+    KeyInfo {
+        key: "n",
+        meaning: "order of the chain of integrators",
+        legal: "an integer 1..=16",
+        example: "3",
+    },
+    KeyInfo {
+        key: "mu",
+        meaning: "time mapping, with its parameters where they are fixed",
+        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum) or an expression in t",
+        example: "exp(a=1)",
+    },
+    KeyInfo {
+        key: "kappa",
+        meaning: "time mapping by its inverse, in place of mu",
+        legal: "an expression in dt, the elapsed time",
+        example: "-ln(1 - dt/tau)/a",
+    },
+    KeyInfo {
+        key: "name",
+        meaning: "name of the controller: prefix of every emitted symbol, stem of the files",
+        legal: "an identifier of at most 48 letters, digits and _, no word of C or Rust",
+        example: "roll",
+    },
+    KeyInfo {
+        key: "what",
+        meaning: "what is generated: the controller, or the infinite-time system on which pi0 is designed",
+        legal: "controller or associated",
+        example: "associated",
+    },
+    KeyInfo {
+        key: "clock",
+        meaning: "what a call is given: time t, or the number k of the sample",
+        legal: "time or samples",
+        example: "samples",
+    },
+    KeyInfo {
+        key: "precision",
+        meaning: "floating-point type",
+        legal: "f64 or f32",
+        example: "f32",
+    },
+    KeyInfo {
+        key: "guard",
+        meaning: "run-time checks of the inputs",
+        legal: "full, result or none",
+        example: "none",
+    },
+    KeyInfo {
+        key: "gains",
+        meaning: "gains k_1..k_n of the law pi0 = -sum k_i xi_i",
+        legal: "n finite numbers",
+        example: "120,74,15",
+    },
+    KeyInfo {
+        key: "poles",
+        meaning: "poles of the loop in stretched time, in place of gains",
+        legal: "n numbers; complex ones in pairs",
+        example: "-4,-3+2i,-3-2i",
+    },
+    KeyInfo {
+        key: "pi0",
+        meaning: "law of the infinite-time system, in place of gains",
+        legal: "an expression in xi1..xin and t, or extern",
+        example: "-20*xi1 - 9*xi2",
+    },
+    KeyInfo {
+        key: "g",
+        meaning: "input gain of the plant xn' = f + g*u",
+        legal: "an expression in x1..xn and t, not 0",
+        example: "2 + cos(x1)",
+    },
+    KeyInfo {
+        key: "f",
+        meaning: "known constant of the plant xn' = f + g*u, cancelled; with clock = samples",
+        legal: "a finite number",
+        example: "-9.81",
+    },
+    KeyInfo {
+        key: "tau",
+        meaning: "prescribed settling time in s",
+        legal: "a number > 0",
+        example: "2",
+    },
+    KeyInfo { key: "t0", meaning: "start time in s", legal: "a finite number", example: "0" },
+    KeyInfo {
+        key: "eps",
+        meaning: "time-to-go in s at which the gains are held",
+        legal: "a number > 0 and < tau",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "u_max",
+        meaning: "bound of |u|; inf leaves the clipping out",
+        legal: "a number > 0, or inf",
+        example: "5",
+    },
+    KeyInfo {
+        key: "after",
+        meaning: "what follows the deadline: the held gains, u = 0, or a law of yours",
+        legal: "hold, zero or extern",
+        example: "zero",
+    },
+    KeyInfo {
+        key: "sample_time",
+        meaning: "sample period of the loop in s; sets the default of eps",
+        legal: "a number > 0",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "error",
+        meaning: "wanted bound of |x_i| at the deadline, in units of x_i; sets eps",
+        legal: "a number > 0, or one for each state, with x0_max",
+        example: "1e-3",
+    },
+    KeyInfo {
+        key: "noise",
+        meaning: "bounds of the noise of each measured state, in units of x_i",
+        legal: "a number >= 0, or one for each state",
+        example: "1e-4,1e-3",
+    },
+    KeyInfo {
+        key: "sensor_step",
+        meaning: "steps in which each state is measured, in units of x_i",
+        legal: "a number >= 0, or one for each state",
+        example: "1e-6,1e-3",
+    },
+    KeyInfo {
+        key: "u_step",
+        meaning: "step of the actuator: what acts is the nearest multiple of it",
+        legal: "a number >= 0",
+        example: "0.01",
+    },
+    KeyInfo {
+        key: "delay",
+        meaning: "samples between a measurement and the input that follows from it",
+        legal: "an integer 0..=16",
+        example: "1",
+    },
+    KeyInfo {
+        key: "deadbeat",
+        meaning: "samples to go at which deadbeat takes over; with clock = samples",
+        legal: "an integer of at least the order of the loop",
+        example: "12",
+    },
+    KeyInfo {
+        key: "measured",
+        meaning: "states that are measured; an observer gives the others; with clock = samples",
+        legal: "x1, or x1 to x_m without a gap",
+        example: "x1",
+    },
+    KeyInfo {
+        key: "disturbance",
+        meaning: "what is added to u and not known: it is estimated and cancelled; with clock = samples",
+        legal: "none or constant",
+        example: "constant",
+    },
+    KeyInfo {
+        key: "observer_poles",
+        meaning: "poles of the observer in stretched time; with clock = samples",
+        legal: "one for each state that is estimated; complex ones in pairs",
+        example: "-4,-5,-6",
+    },
+    KeyInfo {
+        key: "observer_samples",
+        meaning: "samples after which the estimates are exact; with clock = samples",
+        legal: "an integer; by default half of the samples",
+        example: "200",
+    },
+    KeyInfo {
+        key: "observer_eps",
+        meaning: "time-to-go in s at which the gains of the observer are held; with clock = samples",
+        legal: "a number > 0",
+        example: "0.03",
+    },
+    KeyInfo {
+        key: "x0_max",
+        meaning: "bounds of |x_i| at the start",
+        legal: "n numbers > 0",
+        example: "1,2,5",
+    },
+    KeyInfo {
+        key: "x_max",
+        meaning: "bounds of |x_i| at all times",
+        legal: "n numbers > 0",
+        example: "10,10,10",
+    },
+    KeyInfo {
+        key: "allow",
+        meaning: "checks that may fail without refusing the design",
+        legal: "names of checks: membership, growth, sampling, deadline, loop, envelope",
+        example: "growth",
+    },
+];
+
+/// The keys of the table `[plant]` that are no symbols.
+pub static PLANT_KEYS: [KeyInfo; 2] = [
+    KeyInfo {
+        key: "f",
+        meaning: "what moves the plant xn' = f + g*u beside its input; 0 where it is not given",
+        legal: "an expression in x1..xn, u and t",
+        example: "-0.4*x2 + 0.1*sin(3*t)",
+    },
+    KeyInfo {
+        key: "g",
+        meaning: "true input gain of the plant; that of the controller where it is not given",
+        legal: "an expression in x1..xn and t",
+        example: "0.8",
+    },
+];
+
+/// The names of the checks, in the order in which they are run: the values of `allow`.
+pub const CHECKS: [&str; 6] = ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
+
+impl KeyInfo {
+    /// The table of a design file that holds the key; none for the top level.
+    pub fn table(&self) -> Option<&'static str> {
+        match self.key {
+            "tau" | "t0" | "eps" | "u_max" => Some("params"),
+            "x_max" => Some("envelope"),
+            _ => None,
+        }
+    }
+
+    /// The key called `name`.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        KEYS.iter().find(|info| info.key == name)
+    }
+}

@@ -1,0 +1,194 @@
+//! The families as differential rings, in time-to-go form.
+
+use super::{Mapping, Reciprocal};
+use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
+use crate::family::Family;
+
+impl Mapping {
+    /// The differential ring of a family; `rates` is the number of terms of `exp_sum`.
+    pub fn of(family: Family, rates: usize) -> Self {
+        match family {
+            Family::Exp => exp(),
+            Family::Rational => rational(),
+            Family::Power => power(),
+            Family::Tan => tan(),
+            Family::Tanh => tanh(),
+            Family::Algebraic => algebraic(),
+            Family::ExpSum => exp_sum(rates),
+        }
+    }
+}
+
+const fn plain(kind: Kind) -> Symbol {
+    Symbol::plain(kind)
+}
+
+/// `coefficient * product of powers`.
+fn term(coefficient: i64, powers: &[(Kind, i32)]) -> Poly {
+    let monomial = powers
+        .iter()
+        .fold(Monomial::one(), |m, (kind, e)| m.times(&Monomial::power(plain(*kind), *e)));
+    Poly::term(integer(coefficient), monomial)
+}
+
+fn inverse_time_to_go() -> Reciprocal {
+    Reciprocal {
+        atom: plain(Kind::TimeToGo),
+        power: 1,
+        by: Poly::symbol(plain(Kind::InverseTimeToGo)),
+        expansion: None,
+    }
+}
+
+/// kappa' = 1/(a T), so D T = -a T.
+fn exp() -> Mapping {
+    let r1 = term(1, &[(Kind::A, 1), (Kind::TimeToGo, 1)]);
+    Mapping {
+        derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
+        r1,
+        reciprocals: vec![inverse_time_to_go()],
+        evaluated: Vec::new(),
+        rate: term(1, &[(Kind::A, 1)]),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+    }
+}
+
+/// kappa' = tau/(a T^2), so D T = -(a/tau) T^2.
+fn rational() -> Mapping {
+    let r1 = term(1, &[(Kind::A, 1), (Kind::Tau, -1), (Kind::TimeToGo, 2)]);
+    Mapping {
+        derivations: vec![(plain(Kind::TimeToGo), r1.scaled(&integer(-1)))],
+        r1,
+        reciprocals: vec![inverse_time_to_go()],
+        evaluated: Vec::new(),
+        rate: term(1, &[(Kind::A, 1), (Kind::Tau, -1)]),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+    }
+}
+
+/// kappa' = 1/(a T P) with P = (T/tau)^m, so D T = -a T P and D P = -a m P^2.
+fn power() -> Mapping {
+    let r1 = term(1, &[(Kind::A, 1), (Kind::TimeToGo, 1), (Kind::PowerRatio, 1)]);
+    Mapping {
+        derivations: vec![
+            (plain(Kind::TimeToGo), r1.scaled(&integer(-1))),
+            (
+                plain(Kind::PowerRatio),
+                term(-1, &[(Kind::A, 1), (Kind::M, 1), (Kind::PowerRatio, 2)]),
+            ),
+        ],
+        r1,
+        reciprocals: vec![
+            inverse_time_to_go(),
+            Reciprocal {
+                atom: plain(Kind::PowerRatio),
+                power: 1,
+                by: Poly::symbol(plain(Kind::InversePowerRatio)),
+                expansion: None,
+            },
+        ],
+        evaluated: Vec::new(),
+        rate: term(1, &[(Kind::A, 1)]),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+    }
+}
+
+/// With y = a t = cot(pi T/(2 tau)) and V = 1/(1 + y^2): r_1 = (2 tau/pi) a V.
+fn tan() -> Mapping {
+    let y = plain(Kind::StretchedAngle);
+    Mapping {
+        r1: term(2, &[(Kind::A, 1), (Kind::Tau, 1), (Kind::Pi, -1), (Kind::Lorentz, 1)]),
+        derivations: vec![
+            (y, term(1, &[(Kind::A, 1)])),
+            (
+                plain(Kind::Lorentz),
+                term(-2, &[(Kind::A, 1), (Kind::StretchedAngle, 1), (Kind::Lorentz, 2)]),
+            ),
+        ],
+        reciprocals: vec![Reciprocal {
+            atom: plain(Kind::Lorentz),
+            power: 1,
+            by: term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::Slope, 1)]),
+            expansion: Some(one_plus_square()),
+        }],
+        evaluated: vec![(y, term(2, &[(Kind::Tau, 1), (Kind::Pi, -1), (Kind::CotangentRate, 1)]))],
+        rate: term(1, &[(Kind::A, 1)]),
+        base: None,
+    }
+}
+
+/// With E = e^{-2 a t} and L = 1/(1 + E): T = 2 tau E g, r_1 = 2 a T g.
+fn tanh() -> Mapping {
+    let r1 = term(2, &[(Kind::A, 1), (Kind::TimeToGo, 1), (Kind::Logistic, 1)]);
+    Mapping {
+        derivations: vec![
+            (plain(Kind::TimeToGo), r1.scaled(&integer(-1))),
+            (plain(Kind::Decay), term(-2, &[(Kind::A, 1), (Kind::Decay, 1)])),
+            (
+                plain(Kind::Logistic),
+                term(2, &[(Kind::A, 1), (Kind::Decay, 1), (Kind::Logistic, 2)]),
+            ),
+        ],
+        r1,
+        reciprocals: vec![
+            inverse_time_to_go(),
+            Reciprocal {
+                atom: plain(Kind::Logistic),
+                power: 1,
+                by: Poly::symbol(plain(Kind::OnePlusDecay)),
+                expansion: Some(Poly::one().plus(&Poly::symbol(plain(Kind::Decay)))),
+            },
+        ],
+        evaluated: Vec::new(),
+        rate: term(2, &[(Kind::A, 1)]),
+        base: Some((term(1, &[(Kind::TimeToGo, 1)]), plain(Kind::InverseTimeToGo))),
+    }
+}
+
+/// With y = a t and h = 1/sqrt(1 + y^2): r_1 = tau a h^3.
+fn algebraic() -> Mapping {
+    Mapping {
+        r1: term(1, &[(Kind::A, 1), (Kind::Tau, 1), (Kind::Cosine, 3)]),
+        derivations: vec![
+            (plain(Kind::StretchedAngle), term(1, &[(Kind::A, 1)])),
+            (
+                plain(Kind::Cosine),
+                term(-1, &[(Kind::A, 1), (Kind::StretchedAngle, 1), (Kind::Cosine, 3)]),
+            ),
+        ],
+        reciprocals: vec![Reciprocal {
+            atom: plain(Kind::Cosine),
+            power: 2,
+            by: Poly::symbol(plain(Kind::OnePlusSquare)),
+            expansion: Some(one_plus_square()),
+        }],
+        evaluated: Vec::new(),
+        rate: term(1, &[(Kind::A, 1)]),
+        base: Some((term(1, &[(Kind::Cosine, 1)]), plain(Kind::Secant))),
+    }
+}
+
+/// 1 + y^2.
+fn one_plus_square() -> Poly {
+    Poly::one().plus(&Poly::symbol(plain(Kind::StretchedAngle)).pow(2))
+}
+
+/// With e_i = e^{-a_i t}: r_1 = (tau/N) sum a_i e_i, D e_i = -a_i e_i.
+fn exp_sum(rates: usize) -> Mapping {
+    let rate = |i| Poly::symbol(Symbol::indexed(Kind::Rate, i));
+    let mode = |i| Symbol::indexed(Kind::Mode, i);
+    let count = integer(i64::try_from(rates).unwrap_or(i64::MAX));
+    let sum =
+        (1..=rates).fold(Poly::zero(), |sum, i| sum.plus(&rate(i).times(&Poly::symbol(mode(i)))));
+    let r1 = sum.times(&Poly::symbol(plain(Kind::Tau))).scaled(&count.recip());
+    Mapping {
+        base: None,
+        r1,
+        derivations: (1..=rates)
+            .map(|i| (mode(i), rate(i).times(&Poly::symbol(mode(i))).scaled(&integer(-1))))
+            .collect(),
+        reciprocals: Vec::new(),
+        evaluated: Vec::new(),
+        rate: Poly::one(),
+    }
+}

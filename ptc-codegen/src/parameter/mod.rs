@@ -1,0 +1,264 @@
+//! The parameters of a controller, their names, domains and fixed values.
+
+mod name;
+mod reserved;
+
+pub use name::{Name, type_name};
+pub(crate) use reserved::{is_reserved, reason};
+
+use std::fmt;
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::algebra::{BigInt, BigRational, Kind, Symbol};
+
+/// Floating-point type of the emitted code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Precision {
+    /// IEEE 754 binary32.
+    F32,
+    /// IEEE 754 binary64.
+    F64,
+}
+
+impl Precision {
+    /// Its name, as a key's value and in messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+}
+
+/// A parameter: left to run time, or fixed when the code is generated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Parameter {
+    /// Prescribed settling time tau.
+    Tau,
+    /// Start time t0.
+    StartTime,
+    /// Time-to-go at which the gains are held.
+    Eps,
+    /// Bound of |u|.
+    UMax,
+    /// Rate a of stretched time.
+    A,
+    /// Exponent m of the power family.
+    M,
+    /// Rate a_i of one term of `exp_sum`, from 1.
+    Rate(usize),
+    /// Gain k_i, from 1.
+    Gain(usize),
+    /// Samples N from the start to rest.
+    Samples,
+    /// Sample period h.
+    SampleTime,
+    /// Samples to go at which deadbeat takes over.
+    Deadbeat,
+    /// A parameter of the user's own expressions.
+    Named(Name),
+}
+
+/// The values that a parameter may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// Any finite number.
+    Finite,
+    /// A finite number > 0.
+    Positive,
+    /// A number > 0, or infinity.
+    PositiveOrInfinite,
+    /// A number > 0 and < tau.
+    BelowTau,
+    /// A number within the bounds that the user gave.
+    Within,
+}
+
+impl Domain {
+    /// The domain in words.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Finite => "finite",
+            Self::Positive => "finite, > 0",
+            Self::PositiveOrInfinite => "> 0, infinity allowed",
+            Self::BelowTau => "> 0, < tau",
+            Self::Within => "within its bounds",
+        }
+    }
+
+    /// Whether `value` lies in the domain, as far as it alone decides.
+    pub fn admits(self, value: &Fixed) -> bool {
+        match (self, value) {
+            (Self::PositiveOrInfinite, Fixed::Infinite) => true,
+            (_, Fixed::Infinite) => false,
+            (Self::Finite | Self::Within, Fixed::Number { .. }) => true,
+            (_, Fixed::Number { value, .. }) => value.is_positive(),
+        }
+    }
+}
+
+impl Parameter {
+    /// Key, in the spec, in diagnostics and in the emitted parameters.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Tau => "tau",
+            Self::StartTime => "t0",
+            Self::Eps => "eps",
+            Self::UMax => "u_max",
+            Self::A => "a",
+            Self::M => "m",
+            Self::Rate(_) => "rates",
+            Self::Gain(_) => "k",
+            Self::Samples => "samples",
+            Self::SampleTime => "h",
+            Self::Deadbeat => "deadbeat",
+            Self::Named(name) => name.text(),
+        }
+    }
+
+    /// Its name in expressions, with its index: `tau`, `k1`.
+    pub fn spelling(self) -> String {
+        match self {
+            Self::Gain(i) => format!("k{i}"),
+            Self::Rate(i) => format!("a{i}"),
+            parameter => parameter.key().to_owned(),
+        }
+    }
+
+    /// Index from 0 in its array; none for a scalar.
+    pub fn index(self) -> Option<usize> {
+        match self {
+            Self::Rate(i) | Self::Gain(i) => Some(i - 1),
+            _ => None,
+        }
+    }
+
+    /// Its symbol in the mathematics: `k_1`.
+    pub fn symbol(self) -> String {
+        match self {
+            Self::Gain(i) => format!("k_{i}"),
+            Self::Rate(i) => format!("a_{i}"),
+            parameter => parameter.key().to_owned(),
+        }
+    }
+
+    /// Unit, for every order n.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Tau | Self::StartTime | Self::Eps | Self::SampleTime => "s",
+            Self::Samples | Self::Deadbeat => "samples",
+            Self::UMax => "unit of u",
+            Self::A | Self::Rate(_) => "1/s",
+            Self::M => "1",
+            Self::Gain(_) => "1/s^(n+1-i)",
+            Self::Named(_) => "as in its expression",
+        }
+    }
+
+    /// Unit in a controller of order `n`.
+    pub fn unit_for(self, n: usize) -> String {
+        match self {
+            Self::Gain(i) if i == n => "1/s".to_owned(),
+            Self::Gain(i) => format!("1/s^{}", n + 1 - i),
+            parameter => parameter.unit().to_owned(),
+        }
+    }
+
+    /// Meaning in a few words.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Tau => "prescribed settling time",
+            Self::StartTime => "start time",
+            Self::Eps => "time-to-go at which the gains are held",
+            Self::UMax => "bound of |u|",
+            Self::A => "rate of stretched time",
+            Self::M => "exponent of the power mapping",
+            Self::Rate(_) => "rates a_i of stretched time",
+            Self::Gain(_) => "gains k_i of pi0 = -sum k_i xi_i",
+            Self::Samples => "samples N from the start to rest",
+            Self::SampleTime => "sample period",
+            Self::Deadbeat => "samples to go at which deadbeat takes over, 0 for a safe default",
+            Self::Named(_) => "parameter of an expression of the design",
+        }
+    }
+
+    /// Legal values.
+    pub fn domain(self) -> Domain {
+        match self {
+            Self::Tau | Self::A | Self::M | Self::Rate(_) | Self::SampleTime | Self::Samples => {
+                Domain::Positive
+            }
+            Self::StartTime | Self::Deadbeat | Self::Gain(_) | Self::Named(_) => Domain::Finite,
+            Self::Eps => Domain::BelowTau,
+            Self::UMax => Domain::PositiveOrInfinite,
+        }
+    }
+
+    /// The parameter that a symbol of the closed forms stands for.
+    pub fn of_symbol(symbol: Symbol) -> Option<Self> {
+        let index = usize::from(symbol.index);
+        match symbol.kind {
+            Kind::Tau => Some(Self::Tau),
+            Kind::A => Some(Self::A),
+            Kind::M => Some(Self::M),
+            Kind::Rate => Some(Self::Rate(index)),
+            Kind::Gain => Some(Self::Gain(index)),
+            _ => None,
+        }
+    }
+}
+
+/// A value fixed at generation: exact, and as it was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fixed {
+    /// A decimal number, taken as exact.
+    Number {
+        /// Its exact value.
+        value: BigRational,
+        /// Its spelling.
+        text: String,
+    },
+    /// Infinity.
+    Infinite,
+}
+
+impl Fixed {
+    /// The exact value of a finite one.
+    pub fn number(&self) -> Option<&BigRational> {
+        match self {
+            Self::Number { value, .. } => Some(value),
+            Self::Infinite => None,
+        }
+    }
+
+    /// Whether the value is a nonzero number that `precision` rounds to zero or infinity.
+    pub fn leaves(&self, precision: Precision) -> bool {
+        let Some(value) = self.number() else { return false };
+        let rounded = value.to_f64().unwrap_or(f64::INFINITY);
+        match precision {
+            Precision::F64 => !rounded.is_finite() || (rounded == 0.0 && !value.is_zero()),
+            #[allow(clippy::cast_possible_truncation)]
+            Precision::F32 => {
+                let rounded = rounded as f32;
+                !rounded.is_finite() || (rounded == 0.0 && !value.is_zero())
+            }
+        }
+    }
+}
+
+impl From<i32> for Fixed {
+    fn from(value: i32) -> Self {
+        let one = BigRational::one();
+        Self::Number { value: one * BigInt::from(value), text: value.to_string() }
+    }
+}
+
+impl fmt::Display for Fixed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number { text, .. } => f.write_str(text),
+            Self::Infinite => f.write_str("inf"),
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The command line that gives a spec.
+
+use super::{After, Clock, Feedback, Guard, Sampled, Spec, What};
+use crate::algebra::BigRational;
+use crate::expression::Subject;
+use crate::family::Family;
+use crate::mapping::TimeMapping;
+use crate::parameter::{Fixed, Parameter, Precision};
+
+impl Spec {
+    /// The command line (without the program's name and `--lang`) that gives this spec.
+    pub fn command(&self) -> String {
+        let mut words = vec![format!("--n {}", self.n), self.mapping_words()];
+        if let Some(name) = &self.name {
+            words.push(format!("--name {name}"));
+        }
+        if self.what == What::Associated {
+            words.push("--what associated".to_owned());
+        }
+        if let Clock::Samples(sampled) = &self.clock {
+            words.extend(self.sampled_words(sampled));
+        }
+        if self.precision == Precision::F32 {
+            words.push("--precision f32".to_owned());
+        }
+        match self.guard {
+            Guard::Full => {}
+            Guard::Result => words.push("--guard result".to_owned()),
+            Guard::None => words.push("--guard none".to_owned()),
+        }
+        for (parameter, flag) in [
+            (Parameter::Tau, "--tau"),
+            (Parameter::StartTime, "--t0"),
+            (Parameter::Eps, "--eps"),
+            (Parameter::UMax, "--u-max"),
+        ] {
+            if let Some(value) = self.fixed.get(&parameter) {
+                words.push(format!("{flag}={value}"));
+            }
+        }
+        words.extend(self.law_words());
+        for (parameter, value) in &self.fixed {
+            let beside_mu = matches!(parameter, Parameter::Rate(_)) && !self.all_rates_are_fixed();
+            if matches!(parameter, Parameter::Named(_)) || beside_mu {
+                words.push(format!("--param {}={value}", parameter.spelling()));
+            }
+        }
+        for (parameter, (least, greatest)) in &self.bounds {
+            // Brackets mean something to a shell.
+            words.push(format!("--param \"{}=[{least},{greatest}]\"", parameter.spelling()));
+        }
+        words.extend(self.promise_words());
+        words.extend(self.engine.map(|engine| format!("--engine {engine}")));
+        words.join(" ")
+    }
+
+    fn all_rates_are_fixed(&self) -> bool {
+        (1..=self.rates()).all(|i| self.fixed.contains_key(&Parameter::Rate(i)))
+    }
+
+    fn law_words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        match &self.feedback {
+            Feedback::Linear => words.extend(self.gain_words()),
+            Feedback::Expression(law) => words.push(format!("--pi0=\"{law}\"")),
+            Feedback::Extern => words.push("--pi0 extern".to_owned()),
+        }
+        words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
+        match self.after {
+            After::Hold => {}
+            After::Zero => words.push("--after zero".to_owned()),
+            After::Extern => words.push("--after extern".to_owned()),
+        }
+        words
+    }
+
+    fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
+        let mut words = vec!["--clock samples".to_owned()];
+        if sampled.force != BigRational::default() {
+            words.push(format!("--f={}", sampled.force));
+        }
+        let deadbeat = self.fixed.get(&Parameter::Deadbeat);
+        words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));
+        if sampled.measured < self.n {
+            let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
+            words.push(format!("--measured={}", names.join(",")));
+        }
+        if sampled.disturbance {
+            words.push("--disturbance constant".to_owned());
+        }
+        if let Some(observer) = &sampled.observer {
+            words.push(format!("--observer-poles={}", written(&observer.poles)));
+            let samples = observer.samples;
+            words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
+            words.extend(observer.eps.iter().map(|eps| format!("--observer-eps={eps}")));
+        }
+        words
+    }
+
+    /// The poles as they are written for `--poles`, exact.
+    pub fn written_poles(&self) -> String {
+        written(&self.poles)
+    }
+
+    fn gain_words(&self) -> Option<String> {
+        if !self.poles.is_empty() {
+            return Some(format!("--poles={}", self.written_poles()));
+        }
+        let gains = (1..=self.loop_order()).filter_map(|i| self.fixed.get(&Parameter::Gain(i)));
+        list(gains).map(|gains| format!("--gains={gains}"))
+    }
+
+    fn promise_words(&self) -> Vec<String> {
+        let promises = &self.promises;
+        let mut words = Vec::new();
+        let single = [("--sample-time", &promises.sample_time), ("--u-step", &promises.u_step)];
+        for (flag, value) in single {
+            words.extend(value.iter().map(|value| format!("{flag}={value}")));
+        }
+        let lists = [
+            ("--error", &promises.error),
+            ("--noise", &promises.noise),
+            ("--sensor-step", &promises.sensor_step),
+            ("--x0-max", &promises.x0_max),
+            ("--x-max", &promises.x_max),
+        ];
+        words.extend(promises.delay.map(|delay| format!("--delay={delay}")));
+        for (flag, values) in lists {
+            words.extend(list(values.iter()).map(|values| format!("{flag}={values}")));
+        }
+        if !promises.allow.is_empty() {
+            words.push(format!("--allow={}", promises.allow.join(",")));
+        }
+        words
+    }
+
+    /// The mapping as it is written for `--mu` or `--kappa`, quoted for a shell where it must be.
+    fn mapping_words(&self) -> String {
+        let (family, rates) = match &self.time_mapping {
+            TimeMapping::Family { family, rates } => (*family, *rates),
+            TimeMapping::Custom(custom) => {
+                let flag = if custom.subject == Subject::Mu { "--mu" } else { "--kappa" };
+                return format!("{flag}=\"{}\"", custom.given);
+            }
+        };
+        let name = family.name();
+        let mut arguments = Vec::new();
+        for (parameter, key) in [(Parameter::A, "a"), (Parameter::M, "m")] {
+            if let Some(value) = self.fixed.get(&parameter) {
+                arguments.push(format!("{key}={value}"));
+            }
+        }
+        if family == Family::ExpSum {
+            let fixed = list((1..=rates).filter_map(|i| self.fixed.get(&Parameter::Rate(i))))
+                .filter(|_| self.all_rates_are_fixed());
+            arguments.push(fixed.map_or(rates.to_string(), |fixed| format!("rates=[{fixed}]")));
+        }
+        if arguments.is_empty() {
+            format!("--mu {name}")
+        } else {
+            format!("--mu \"{name}({})\"", arguments.join(","))
+        }
+    }
+}
+
+/// Values separated by commas; none for no value.
+fn list<'a>(values: impl Iterator<Item = &'a Fixed>) -> Option<String> {
+    let values: Vec<_> = values.map(ToString::to_string).collect();
+    (!values.is_empty()).then(|| values.join(","))
+}
+
+fn written(poles: &[(BigRational, BigRational)]) -> String {
+    let poles: Vec<_> = poles.iter().map(|(re, im)| pole(re, im)).collect();
+    poles.join(",")
+}
+
+/// A complex number as it is written for `--poles`, exact.
+fn pole(re: &BigRational, im: &BigRational) -> String {
+    let zero = BigRational::default();
+    if *im == zero {
+        return re.to_string();
+    }
+    let sign = if *im < zero { "" } else { "+" };
+    let units = im.numer();
+    let divisor = if im.is_integer() { String::new() } else { format!("/{}", im.denom()) };
+    format!("{re}{sign}{units}i{divisor}")
+}

@@ -1,0 +1,382 @@
+//! What the user asked for. Every front end ends in a [`Spec`].
+
+mod command;
+mod poles;
+mod read;
+
+pub use poles::{Pole, PoleError, gains};
+pub(crate) use read::known;
+pub use read::{Entry, read};
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::BigRational;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::{Expression, Variable};
+use crate::family::Family;
+use crate::mapping::{Custom, Mapping, TimeMapping};
+use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
+
+/// Largest order that is generated. The expansions are exact for any order; beyond this one the
+/// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
+pub const MAX_ORDER: usize = 16;
+
+/// Largest number of rates of `exp_sum`.
+pub const MAX_RATES: usize = 16;
+
+/// Which run-time checks of the inputs of `step` are emitted. A result that is not finite is
+/// [`PTC_E_RANGE`](crate::emit) under each of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Guard {
+    /// Every input and pointer is checked.
+    Full,
+    /// One test on the result catches non-finite x and t; pointers and t < t0 are trusted.
+    Result,
+    /// Inputs and pointers are trusted.
+    None,
+}
+
+/// The law pi0(xi, t) of the infinite-time system.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Feedback {
+    /// pi0 = -(k_1 xi_1 + ... + k_n xi_n).
+    Linear,
+    /// An expression.
+    Expression(Expression),
+    /// A function of the user's program.
+    Extern,
+}
+
+/// What follows the deadline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum After {
+    /// The gains stay as they are at time-to-go eps.
+    Hold,
+    /// u = 0.
+    Zero,
+    /// A law of the user's program.
+    Extern,
+}
+
+/// What is generated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum What {
+    /// The controller.
+    Controller,
+    /// The right-hand side of the associated infinite-time system, on which pi0 is designed.
+    Associated,
+}
+
+/// What the design promises beyond the code, for the checks at generation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Promises {
+    /// Sample period of the loop, s.
+    pub sample_time: Option<Fixed>,
+    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given.
+    pub error: Vec<Fixed>,
+    /// Bounds of the noise of each measured state, or one for all; empty for none.
+    pub noise: Vec<Fixed>,
+    /// Steps in which each state is measured, or one for all; empty for none.
+    pub sensor_step: Vec<Fixed>,
+    /// Step of the actuator.
+    pub u_step: Option<Fixed>,
+    /// Samples by which u acts late.
+    pub delay: Option<usize>,
+    /// Bounds of |x_i| at the start; empty where they are not given.
+    pub x0_max: Vec<Fixed>,
+    /// Bounds of |x_i| at all times; empty where they are not given.
+    pub x_max: Vec<Fixed>,
+    /// Checks that may fail.
+    pub allow: Vec<String>,
+}
+
+/// What a call of the controller is given beside the state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// Time t.
+    Time,
+    /// The number of the sample.
+    Samples(Box<Sampled>),
+}
+
+/// What a controller in samples knows beside the law.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sampled {
+    /// Samples between a measurement and the input that follows from it.
+    pub delay: usize,
+    /// Constant input gain g of the plant.
+    pub gain: BigRational,
+    /// Constant f of the plant.
+    pub force: BigRational,
+    /// x1..x_m are measured.
+    pub measured: usize,
+    /// Whether a constant that is added to u is estimated and cancelled.
+    pub disturbance: bool,
+    /// The greatest exponent p = -Re(pole)/a of the controller; none at generation.
+    pub greatest: Option<BigRational>,
+    /// The observer; none where every state is measured.
+    pub observer: Option<Observer>,
+}
+
+impl Sampled {
+    /// Whether there is an observer.
+    pub fn observes(&self) -> bool {
+        self.observer.is_some()
+    }
+
+    /// The least N with which the loop of a plant of order `n` can end at rest.
+    pub fn least_samples(&self, n: usize) -> u32 {
+        let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        let order = count(n + self.delay);
+        match &self.observer {
+            None => order,
+            Some(observer) => match observer.samples {
+                Some(samples) => samples.saturating_add(order),
+                None => 2 * order.max(count(observer.poles.len())),
+            },
+        }
+    }
+
+    /// Samples after which the estimates are exact, where they are given.
+    pub fn observer_samples(&self) -> Option<u32> {
+        self.observer.as_ref().and_then(|observer| observer.samples)
+    }
+}
+
+/// The observer of a controller in samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Observer {
+    /// Its poles in stretched time.
+    pub poles: Vec<(BigRational, BigRational)>,
+    /// The gains that its poles give.
+    pub gains: Vec<BigRational>,
+    /// The greatest exponent p = -Re(pole)/a.
+    pub greatest: BigRational,
+    /// Samples after which the estimates are exact; the default where none.
+    pub samples: Option<u32>,
+    /// Time-to-go at which its gains are held; none ends in deadbeat.
+    pub eps: Option<Fixed>,
+}
+
+/// One controller to generate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spec {
+    /// Order n of the chain of integrators, `1..=MAX_ORDER`.
+    pub n: usize,
+    /// The time mapping.
+    pub time_mapping: TimeMapping,
+    /// Name of the controller: prefix of every emitted symbol, stem of the files.
+    pub name: Option<String>,
+    /// What is generated.
+    pub what: What,
+    /// What a call is given beside the state.
+    pub clock: Clock,
+    /// Floating-point type.
+    pub precision: Precision,
+    /// Run-time checks.
+    pub guard: Guard,
+    /// The law of the infinite-time system.
+    pub feedback: Feedback,
+    /// Input gain g(x, t) of the plant; none for g = 1.
+    pub input_gain: Option<Expression>,
+    /// What follows the deadline.
+    pub after: After,
+    /// Parameters fixed at generation; all others are run-time parameters.
+    pub fixed: BTreeMap<Parameter, Fixed>,
+    /// Bounds of run-time parameters that the user gave, least and greatest value.
+    pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
+    /// The poles from which the gains were computed; empty where gains were given.
+    pub poles: Vec<(BigRational, BigRational)>,
+    /// What the checks hold the design to.
+    pub promises: Promises,
+    /// The engine that expands a mapping of the user's, where it is not the library's own: the forms
+    /// of a family are the same from every engine.
+    pub engine: Option<&'static str>,
+}
+
+impl Spec {
+    /// The spec of order `n` and `family` with every parameter left to run time.
+    pub fn new(n: usize, family: Family) -> Self {
+        let rates = if family == Family::ExpSum { 2 } else { 0 };
+        Self::of(n, TimeMapping::Family { family, rates })
+    }
+
+    /// The spec of order `n` and a mapping with every parameter left to run time.
+    pub fn of(n: usize, time_mapping: TimeMapping) -> Self {
+        Self {
+            n,
+            time_mapping,
+            name: None,
+            what: What::Controller,
+            clock: Clock::Time,
+            precision: Precision::F64,
+            guard: Guard::Full,
+            feedback: Feedback::Linear,
+            input_gain: None,
+            after: After::Hold,
+            fixed: BTreeMap::new(),
+            bounds: BTreeMap::new(),
+            poles: Vec::new(),
+            promises: Promises::default(),
+            engine: None,
+        }
+    }
+
+    /// The family of the mapping; none for one that the user wrote down.
+    pub fn family(&self) -> Option<Family> {
+        match self.time_mapping {
+            TimeMapping::Family { family, .. } => Some(family),
+            TimeMapping::Custom(_) => None,
+        }
+    }
+
+    /// The mapping that the user wrote down.
+    pub fn custom(&self) -> Option<&Custom> {
+        match &self.time_mapping {
+            TimeMapping::Family { .. } => None,
+            TimeMapping::Custom(custom) => Some(custom),
+        }
+    }
+
+    /// Number of rates of `exp_sum`.
+    pub fn rates(&self) -> usize {
+        match self.time_mapping {
+            TimeMapping::Family { rates, .. } => rates,
+            TimeMapping::Custom(_) => 0,
+        }
+    }
+
+    /// Whether stretched time is the root of an equation, found by an iteration.
+    pub fn is_iterated(&self) -> bool {
+        match &self.time_mapping {
+            TimeMapping::Family { family, .. } => family.is_iterated(),
+            TimeMapping::Custom(custom) => custom.is_iterated(),
+        }
+    }
+
+    /// The mapping's name in a few letters.
+    pub fn mapping_name(&self) -> &'static str {
+        self.family().map_or("custom", Family::name)
+    }
+
+    /// Every expression of the spec.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
+        let law = match &self.feedback {
+            Feedback::Expression(law) => Some(law),
+            Feedback::Linear | Feedback::Extern => None,
+        };
+        self.custom().map(|custom| &custom.given).into_iter().chain(law).chain(&self.input_gain)
+    }
+
+    /// Whether states are latched at the start.
+    pub fn latches(&self) -> bool {
+        self.expressions().any(|e| {
+            e.any(&|e| {
+                matches!(
+                    e,
+                    Expression::Variable(Variable::StateAtStart(_) | Variable::XiAtStart(_))
+                )
+            })
+        })
+    }
+
+    /// Legal values of a parameter: the bounds that the user gave, else those of its kind. A
+    /// parameter of a mapping is positive, as a rate or an exponent is.
+    pub fn domain(&self, parameter: Parameter) -> Domain {
+        if self.bounds.contains_key(&parameter) {
+            return Domain::Within;
+        }
+        let maps =
+            self.custom().is_some_and(|custom| custom.given.parameters().contains(&parameter));
+        match parameter {
+            Parameter::Named(_) if maps => Domain::Positive,
+            parameter => parameter.domain(),
+        }
+    }
+
+    /// Name of what is generated: for a controller the given one, else `ptc_<family><n>`.
+    pub fn name(&self) -> String {
+        let own = format!("ptc_{}{}", self.mapping_name(), self.n);
+        let name = self.name.clone().unwrap_or(own);
+        match self.what {
+            What::Controller => name,
+            What::Associated => format!("{name}_associated"),
+        }
+    }
+
+    /// Name of the controller's type in Rust: `ptc_exp3` -> `PtcExp3`.
+    pub fn type_name(&self) -> String {
+        type_name(&self.name())
+    }
+
+    /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        if let Clock::Samples(sampled) = &self.clock {
+            return self.sampled_parameters(sampled);
+        }
+        let mut all = vec![Parameter::Tau, Parameter::StartTime];
+        if self.what == What::Controller {
+            all.extend([Parameter::Eps, Parameter::UMax]);
+        }
+        all.extend(self.time_mapping.parameters());
+        if self.feedback == Feedback::Linear {
+            all.extend((1..=self.n).map(Parameter::Gain));
+        }
+        let named: BTreeSet<_> = self.expressions().flat_map(Expression::parameters).collect();
+        all.extend(named.into_iter().filter(|p| matches!(p, Parameter::Named(_))));
+        all
+    }
+
+    /// Order of the loop that the gains close: a sample of delay that a controller in samples
+    /// keeps is a state more.
+    pub fn loop_order(&self) -> usize {
+        match &self.clock {
+            Clock::Time => self.n,
+            Clock::Samples(sampled) => self.n + sampled.delay,
+        }
+    }
+
+    /// What a controller in samples knows; none where the clock is time.
+    pub fn sampled(&self) -> Option<&Sampled> {
+        match &self.clock {
+            Clock::Time => None,
+            Clock::Samples(sampled) => Some(sampled),
+        }
+    }
+
+    /// Refuses a clock in samples for what knows time alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_time(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.sampled().is_some() {
+            let message = format!("{what} does not know a clock in samples yet");
+            let help = "leave `clock` out, or emit and simulate it alone";
+            found.push("clock", "clock", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
+    fn sampled_parameters(&self, sampled: &Sampled) -> Vec<Parameter> {
+        use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax};
+        let mut all = vec![Samples, SampleTime, Eps, UMax, A];
+        all.extend((1..=self.n + sampled.delay).map(Gain));
+        // The exponents of known poles give it.
+        all.extend(sampled.greatest.is_none().then_some(Deadbeat));
+        all
+    }
+
+    /// The parameters that are left to run time.
+    pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
+        self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))
+    }
+
+    /// The time mapping as a differential ring; none for one that the user wrote down.
+    pub fn ring(&self) -> Option<Mapping> {
+        match self.time_mapping {
+            TimeMapping::Family { family, rates } => Some(Mapping::of(family, rates)),
+            TimeMapping::Custom(_) => None,
+        }
+    }
+}

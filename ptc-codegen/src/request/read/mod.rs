@@ -1,0 +1,429 @@
+//! From keys and values to a [`Spec`]: all mistakes at once, none left for later stages.
+
+mod law;
+mod mapping;
+mod parameters;
+mod sampled;
+
+use std::collections::BTreeMap;
+
+pub(crate) use parameters::known;
+
+use num_traits::{Signed, ToPrimitive};
+
+use super::{After, Clock, Guard, MAX_ORDER, Promises, Spec, What};
+use crate::algebra::BigRational;
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
+use crate::family::Family;
+use crate::keys::{CHECKS, KEYS, KeyInfo};
+use crate::mapping::TimeMapping;
+use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
+use crate::syntax::{Node, Value, real};
+
+/// Most samples of delay.
+const MAX_DELAY: usize = 16;
+
+/// One key with its value, as a front end found it. A key of a table of a design file is written
+/// `params.a` or `envelope.x_max`.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key was written.
+    pub place: Place,
+    /// Its value.
+    pub value: Node,
+}
+
+/// Reads a spec.
+///
+/// # Errors
+/// Every mistake in the entries, in their order.
+pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
+    let mut reader =
+        Reader { found: Diagnostics::default(), keys: BTreeMap::new(), params: BTreeMap::new() };
+    for entry in entries {
+        reader.admit(entry);
+    }
+    let spec = reader.spec();
+    reader.found.finish(spec)
+}
+
+/// Values of parameters as far as the spec fixes them.
+type FixedValues = BTreeMap<Parameter, Fixed>;
+
+struct Reader<'a> {
+    found: Diagnostics,
+    keys: BTreeMap<&'static str, &'a Node>,
+    /// What is given for the user's own parameters, and where.
+    params: BTreeMap<&'a str, (Place, &'a Node)>,
+}
+
+impl<'a> Reader<'a> {
+    fn admit(&mut self, entry: &'a Entry) {
+        let (table, name) = match entry.key.split_once('.') {
+            Some((table, name)) => (Some(table), name),
+            None => (None, entry.key.as_str()),
+        };
+        // Outside a design file a key needs no table.
+        let info = KeyInfo::find(name).filter(|info| table.is_none() || table == info.table());
+        match (info, table) {
+            (Some(info), _) => {
+                if self.keys.insert(info.key, &entry.value).is_some() {
+                    self.twice(info.key, entry.place);
+                }
+            }
+            (None, Some("params")) => {
+                if self.params.insert(name, (entry.place, &entry.value)).is_some() {
+                    self.twice(&entry.key, entry.place);
+                }
+            }
+            // What moves the plant is no part of the controller, nor is what is verified: `plant::read`
+            // and `verify::read` read them.
+            (None, Some("plant" | "disturbance" | "verify")) => {}
+            (None, Some(table)) if table.starts_with("objective[") => {}
+            (None, _) => self.unknown(&entry.key, entry.place, name),
+        }
+    }
+
+    fn twice(&mut self, key: &str, place: Place) {
+        self.found.push(
+            "repeated-key",
+            key,
+            Some(place),
+            format!("key `{key}` is given twice"),
+            "leave one of the two out",
+        );
+    }
+
+    /// `name` is what `key` is called in its table.
+    fn unknown(&mut self, key: &str, place: Place, name: &str) {
+        let names = KEYS.iter().map(|info| info.key);
+        let legal = names.clone().collect::<Vec<_>>().join(", ");
+        let help = match KeyInfo::find(name).map(KeyInfo::table) {
+            Some(Some(table)) => format!("`{name}` belongs in [{table}]"),
+            Some(None) => format!("`{name}` belongs at the top, before the first table"),
+            None => suggestion(near_miss(name, names), &format!("the keys are {legal}")),
+        };
+        self.found.push(
+            "unknown-key",
+            key,
+            Some(place),
+            format!("unknown key `{}`", shorten(key)),
+            help,
+        );
+    }
+
+    fn spec(&mut self) -> Option<Spec> {
+        let n = self.order();
+        // With the order unknown, all else is still read, so that all mistakes are told at once.
+        let order = n.unwrap_or(MAX_ORDER);
+        let mapping = self.time_mapping(order);
+        let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
+        let known = parameters::known(own);
+        let name = self.name();
+        let what = self
+            .choice("what", &[("controller", What::Controller), ("associated", What::Associated)]);
+        let precision =
+            self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
+        let guard = self.choice(
+            "guard",
+            &[("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)],
+        );
+        let after = self.choice(
+            "after",
+            &[("hold", After::Hold), ("zero", After::Zero), ("extern", After::Extern)],
+        );
+        let precision = precision.unwrap_or(Precision::F64);
+        let promises = self.promises(n);
+        let samples = self.counts_samples();
+        // A sample of delay is a state more.
+        let late = if samples { promises.delay.unwrap_or(0) } else { 0 };
+        let law = self.law(n.map(|n| n + late), order + late, &known);
+        let input_gain = self.input_gain(order, &known);
+        let mut spec = Spec {
+            n: order,
+            time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
+            name,
+            what: what.unwrap_or(What::Controller),
+            clock: Clock::Time,
+            precision,
+            guard: guard.unwrap_or(Guard::Full),
+            feedback: law.feedback,
+            input_gain,
+            after: after.unwrap_or(After::Hold),
+            fixed: law.gains,
+            bounds: BTreeMap::new(),
+            poles: law.poles,
+            promises,
+            engine: None,
+        };
+        if spec.what == What::Associated {
+            self.associated(&mut spec);
+        }
+        let complete = self.found.is_empty();
+        spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
+        self.parameters(&mut spec, complete);
+        match samples {
+            true => self.sampled(&mut spec),
+            false => self.not_sampled(),
+        }
+        self.representable(&spec.fixed, precision);
+        (n.is_some() && mapping.is_some()).then_some(spec)
+    }
+
+    /// The infinite-time system needs mu, and checks every input.
+    fn associated(&mut self, spec: &mut Spec) {
+        spec.guard = Guard::Full;
+        if spec.time_mapping.complement().is_none() {
+            let place = self.keys.get("what").map(|node| node.place);
+            let message = "no closed form of mu is found from this kappa".to_owned();
+            let help = "the infinite-time system holds mu'(t): give the mapping as mu";
+            self.wrong("what", place, message, help.to_owned());
+        }
+    }
+
+    /// Bounds and periods that checks hold the design to.
+    fn promises(&mut self, n: Option<usize>) -> Promises {
+        Promises {
+            sample_time: self.positive("sample_time"),
+            error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
+            noise: self.one_or_each("noise", n, not_negative, "finite and >= 0"),
+            sensor_step: self.one_or_each("sensor_step", n, not_negative, "finite and >= 0"),
+            u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
+            delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
+            x0_max: self.bounds("x0_max", n),
+            x_max: self.bounds("x_max", n),
+            allow: self.allowed(),
+        }
+    }
+
+    fn positive(&mut self, key: &'static str) -> Option<Fixed> {
+        let node = self.keys.get(key).copied()?;
+        let value = finite_positive(node);
+        if value.is_none() {
+            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
+            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+            self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
+        }
+        value
+    }
+
+    fn u_step(&mut self, node: &Node) -> Option<Fixed> {
+        let value = not_negative(node);
+        if value.is_none() {
+            let message = format!("u_step = {} is no finite number >= 0", shown(&node.value));
+            let help = "give the step of the actuator, 0 for none".to_owned();
+            self.wrong("u_step", Some(node.place), message, help);
+        }
+        value
+    }
+
+    fn delay(&mut self, node: &Node) -> Option<usize> {
+        let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
+        if value.is_none() {
+            let message = format!("delay = {} is no number of samples", shown(&node.value));
+            let help = format!("delay is an integer 0..={MAX_DELAY}");
+            self.wrong("delay", Some(node.place), message, help);
+        }
+        value
+    }
+
+    /// One number for all states, or one for each.
+    fn one_or_each(
+        &mut self,
+        key: &'static str,
+        n: Option<usize>,
+        legal: fn(&Node) -> Option<Fixed>,
+        told: &str,
+    ) -> Vec<Fixed> {
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let items = items(node);
+        if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
+            let n = n.unwrap_or_default();
+            let message = format!("{key}: {} numbers for {n} states", items.len());
+            let help = format!("give one number for all states, or one for each of x1..x{n}");
+            self.wrong(key, Some(node.place), message, help);
+            return Vec::new();
+        }
+        let mut numbers = Vec::with_capacity(items.len());
+        for item in items {
+            match legal(item) {
+                Some(value) => numbers.push(value),
+                None => {
+                    let message = format!("{key} = {} is not {told}", shown(&item.value));
+                    let help = KeyInfo::find(key).map_or("", |info| info.legal);
+                    self.wrong(key, Some(item.place), message, format!("{key} is {help}"));
+                }
+            }
+        }
+        numbers
+    }
+
+    fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let items = items(node);
+        if n.is_some_and(|n| n != items.len()) {
+            let n = n.unwrap_or_default();
+            let message = format!("{} bounds for order n = {n}", items.len());
+            let help = format!("give one bound for each of x1..x{n}");
+            self.wrong(key, Some(node.place), message, help);
+            return Vec::new();
+        }
+        let mut bounds = Vec::with_capacity(items.len());
+        for (index, item) in items.iter().enumerate() {
+            match finite_positive(item) {
+                Some(value) => bounds.push(value),
+                None => {
+                    let message = format!("{key}[{index}] = {} is no bound", shown(&item.value));
+                    let help = "a bound is a finite number > 0".to_owned();
+                    self.wrong(key, Some(item.place), message, help);
+                }
+            }
+        }
+        bounds
+    }
+
+    fn allowed(&mut self) -> Vec<String> {
+        let Some(node) = self.keys.get("allow").copied() else { return Vec::new() };
+        let mut allowed = Vec::new();
+        for item in items(node) {
+            match &item.value {
+                Value::Word(word) if CHECKS.contains(&word.as_str()) => allowed.push(word.clone()),
+                other => {
+                    let word = if let Value::Word(word) = other { word } else { "" };
+                    let message = format!("{} is no check", shown(other));
+                    let all = format!("the checks are {}", CHECKS.join(", "));
+                    let help = suggestion(near_miss(word, CHECKS), &all);
+                    self.wrong("allow", Some(item.place), message, help);
+                }
+            }
+        }
+        allowed
+    }
+
+    fn wrong(&mut self, key: &str, place: Option<Place>, message: String, help: String) {
+        self.found.push("bad-value", key, place, message, help);
+    }
+
+    fn missing(&mut self, key: &'static str) {
+        let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+        let message = format!("`{key}` is missing");
+        self.found.push("missing-key", key, None, message, format!("give {legal}"));
+    }
+
+    fn order(&mut self) -> Option<usize> {
+        let Some(node) = self.keys.get("n").copied() else {
+            self.missing("n");
+            return None;
+        };
+        let n = count(node, MAX_ORDER);
+        if n.is_none() {
+            let message = format!("n = {} is no order that can be generated", shown(&node.value));
+            let help = format!("n is an integer 1..={MAX_ORDER}");
+            self.wrong("n", Some(node.place), message, help);
+        }
+        n
+    }
+
+    fn name(&mut self) -> Option<String> {
+        let node = self.keys.get("name").copied()?;
+        if let Value::Word(word) = &node.value
+            && word.len() <= 48
+            && !is_reserved(word)
+        {
+            return Some(word.clone());
+        }
+        let message = format!("{} cannot name a controller", shown(&node.value));
+        let legal = KeyInfo::find("name").map_or("", |info| info.legal);
+        let why = match &node.value {
+            Value::Word(word) => reason(word).map(|why| format!("{why}; ")).unwrap_or_default(),
+            _ => String::new(),
+        };
+        self.wrong("name", Some(node.place), message, format!("{why}a name is {legal}"));
+        None
+    }
+
+    fn choice<T: Copy>(&mut self, key: &'static str, legal: &[(&str, T)]) -> Option<T> {
+        let node = self.keys.get(key).copied()?;
+        let names = legal.iter().map(|(name, _)| *name);
+        let word = match &node.value {
+            Value::Word(word) => word.as_str(),
+            _ => "",
+        };
+        if let Some((_, value)) = legal.iter().find(|(name, _)| *name == word) {
+            return Some(*value);
+        }
+        let meant = near_miss(word, names.clone());
+        let all = names.collect::<Vec<_>>().join(", ");
+        let message = format!("{key} = {} is not one of {all}", shown(&node.value));
+        self.wrong(key, Some(node.place), message, suggestion(meant, &format!("legal: {all}")));
+        None
+    }
+
+    /// `key` excludes the others of its group: the first that is given counts, each further one is
+    /// a mistake.
+    fn only_one(&mut self, group: &[&'static str]) -> Option<(&'static str, &'a Node)> {
+        let mut given = group.iter().filter_map(|key| Some((*key, *self.keys.get(key)?)));
+        let first = given.next();
+        let others: Vec<_> = given.collect();
+        if let Some((first, _)) = first {
+            for (key, node) in others {
+                let message = format!("`{key}` beside `{first}`");
+                let help = format!("give one of {}", group.join(", "));
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+        first
+    }
+}
+
+/// Stands in for a mapping that could not be read while the rest of the spec is.
+const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
+
+/// The items of a list, or the one value that stands alone.
+fn items(node: &Node) -> &[Node] {
+    match &node.value {
+        Value::List(items) => items,
+        _ => std::slice::from_ref(node),
+    }
+}
+
+fn finite_positive(node: &Node) -> Option<Fixed> {
+    real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
+}
+
+fn not_negative(node: &Node) -> Option<Fixed> {
+    real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
+}
+
+/// An integer from 0 to `most`.
+fn whole(value: &BigRational, most: usize) -> Option<usize> {
+    let count = value.is_integer().then(|| value.to_usize()).flatten()?;
+    (count <= most).then_some(count)
+}
+
+fn suggestion(meant: Option<&str>, legal: &str) -> String {
+    match meant {
+        Some(name) => format!("did you mean `{name}`? {legal}"),
+        None => legal.to_owned(),
+    }
+}
+
+/// A positive integer up to `most`.
+fn count(node: &Node, most: usize) -> Option<usize> {
+    let Value::Number(Fixed::Number { value, .. }) = &node.value else { return None };
+    let count = value.is_integer().then(|| value.to_usize()).flatten()?;
+    (1..=most).contains(&count).then_some(count)
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) => format!("`{}`", shorten(&number.to_string())),
+        Value::Word(word) => format!("`{}`", shorten(word)),
+        Value::List(items) => format!("a list of {}", items.len()),
+        Value::Call(name, _) => format!("`{}(...)`", shorten(name)),
+        Value::Imaginary(units) => format!("`{}i`", shorten(&units.to_string())),
+        Value::Negative(_) | Value::Binary(..) => "an expression".to_owned(),
+    }
+}

@@ -1,0 +1,219 @@
+//! The parameters: values, bounds, and what must hold between them.
+
+use std::collections::BTreeSet;
+
+use num_traits::Zero;
+
+use super::{FixedValues, Reader, shown, suggestion};
+use crate::diagnostic::{near_miss, shorten};
+use crate::expression::Expression;
+use crate::keys::KeyInfo;
+use crate::parameter::{Fixed, Parameter, Precision};
+use crate::request::{Feedback, Spec};
+use crate::syntax::{Node, Value, real};
+
+/// The parameters that every controller has.
+const COMMON: [Parameter; 4] =
+    [Parameter::Tau, Parameter::StartTime, Parameter::Eps, Parameter::UMax];
+
+/// The parameters that have a name of their own, `own` being those of the mapping.
+pub(crate) fn known(own: Vec<Parameter>) -> Vec<Parameter> {
+    COMMON.into_iter().chain(own).collect()
+}
+
+impl Reader<'_> {
+    /// Values and bounds of all parameters. Where the spec is not `complete`, an unused name may be
+    /// used in what could not be read, and is let pass.
+    pub(super) fn parameters(&mut self, spec: &mut Spec, complete: bool) {
+        for parameter in COMMON {
+            if let Some(node) = self.keys.get(parameter.key()).copied() {
+                if parameter == Parameter::Eps && self.holds_nothing(node) {
+                    continue;
+                }
+                let value = self.parameter(parameter.key(), parameter, node);
+                spec.fixed.extend(value.map(|v| (parameter, v)));
+            }
+        }
+        self.eps_below_tau(&spec.fixed);
+        let used: BTreeSet<_> = spec.expressions().flat_map(Expression::parameters).collect();
+        self.names_are_distinct(spec, &used);
+        let own = spec.time_mapping.parameters();
+        let legal: Vec<_> = used
+            .into_iter()
+            .chain(own)
+            .filter(|p| !COMMON.contains(p))
+            .map(|p| (p.spelling(), p))
+            .collect();
+        for (name, (place, node)) in std::mem::take(&mut self.params) {
+            let Some((_, parameter)) = legal.iter().find(|(known, _)| known == name) else {
+                let given = |key: &str| self.keys.contains_key(key);
+                // What no design does without is looked for elsewhere, whatever else is wrong.
+                let sought = match name {
+                    "n" => !given("n"),
+                    "mu" | "kappa" => !given("mu") && !given("kappa"),
+                    _ => complete && KeyInfo::find(name).is_some(),
+                };
+                if sought {
+                    self.unknown(&format!("params.{name}"), place, name);
+                } else if complete {
+                    let names = legal.iter().map(|(name, _)| name.as_str());
+                    let all = names.clone().collect::<Vec<_>>().join(", ");
+                    let all = if all.is_empty() {
+                        "no expression of the design has a parameter".to_owned()
+                    } else {
+                        format!("the parameters of the design are {all}")
+                    };
+                    let help = suggestion(near_miss(name, names), &all);
+                    let message = format!("nothing uses the parameter `{}`", shorten(name));
+                    self.found.push(
+                        "unused-parameter",
+                        format!("params.{name}"),
+                        Some(place),
+                        message,
+                        help,
+                    );
+                }
+                continue;
+            };
+            self.own_value(spec, name, *parameter, node);
+        }
+        if let Some(name) = &spec.name
+            && legal.iter().any(|(own, _)| name.strip_prefix("p_") == Some(own))
+        {
+            let place = self.keys.get("name").map(|node| node.place);
+            let message = format!("`{name}` is what the code calls a parameter of the design");
+            self.wrong("name", place, message, "choose another name".to_owned());
+        }
+        let nonlinear = spec.feedback != Feedback::Linear && !spec.promises.error.is_empty();
+        if nonlinear {
+            let place = self.keys.get("error").map(|node| node.place);
+            let message = "`error` needs a linear law".to_owned();
+            let help = "eps is computed from the gains: give gains or poles, or eps itself";
+            self.wrong("error", place, message, help.to_owned());
+        }
+        if !spec.promises.error.is_empty() && !self.keys.contains_key("x0_max") {
+            let place = self.keys.get("error").map(|node| node.place);
+            let message = "`error` needs `x0_max`".to_owned();
+            let help = "the error at the deadline is bounded from the bounds of |x_i| at the start";
+            self.wrong("error", place, message, help.to_owned());
+        }
+    }
+
+    /// Whether eps is the 0 of a clock in samples, which ends in deadbeat.
+    fn holds_nothing(&self, node: &Node) -> bool {
+        let clock = self.keys.get("clock").map(|node| &node.value);
+        matches!(clock, Some(Value::Word(word)) if word == "samples")
+            && real(node).and_then(|eps| eps.number().map(Zero::is_zero)) == Some(true)
+    }
+
+    /// A parameter of an expression must not have the name of another one of the controller.
+    fn names_are_distinct(&mut self, spec: &Spec, used: &BTreeSet<Parameter>) {
+        let all = spec.parameters();
+        for parameter in used.iter().filter(|p| matches!(p, Parameter::Named(_))) {
+            let name = parameter.key();
+            let same = |p: &&Parameter| p.key() == name && p != &parameter;
+            let Some(other) = all.iter().find(same) else { continue };
+            let of = |e: Option<&Expression>| e.is_some_and(|e| e.parameters().contains(parameter));
+            let law = match &spec.feedback {
+                Feedback::Expression(law) => Some(law),
+                Feedback::Linear | Feedback::Extern => None,
+            };
+            let key = match spec.custom() {
+                Some(custom) if of(Some(&custom.given)) => custom.subject.key(),
+                _ if of(law) => "pi0",
+                _ => "g",
+            };
+            let place = self.keys.get(key).map(|node| node.place);
+            let message =
+                format!("`{name}` is the {} here, not a parameter of {key}", other.meaning());
+            self.found.push("bad-expression", key, place, message, "choose another name");
+        }
+    }
+
+    /// A number, or `[least, greatest]`, for a parameter of the mapping or of an expression.
+    fn own_value(&mut self, spec: &mut Spec, name: &str, parameter: Parameter, node: &Node) {
+        let key = format!("params.{name}");
+        if spec.fixed.contains_key(&parameter) {
+            let message = format!("`{name}` is given in `mu` and in `params`");
+            self.wrong(&key, Some(node.place), message, "leave one of the two out".to_owned());
+            return;
+        }
+        let domain = spec.domain(parameter);
+        let admitted = |node: &Node| real(node).filter(|value| domain.admits(value));
+        match &node.value {
+            Value::List(items) => {
+                if let [least, greatest] = items.as_slice()
+                    && let (Some(least), Some(greatest)) = (admitted(least), admitted(greatest))
+                    && least.number() < greatest.number()
+                {
+                    spec.bounds.insert(parameter, (least, greatest));
+                    return;
+                }
+                let message = format!("{key} is no pair of bounds");
+                let help = format!(
+                    "bounds are [least, greatest] with least < greatest; {name} is {}",
+                    domain.text()
+                );
+                self.wrong(&key, Some(node.place), message, help);
+            }
+            _ => match admitted(node) {
+                Some(value) => {
+                    spec.fixed.insert(parameter, value);
+                }
+                None => {
+                    let message = format!("{key} = {} is outside its domain", shown(&node.value));
+                    let help = format!("{name} is {}", domain.text());
+                    self.wrong(&key, Some(node.place), message, help);
+                }
+            },
+        }
+    }
+
+    /// The value of `parameter`, given under `key`.
+    pub(super) fn parameter(
+        &mut self,
+        key: &str,
+        parameter: Parameter,
+        node: &Node,
+    ) -> Option<Fixed> {
+        let value = real(node).filter(|value| parameter.domain().admits(value));
+        if value.is_some() {
+            return value;
+        }
+        let message = format!("{key} = {} is outside its domain", shown(&node.value));
+        let help = format!("{key} ({}) is {}", parameter.meaning(), parameter.domain().text());
+        self.wrong(key, Some(node.place), message, help);
+        None
+    }
+
+    fn eps_below_tau(&mut self, fixed: &FixedValues) {
+        let (Some(eps), Some(tau)) = (fixed.get(&Parameter::Eps), fixed.get(&Parameter::Tau))
+        else {
+            return;
+        };
+        if eps.number() >= tau.number() {
+            let place = self.keys.get("eps").map(|node| node.place);
+            let message = format!("eps = {eps} is not below tau = {tau}");
+            let help = "the gains would be held from the start: give an eps well below tau";
+            self.wrong("eps", place, message, help.to_owned());
+        }
+    }
+
+    pub(super) fn representable(&mut self, fixed: &FixedValues, precision: Precision) {
+        for (parameter, value) in fixed {
+            if value.leaves(precision) {
+                let key = match parameter {
+                    Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
+                    Parameter::Gain(_) => "gains",
+                    Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
+                    _ => parameter.key(),
+                };
+                let place = self.keys.get(key).map(|node| node.place);
+                let name = precision.name();
+                let message =
+                    format!("{} = {value} is no finite nonzero number in {name}", parameter.key());
+                self.wrong(key, place, message, format!("give a value within the range of {name}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! The clock in samples: its keys, and what it has no meaning for.
+
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::{Reader, items, shown, whole};
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::stability::is_hurwitz;
+use crate::algebra::{BigInt, BigRational, integer};
+use crate::family::Family;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Observer, Sampled, Spec, What};
+use crate::syntax::{Node, Value, constant, real};
+
+/// Most samples of delay that a controller keeps.
+const MAX_KEPT: usize = 4;
+
+/// Greatest exponent that is looked for; with a greater one the gains leave the range of numbers.
+const MAX_EXPONENT: u32 = 1000;
+
+/// Most samples to the deadline.
+const MAX_SAMPLES: u32 = 1 << 31;
+
+/// The keys that have a meaning for a clock in samples alone.
+const OWN: [&str; 7] = [
+    "f",
+    "deadbeat",
+    "measured",
+    "disturbance",
+    "observer_poles",
+    "observer_samples",
+    "observer_eps",
+];
+
+impl Reader<'_> {
+    /// Whether the clock counts samples.
+    pub(super) fn counts_samples(&mut self) -> bool {
+        self.choice("clock", &[("time", false), ("samples", true)]).unwrap_or(false)
+    }
+
+    /// The keys of the other clock.
+    pub(super) fn not_sampled(&mut self) {
+        for key in OWN {
+            if let Some(node) = self.keys.get(key).copied() {
+                let message = format!("`{key}` needs a clock in samples");
+                let help = "give `clock` = samples beside it".to_owned();
+                self.wrong(key, Some(node.place), message, help);
+            }
+        }
+    }
+
+    /// Completes a spec whose clock is in samples.
+    pub(super) fn sampled(&mut self, spec: &mut Spec) {
+        self.has_no_meaning(spec);
+        self.period(spec);
+        let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
+        let delay = spec.promises.delay.unwrap_or(0);
+        if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
+            let place = self.keys.get("delay").map(|node| node.place);
+            let message = format!("delay = {delay}: the controller keeps the inputs under way");
+            let most = MAX_KEPT.min(MAX_ORDER.saturating_sub(spec.n));
+            self.wrong("delay", place, message, format!("at most {most} samples of delay here"));
+        }
+        let gain = match &spec.input_gain {
+            None => integer(1),
+            Some(gain) => gain.number().cloned().unwrap_or_else(|| {
+                let place = self.keys.get("g").map(|node| node.place);
+                let message = "g is no number".to_owned();
+                let help = "a clock in samples takes a constant input gain";
+                self.wrong("g", place, message, help.to_owned());
+                integer(1)
+            }),
+        };
+        let (measured, disturbance) = (self.measured(spec.n), self.disturbed());
+        let estimates = spec.n + 1 - measured + usize::from(disturbance);
+        let observes = measured < spec.n || disturbance;
+        let sampled = Sampled {
+            delay,
+            gain: if gain.is_zero() { integer(1) } else { gain },
+            force: self.force(),
+            measured,
+            disturbance,
+            greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
+            observer: self.observer(spec, observes.then_some(estimates), a.as_ref()),
+        };
+        let least = sampled.least_samples(spec.n);
+        let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
+        if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
+            let place = self.keys.get("tau").map(|node| node.place);
+            let message = format!("tau is {samples} samples, too few to come to rest");
+            let help = format!(
+                "the loop needs {least} of them: give a longer tau or a shorter sample_time"
+            );
+            self.wrong("tau", place, message, help);
+        }
+        spec.clock = Clock::Samples(Box::new(sampled));
+        self.deadbeat(spec, spec.n + delay);
+    }
+
+    /// What needs a clock in time.
+    fn has_no_meaning(&mut self, spec: &Spec) {
+        let mut against = |key: &str, wrong: bool, message: &str, help: &str| {
+            if wrong {
+                let place = self.keys.get(key).map(|node| node.place);
+                self.wrong(key, place, message.to_owned(), help.to_owned());
+            }
+        };
+        let mapping =
+            if spec.custom().is_some_and(|c| c.subject.key() == "kappa") { "kappa" } else { "mu" };
+        against(
+            mapping,
+            spec.family() != Some(Family::Exp),
+            "a clock in samples has an exact law for the mapping exp alone",
+            "take --mu exp: its poles, of any size, place what the other mappings would",
+        );
+        against(
+            "pi0",
+            spec.feedback != Feedback::Linear,
+            "a clock in samples needs a linear law",
+            "give gains or poles",
+        );
+        against(
+            "what",
+            spec.what == What::Associated,
+            "the infinite-time system has no samples",
+            "leave `clock` or `what` out",
+        );
+        against(
+            "after",
+            spec.after == After::Extern,
+            "a clock in samples has no law of yours after the deadline",
+            "legal: hold, zero",
+        );
+        against(
+            "guard",
+            spec.guard == Guard::Result,
+            "a clock in samples has the guards full and none",
+            "its u is tested under both",
+        );
+        against(
+            "t0",
+            spec.fixed.contains_key(&Parameter::StartTime),
+            "t0 has no meaning for a clock in samples",
+            "arm the controller at the tick at which it starts",
+        );
+        let period = spec.promises.sample_time.is_some();
+        against(
+            "tau",
+            spec.fixed.contains_key(&Parameter::Tau) && !period,
+            "tau without `sample_time`",
+            "give both, or leave tau to run time as a number of samples",
+        );
+    }
+
+    /// N from tau and the sample period, and eps.
+    fn period(&mut self, spec: &mut Spec) {
+        let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number).cloned();
+        if let Some(h) = spec.promises.sample_time.clone() {
+            if let (Some(tau), Some(h)) = (&tau, h.number()) {
+                self.count_samples(spec, tau, h);
+            }
+            spec.fixed.insert(Parameter::SampleTime, h);
+        }
+        let eps = self.keys.get("eps").copied();
+        let zero = || Fixed::from(0);
+        // 0, which a clock in time has no meaning for, is the default.
+        spec.fixed.entry(Parameter::Eps).or_insert_with(zero);
+        if let (Some(node), Some(tau)) = (eps, &tau)
+            && spec.fixed[&Parameter::Eps].number().is_some_and(|eps| eps >= tau)
+        {
+            let message = format!("eps = {} is not below tau", shown(&node.value));
+            self.wrong("eps", Some(node.place), message, "give an eps well below tau".to_owned());
+        }
+    }
+
+    fn count_samples(&mut self, spec: &mut Spec, tau: &BigRational, h: &BigRational) {
+        let ratio = tau / h;
+        let nearest = ratio.round();
+        let off = (&ratio - &nearest).abs();
+        let place = self.keys.get("tau").map(|node| node.place);
+        if off > BigRational::new(1.into(), 1_000_000_000.into()) || nearest.is_zero() {
+            let text = |count: BigRational| constant::text(&(count.max(integer(1)) * h));
+            let message = format!(
+                "tau = {} is {} sample periods of {}",
+                constant::text(tau),
+                constant::text(&ratio),
+                constant::text(h)
+            );
+            let (below, above) = (text(ratio.floor()), text(ratio.ceil()));
+            let help =
+                format!("tau is a whole number of them: the nearest are {below} and {above}");
+            self.wrong("tau", place, message, help);
+        } else if nearest > integer(i64::from(MAX_SAMPLES)) {
+            let message = format!("tau = {} takes more than 2^31 samples", constant::text(tau));
+            self.wrong("tau", place, message, "give a shorter tau or a longer period".to_owned());
+        } else {
+            let text = nearest.to_string();
+            spec.fixed.insert(Parameter::Samples, Fixed::Number { value: nearest, text });
+        }
+    }
+
+    /// How many of x1, x2, ... are measured.
+    fn measured(&mut self, n: usize) -> usize {
+        let Some(node) = self.keys.get("measured").copied() else { return n };
+        let names: Vec<_> = items(node)
+            .iter()
+            .filter_map(|item| match &item.value {
+                Value::Word(word) => word.strip_prefix('x')?.parse::<usize>().ok(),
+                _ => None,
+            })
+            .collect();
+        let count = items(node).len();
+        let sequence: Vec<_> = (1..=count).collect();
+        if names == sequence && (1..=n).contains(&count) {
+            return count;
+        }
+        let message = format!("measured = {} is no x1, ..., x_m", shown(&node.value));
+        let help = format!("name the measured states from x1 on without a gap, at most x{n}");
+        self.wrong("measured", Some(node.place), message, help);
+        n
+    }
+
+    fn disturbed(&mut self) -> bool {
+        self.choice("disturbance", &[("none", false), ("constant", true)]).unwrap_or(false)
+    }
+
+    fn force(&mut self) -> BigRational {
+        let Some(node) = self.keys.get("f").copied() else { return BigRational::zero() };
+        match real(node).as_ref().and_then(Fixed::number) {
+            Some(force) => force.clone(),
+            None => {
+                let message = format!("f = {} is no finite number", shown(&node.value));
+                let help = "f is the known constant of xn' = f + g*u".to_owned();
+                self.wrong("f", Some(node.place), message, help);
+                BigRational::zero()
+            }
+        }
+    }
+
+    fn deadbeat(&mut self, spec: &mut Spec, order: usize) {
+        let Some(node) = self.keys.get("deadbeat").copied() else { return };
+        let value = real(node);
+        let count = value.as_ref().and_then(Fixed::number);
+        match count.and_then(|value| whole(value, MAX_SAMPLES as usize)) {
+            Some(count) if count >= order => {
+                if let Some(value) = value {
+                    spec.fixed.insert(Parameter::Deadbeat, value);
+                }
+            }
+            _ => {
+                let message = format!("deadbeat = {} is no count to go", shown(&node.value));
+                let help = format!("give an integer of at least {order}, the order of the loop");
+                self.wrong("deadbeat", Some(node.place), message, help);
+            }
+        }
+    }
+
+    /// The observer of `estimates` states, where there are any.
+    fn observer(
+        &mut self,
+        spec: &Spec,
+        estimates: Option<usize>,
+        a: Option<&BigRational>,
+    ) -> Option<Observer> {
+        let Some(estimates) = estimates else {
+            for key in ["observer_poles", "observer_samples", "observer_eps"] {
+                if let Some(node) = self.keys.get(key).copied() {
+                    let message = format!("`{key}` without an observer");
+                    let help = "every state is measured: leave it out, or give `measured`";
+                    self.wrong(key, Some(node.place), message, help.to_owned());
+                }
+            }
+            return None;
+        };
+        let (samples, eps) = (self.observer_samples(spec, estimates), self.observer_eps(spec));
+        let Some(node) = self.keys.get("observer_poles").copied() else {
+            let message = "`observer_poles` is missing".to_owned();
+            let help = format!("give {estimates} poles, one for each state that is estimated");
+            self.found.push("missing-key", "observer_poles", None, message, help);
+            return None;
+        };
+        let (poles, gains) = self.pole_gains("observer_poles", Some(estimates), node);
+        let Some(a) = a else {
+            let place = self.keys.get("mu").map(|node| node.place);
+            let message = "an observer needs a rate that is fixed".to_owned();
+            self.wrong("mu", place, message, "give the mapping as exp(a=1)".to_owned());
+            return None;
+        };
+        let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
+        Some(Observer { poles, gains, greatest, samples, eps })
+    }
+
+    fn observer_samples(&mut self, spec: &Spec, estimates: usize) -> Option<u32> {
+        let node = self.keys.get("observer_samples").copied()?;
+        let order = spec.n + spec.promises.delay.unwrap_or(0);
+        let all = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
+        let most = all.map(|all| all - BigRational::from_integer(BigInt::from(order)));
+        let most = most.and_then(|most| most.to_usize()).unwrap_or(MAX_SAMPLES as usize - order);
+        let value = real(node).as_ref().and_then(Fixed::number).cloned();
+        match value.and_then(|value| whole(&value, most)) {
+            Some(count) if count >= estimates => u32::try_from(count).ok(),
+            _ => {
+                let message = format!("observer_samples = {}", shown(&node.value));
+                let help = format!(
+                    "give an integer {estimates}..={most}: the controller needs {order} samples of exact estimates to end at rest"
+                );
+                self.wrong("observer_samples", Some(node.place), message, help);
+                None
+            }
+        }
+    }
+
+    fn observer_eps(&mut self, _spec: &Spec) -> Option<Fixed> {
+        let node = self.keys.get("observer_eps").copied()?;
+        self.positive_node("observer_eps", node)
+    }
+
+    fn positive_node(&mut self, key: &str, node: &Node) -> Option<Fixed> {
+        let value = super::finite_positive(node);
+        if value.is_none() {
+            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
+            self.wrong(key, Some(node.place), message, "give a time in s".to_owned());
+        }
+        value
+    }
+}
+
+/// The greatest real part of the exponents p = -pole/a, where the gains are fixed; where no poles
+/// are given, the integer at or above it.
+fn greatest(spec: &Spec, order: usize, a: &BigRational) -> Option<BigRational> {
+    if !spec.poles.is_empty() {
+        return spec.poles.iter().map(|(re, _)| -re / a).max();
+    }
+    let gain = |i| spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
+    let gains: Option<Vec<_>> = (1..=order).map(gain).collect();
+    let loop_ = Polynomial::characteristic(&gains?);
+    // The roots of q are those of the loop with the other sign, a p.
+    let mirrored = |(i, c): (usize, &BigRational)| if i % 2 == order % 2 { c.clone() } else { -c };
+    let q = Polynomial::new(loop_.coefficients().iter().enumerate().map(mirrored).collect());
+    // Roots at an integer count as below it.
+    let margin = BigRational::new(1.into(), 1_000_000_000.into());
+    let below = |count: u32| {
+        let line = (integer(i64::from(count)) + &margin) * a;
+        is_hurwitz(&q.shifted(&line))
+    };
+    (0..=MAX_EXPONENT).find(|count| below(*count)).map(|count| integer(i64::from(count)))
+}

@@ -1,0 +1,438 @@
+//! The parser of values: one grammar for numbers, names, lists and mathematical expressions.
+//!
+//! ```text
+//! value   = sum ("," sum)*
+//! sum     = product (("+" | "-") product)*
+//! product = signed (("*" | "/") signed)*
+//! signed  = ("+" | "-") signed | power
+//! power   = operand ("^" signed)?
+//! operand = number | number "i" | name | name "(" arguments ")" | "(" sum ")" | "[" items "]"
+//! ```
+
+use std::ops::Range;
+
+use super::{Argument, Node, Operator, Value, number};
+use crate::diagnostic::{Diagnostic, LARGE, Place, shorten};
+use crate::limits::{HEIGHT, Limit, NESTING, TEXT};
+use crate::parameter::Fixed;
+
+/// Parses the text of one value. `place` makes a place of a byte range of the text.
+///
+/// # Errors
+/// One diagnostic, for `key`, at the first character that fits nothing.
+pub fn parse(
+    key: &str,
+    text: &str,
+    place: &mut dyn FnMut(Range<usize>) -> Place,
+) -> Result<Node, Diagnostic> {
+    let mut parser = Parser { text, at: 0, height: 0, depth: 0, place };
+    parser.whole().map_err(|Failure { range, reason }| {
+        let (key, place) = (key.to_owned(), Some((parser.place)(range.clone())));
+        let expected = match reason {
+            Reason::Expected(expected) => expected,
+            Reason::Beyond(limit) => {
+                let message = match limit.what == TEXT.what {
+                    true => limit.exceeded(&shorten(&key), text.len()),
+                    false => limit.beyond(&shorten(&key)),
+                };
+                return Diagnostic { code: LARGE, key, place, message, help: limit.fix.to_owned() };
+            }
+        };
+        let found = text.get(range).filter(|s| !s.is_empty());
+        let found = found.map_or_else(|| "the end".to_owned(), |s| format!("`{}`", shorten(s)));
+        Diagnostic {
+            code: "syntax",
+            key,
+            place,
+            message: format!("found {found} where {expected} should be"),
+            help: "write a number, a name, a name with arguments such as `power(m=2)`, numbers separated by commas, or an expression such as `2*xi1 + sin(xi2)^2`"
+                .to_owned(),
+        }
+    })
+}
+
+/// Where the text is wrong, and why.
+struct Failure {
+    range: Range<usize>,
+    reason: Reason,
+}
+
+enum Reason {
+    /// What should be there.
+    Expected(&'static str),
+    /// A bound that the text exceeds.
+    Beyond(&'static Limit),
+}
+
+/// There should be something else at `range`.
+fn expected(range: Range<usize>, what: &'static str) -> Failure {
+    Failure { range, reason: Reason::Expected(what) }
+}
+
+fn beyond(range: Range<usize>, limit: &'static Limit) -> Failure {
+    Failure { range, reason: Reason::Beyond(limit) }
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    at: usize,
+    /// Height of the expression that was read last.
+    height: usize,
+    /// Brackets and signs around this place.
+    depth: usize,
+    place: &'a mut dyn FnMut(Range<usize>) -> Place,
+}
+
+impl Parser<'_> {
+    fn whole(&mut self) -> Result<Node, Failure> {
+        if TEXT.admits(self.text.len()) { self.top() } else { Err(beyond(0..0, &TEXT)) }
+    }
+
+    /// A value, or several separated by commas: a list without brackets.
+    fn top(&mut self) -> Result<Node, Failure> {
+        let start = self.skip_space();
+        let first = self.sum()?;
+        if self.peek() != Some(',') {
+            self.end()?;
+            return Ok(first);
+        }
+        let mut items = vec![first];
+        while self.eat(',') {
+            items.push(self.sum()?);
+        }
+        let node = self.node(Value::List(items), start);
+        self.end()?;
+        Ok(node)
+    }
+
+    fn sum(&mut self) -> Result<Node, Failure> {
+        self.chain(Self::product, &[('+', Operator::Add), ('-', Operator::Sub)])
+    }
+
+    fn product(&mut self) -> Result<Node, Failure> {
+        self.chain(Self::signed, &[('*', Operator::Mul), ('/', Operator::Div)])
+    }
+
+    /// Operands with operators between them, from left to right.
+    fn chain(
+        &mut self,
+        operand: fn(&mut Self) -> Result<Node, Failure>,
+        operators: &[(char, Operator)],
+    ) -> Result<Node, Failure> {
+        let start = self.skip_space();
+        let mut left = operand(self)?;
+        let mut height = self.height;
+        loop {
+            let found = self.peek();
+            let Some((sign, operator)) = operators.iter().find(|(c, _)| Some(*c) == found) else {
+                self.height = height;
+                return Ok(left);
+            };
+            let at = self.here();
+            self.at += sign.len_utf8();
+            let right = operand(self)?;
+            height = height.max(self.height) + 1;
+            if !HEIGHT.admits(height) {
+                return Err(beyond(at, &HEIGHT));
+            }
+            left = self.node(Value::Binary(*operator, Box::new(left), Box::new(right)), start);
+        }
+    }
+
+    fn signed(&mut self) -> Result<Node, Failure> {
+        let start = self.skip_space();
+        if self.eat('+') {
+            return self.nested(Self::signed);
+        }
+        if !self.eat('-') {
+            return self.power();
+        }
+        let operand = self.nested(Self::signed)?;
+        let value = match operand.value {
+            Value::Number(Fixed::Number { value, text }) if !text.starts_with('-') => {
+                Value::Number(Fixed::Number { value: -value, text: format!("-{text}") })
+            }
+            _ => Value::Negative(Box::new(operand)),
+        };
+        Ok(self.node(value, start))
+    }
+
+    fn power(&mut self) -> Result<Node, Failure> {
+        let start = self.skip_space();
+        let base = self.operand()?;
+        let height = self.height;
+        if !self.eat('^') {
+            return Ok(base);
+        }
+        let exponent = self.nested(Self::signed)?;
+        self.height = self.height.max(height) + 1;
+        Ok(self.node(Value::Binary(Operator::Power, Box::new(base), Box::new(exponent)), start))
+    }
+
+    fn operand(&mut self) -> Result<Node, Failure> {
+        let start = self.skip_space();
+        self.height = 1;
+        match self.text[self.at..].chars().next() {
+            Some('(') => {
+                self.at += 1;
+                let inner = self.nested(Self::sum)?;
+                if !self.eat(')') {
+                    return Err(expected(self.here(), "`)`"));
+                }
+                Ok(inner)
+            }
+            Some('[') => {
+                self.at += 1;
+                let items = self.separated(']', Self::sum)?;
+                Ok(self.node(Value::List(items), start))
+            }
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(start),
+            Some(c) if c.is_ascii_alphabetic() || c == '_' => self.word(start),
+            _ => Err(expected(self.here(), "a value")),
+        }
+    }
+
+    fn number(&mut self, start: usize) -> Result<Node, Failure> {
+        let bytes = self.text.as_bytes();
+        let mut end = start;
+        while let Some(&b) = bytes.get(end) {
+            let signed =
+                matches!(b, b'-' | b'+') && end > start && matches!(bytes[end - 1], b'e' | b'E');
+            if !(b.is_ascii_alphanumeric() || b == b'.' || b == b'_' || signed) {
+                break;
+            }
+            end += 1;
+        }
+        self.at = end;
+        let text = &self.text[start..end];
+        let value = match text.strip_suffix('i') {
+            Some(units) => number(units).map(Value::Imaginary),
+            None => number(text).map(Value::Number),
+        };
+        match value {
+            Some(value) => Ok(self.node(value, start)),
+            None => {
+                Err(expected(start..end, "a decimal number (1000 digits and exponent 400 at most)"))
+            }
+        }
+    }
+
+    fn word(&mut self, start: usize) -> Result<Node, Failure> {
+        let word = self.take_word().to_owned();
+        match word.as_str() {
+            "inf" => return Ok(self.node(Value::Number(Fixed::Infinite), start)),
+            "i" => return Ok(self.node(Value::Imaginary(1.into()), start)),
+            _ => {}
+        }
+        if !self.eat('(') {
+            return Ok(self.node(Value::Word(word), start));
+        }
+        let arguments = self.separated(')', Self::argument)?;
+        Ok(self.node(Value::Call(word, arguments), start))
+    }
+
+    fn argument(&mut self) -> Result<Argument, Failure> {
+        let start = self.skip_space();
+        let word = self.take_word().to_owned();
+        let end = self.at;
+        if !word.is_empty() && self.eat('=') {
+            let place = (self.place)(start..end);
+            return Ok(Argument { name: Some((word, place)), value: self.sum()? });
+        }
+        self.at = start;
+        Ok(Argument { name: None, value: self.sum()? })
+    }
+
+    /// What stands one level deeper; the bound keeps the stack flat.
+    fn nested<T>(&mut self, inner: fn(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
+        self.depth += 1;
+        if !NESTING.admits(self.depth) {
+            return Err(beyond(self.here(), &NESTING));
+        }
+        let result = inner(self)?;
+        self.depth -= 1;
+        self.height += 1;
+        Ok(result)
+    }
+
+    /// Items separated by commas up to `close`.
+    fn separated<T>(
+        &mut self,
+        close: char,
+        item: fn(&mut Self) -> Result<T, Failure>,
+    ) -> Result<Vec<T>, Failure> {
+        let mut items = Vec::new();
+        let mut height = 0;
+        while !self.eat(close) {
+            if !items.is_empty() && !self.eat(',') {
+                let what = if close == ')' { "`,` or `)`" } else { "`,` or `]`" };
+                return Err(expected(self.here(), what));
+            }
+            // A comma may end the list, as where each item has its own line.
+            if !items.is_empty() && self.eat(close) {
+                break;
+            }
+            items.push(self.nested(item)?);
+            height = height.max(self.height);
+        }
+        self.height = height + 1;
+        Ok(items)
+    }
+    fn node(&mut self, value: Value, start: usize) -> Node {
+        let place = (self.place)(start..self.at);
+        Node { value, place }
+    }
+
+    fn take_word(&mut self) -> &str {
+        let rest = &self.text[self.at..];
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    fn skip_space(&mut self) -> usize {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+        self.at
+    }
+
+    fn peek(&mut self) -> Option<char> {
+        self.skip_space();
+        self.text[self.at..].chars().next()
+    }
+
+    fn eat(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.at += wanted.len_utf8();
+        }
+        found
+    }
+
+    fn end(&mut self) -> Result<(), Failure> {
+        match self.peek() {
+            None => Ok(()),
+            Some(_) => Err(expected(self.here(), "the end of the value")),
+        }
+    }
+
+    /// The range of the next word, number or other character.
+    fn here(&self) -> Range<usize> {
+        let rest = &self.text[self.at..];
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && !matches!(c, '_' | '.'));
+        let width = match end {
+            Some(0) => rest.chars().next().map_or(0, char::len_utf8),
+            Some(width) => width,
+            None => rest.len(),
+        };
+        self.at..self.at + width
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str) -> Result<Value, String> {
+        parse("key", text, &mut |_| Place(0)).map(|n| n.value).map_err(|d| d.message)
+    }
+
+    /// The value in prefix notation.
+    fn shape(value: &Value) -> String {
+        match value {
+            Value::Number(number) => number.to_string(),
+            Value::Imaginary(units) => format!("{units}i"),
+            Value::Word(word) => word.clone(),
+            Value::List(items) => {
+                items.iter().map(|n| shape(&n.value)).collect::<Vec<_>>().join(",")
+            }
+            Value::Call(name, arguments) => {
+                let inner: Vec<_> = arguments.iter().map(|a| shape(&a.value.value)).collect();
+                format!("{name}({})", inner.join(","))
+            }
+            Value::Negative(a) => format!("(neg {})", shape(&a.value)),
+            Value::Binary(operator, a, b) => {
+                format!("({operator:?} {} {})", shape(&a.value), shape(&b.value))
+            }
+        }
+    }
+
+    #[test]
+    fn expressions_bind_as_in_mathematics() {
+        for (text, tree) in [
+            ("1 - 2 - 3", "(Sub (Sub 1 2) 3)"),
+            ("a -1", "(Sub a 1)"),
+            ("2*x + y/3", "(Add (Mul 2 x) (Div y 3))"),
+            ("-x^2", "(neg (Power x 2))"),
+            ("x^-2", "(Power x -2)"),
+            ("2^3^2", "(Power 2 (Power 3 2))"),
+            ("-(a + b)*c", "(Mul (neg (Add a b)) c)"),
+            ("-1+2i", "(Add -1 2i)"),
+            ("-1 - i", "(Sub -1 1i)"),
+            ("1e-3-1", "(Sub 1e-3 1)"),
+            (
+                "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2",
+                "(Div (Mul (neg psi) xi1) (Power (Sub abs(xi1) (Mul phi abs(xi1_0))) 2))",
+            ),
+            ("6, -11", "6,-11"),
+        ] {
+            assert_eq!(parsed(text).map(|v| shape(&v)).as_deref(), Ok(tree), "{text}");
+        }
+    }
+
+    #[test]
+    fn depth_and_length_are_bounded() {
+        let deep = format!("{}1{}", "(".repeat(50_00), ")".repeat(50_00));
+        let signs = format!("{}1", "-".repeat(5000));
+        let powers = "2^".repeat(5000) + "2";
+        for text in [deep, signs, powers] {
+            let found = parsed(&text).err();
+            assert!(found.as_deref().is_some_and(|m| m.contains("100 levels")), "{found:?}");
+        }
+        let sum = vec!["x1"; 300].join("+");
+        assert!(parsed(&sum).err().is_some_and(|m| m.contains("200 operations")));
+        assert!(parsed(&vec!["x1"; 200].join("+")).is_ok());
+        assert!(
+            parsed(&"1".repeat(30_000)).err().is_some_and(|m| m.contains("the limit is 20000"))
+        );
+    }
+
+    #[test]
+    fn values_of_every_shape() {
+        assert!(matches!(parsed(" exp "), Ok(Value::Word(w)) if w == "exp"));
+        assert!(matches!(parsed("6, 11,6"), Ok(Value::List(l)) if l.len() == 3));
+        assert!(matches!(parsed("inf"), Ok(Value::Number(Fixed::Infinite))));
+        match parsed("exp_sum(rates = [0.5, 1.5])") {
+            Ok(Value::Call(name, arguments)) => {
+                assert_eq!(name, "exp_sum");
+                assert!(matches!(&arguments[0].name, Some((n, _)) if n == "rates"));
+                assert!(matches!(&arguments[0].value.value, Value::List(l) if l.len() == 2));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn wrong_text_says_what_should_be_there() {
+        for (text, message) in [
+            ("", "found the end where a value should be"),
+            ("exp(", "found the end where a value should be"),
+            ("exp(a=1", "found the end where `,` or `)` should be"),
+            ("exp)", "found `)` where the end of the value should be"),
+            (
+                "1e999",
+                "found `1e999` where a decimal number (1000 digits and exponent 400 at most) should be",
+            ),
+            ("2^^3", "found `^` where a value should be"),
+            ("x1 x2", "found `x2` where the end of the value should be"),
+        ] {
+            let found = parsed(text).err();
+            assert!(
+                found
+                    .as_deref()
+                    .is_some_and(|m| m.ends_with(&message[message.find("where").unwrap_or(0)..])),
+                "{text}: {found:?}"
+            );
+        }
+    }
+}
