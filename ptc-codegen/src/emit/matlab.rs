@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::diagnostic::Diagnostics;
-use crate::program::Input;
+use crate::program::{Input, Program};
 use crate::spec::{After, Guard, Precision, Spec, What};
 
 pub(super) const TARGET: Target = Target {
@@ -31,15 +31,16 @@ const WORDS: &str = "
 /// Longest name that MATLAB tells from others.
 const LONGEST: usize = 63;
 
-fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
-    let name = controller.spec().name();
-    let longest = LONGEST - "_init".len();
+fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
+    let name = spec.name();
+    let suffix = if spec.sampled().is_some() { "_disturbance" } else { "_init" };
+    let longest = LONGEST - suffix.len();
     if name.len() > longest {
         found.push(
             "bad-value",
             "name",
             None,
-            format!("{name}_init is longer than the {LONGEST} characters that MATLAB reads"),
+            format!("{name}{suffix} is longer than the {LONGEST} characters that MATLAB reads"),
             format!("give a name of at most {longest} characters"),
         );
     }

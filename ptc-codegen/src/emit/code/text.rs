@@ -32,6 +32,11 @@ pub(in crate::emit) trait Text {
     /// A literal count.
     fn count(&self, count: u32) -> String;
 
+    /// A local value or an argument.
+    fn local(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
     /// A field of the controller.
     fn field(&self, name: &str) -> String;
 
@@ -81,8 +86,8 @@ pub(in crate::emit) trait Text {
                 }
             }
             Expr::Count(count) => (Level::Atom, self.count(*count)),
-            Expr::Local(name) => (Level::Atom, name.clone()),
-            Expr::Element(name, index) => (Level::Atom, self.element(name, *index)),
+            Expr::Local(name) => (Level::Atom, self.local(name)),
+            Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
             Expr::Field(name) => (Level::Atom, self.field(name)),
             Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
             Expr::ParameterElement(name, index) => {
@@ -132,24 +137,27 @@ pub(in crate::emit) trait Text {
 
     /// A test.
     fn test(&self, test: &Test) -> String {
+        self.parts(test).join(&format!(" {} ", self.and()))
+    }
+
+    /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
+    fn parts(&self, test: &Test) -> Vec<String> {
         let two = |a: &Expr, sign: &str, b: &Expr| {
-            format!("{} {sign} {}", self.within(a, Level::Sum), self.within(b, Level::Sum))
+            vec![format!("{} {sign} {}", self.within(a, Level::Sum), self.within(b, Level::Sum))]
         };
         match test {
             Test::Less(a, b) | Test::CountLess(a, b) => two(a, "<", b),
             Test::AtMost(a, b) => two(a, "<=", b),
             Test::CountEqual(a, b) => two(a, self.equal(), b),
-            Test::Finite(a) => self.finite(&self.within(a, Level::Atom)),
-            Test::All(tests) => match tests.as_slice() {
-                [only] => self.test(only),
-                all => {
-                    let each = all.iter().map(|test| match test {
-                        Test::Finite(_) => self.test(test),
-                        _ => format!("({})", self.test(test)),
-                    });
-                    each.collect::<Vec<_>>().join(&format!(" {} ", self.and()))
-                }
-            },
+            Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
+            Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
+            Test::All(tests) => {
+                let part = |test: &Test| match test {
+                    Test::Finite(_) => self.parts(test),
+                    _ => vec![format!("({})", self.test(test))],
+                };
+                tests.iter().flat_map(part).collect()
+            }
         }
     }
 }
@@ -161,12 +169,58 @@ pub(in crate::emit) struct Lines {
     depth: usize,
 }
 
+/// Columns of a line.
+const WIDTH: usize = 100;
+
 impl Lines {
-    /// A line at the present depth.
+    /// A line at the present depth, or several, each with what it is indented further.
     pub(in crate::emit) fn line(&mut self, text: impl AsRef<str>) {
-        let text = text.as_ref();
-        let pad = if text.is_empty() { String::new() } else { "    ".repeat(self.depth) };
-        self.lines.push(format!("{pad}{text}"));
+        for line in text.as_ref().split('\n') {
+            let pad = if line.is_empty() { String::new() } else { "    ".repeat(self.depth) };
+            self.lines.push(format!("{pad}{line}"));
+        }
+    }
+
+    /// An empty line, but behind the line that opens a block.
+    pub(in crate::emit) fn gap(&mut self) {
+        if self.lines.last().is_some_and(|line| !line.ends_with(['{', ':', '('])) {
+            self.line("");
+        }
+    }
+
+    /// Whether a line at the present depth has room for `text`.
+    pub(in crate::emit) fn has_room(&self, text: &str) -> bool {
+        4 * self.depth + text.len() <= WIDTH
+    }
+
+    /// Words in as many lines as they need, each behind `prefix`.
+    pub(in crate::emit) fn words(&mut self, prefix: &str, text: &str) {
+        let mut line = String::new();
+        for word in text.split_whitespace() {
+            if !line.is_empty() && !self.has_room(&format!("{prefix}{line} {word}")) {
+                self.line(format!("{prefix}{line}"));
+                line.clear();
+            }
+            line.push_str(if line.is_empty() { "" } else { " " });
+            line.push_str(word);
+        }
+        self.line(format!("{prefix}{line}"));
+    }
+
+    /// `parts` between `before` and `behind`: in one line, or a line for each part, with `joint`
+    /// between them.
+    pub(in crate::emit) fn joined(
+        &self,
+        before: &str,
+        parts: &[String],
+        (and, joint): (&str, &str),
+        behind: &str,
+    ) -> String {
+        let line = format!("{before}{}{behind}", parts.join(&format!(" {and} ")));
+        match self.has_room(&line) || parts.len() < 2 {
+            true => line,
+            false => format!("{before}{}{behind}", parts.join(joint)),
+        }
     }
 
     /// A line behind which a block opens.
@@ -179,6 +233,11 @@ impl Lines {
     pub(in crate::emit) fn close(&mut self, text: impl AsRef<str>) {
         self.depth = self.depth.saturating_sub(1);
         self.line(text);
+    }
+
+    /// Ends a block without a line.
+    pub(in crate::emit) fn leave(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
     }
 
     /// Ends a block and opens the next one, with a line between them.
