@@ -33,14 +33,13 @@ const LONGEST: usize = 63;
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     let name = spec.name();
-    let suffix = if spec.sampled().is_some() { "_disturbance" } else { "_init" };
-    let longest = LONGEST - suffix.len();
+    let longest = LONGEST - "_init".len();
     if name.len() > longest {
         found.push(
             "bad-value",
             "name",
             None,
-            format!("{name}{suffix} is longer than the {LONGEST} characters that MATLAB reads"),
+            format!("{name}_init is longer than the {LONGEST} characters that MATLAB reads"),
             format!("give a name of at most {longest} characters"),
         );
     }

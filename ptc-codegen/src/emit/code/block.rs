@@ -17,6 +17,9 @@ pub(super) trait Block: Text {
     /// Where the lines go.
     fn out(&mut self) -> &mut Lines;
 
+    /// The lines so far.
+    fn lines(&self) -> &Lines;
+
     /// The words of a test.
     fn branch(&self) -> Branch;
 
@@ -34,6 +37,20 @@ pub(super) trait Block: Text {
 
     /// Ends the call unless the test holds.
     fn require(&mut self, test: &Test, status: Status);
+
+    /// The line that opens what happens where `test` does not hold: `not` and the words behind it, a
+    /// line for each part where it is long.
+    fn unless(&self, not: &str, test: &Test, joint: &str, then: &str) -> String {
+        let branch = self.branch();
+        let parts = self.parts(test);
+        match parts.as_slice() {
+            [one] if !one.contains(' ') => format!("{}{not}{one}{then}", branch.open),
+            parts => {
+                let before = format!("{}{not}(", branch.open);
+                self.lines().joined(&before, parts, (self.and(), joint), &format!("){then}"))
+            }
+        }
+    }
 
     /// A value that is assigned.
     fn value(&self, value: &Expr) -> String {

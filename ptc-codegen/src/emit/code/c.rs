@@ -1,6 +1,6 @@
 //! C99.
 
-use super::text::{Level, Lines, Text, length};
+use super::text::{Level, Lines, Text, bracketed, length};
 use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::File;
 use crate::spec::Precision;
@@ -76,10 +76,6 @@ impl Text for C<'_> {
     fn and(&self) -> &'static str {
         "&&"
     }
-}
-
-fn bracketed(text: &str) -> String {
-    if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }
 
 impl C<'_> {

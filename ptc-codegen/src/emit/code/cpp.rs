@@ -1,7 +1,7 @@
 //! C++17: one header. All of it is `constexpr`, for it calls no function of a library.
 
 use super::block::{Block, Branch};
-use super::text::{Level, Lines, Text, length};
+use super::text::{Level, Lines, Text, bracketed, length};
 use crate::code::{Access, Code, Function, Shape, Status, Test, Variable};
 use crate::emit::File;
 use crate::spec::{Precision, type_name};
@@ -66,7 +66,7 @@ impl Text for Cpp<'_> {
     }
 
     fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
-        (Level::Choice, format!("({test}) ? ({yes}) : ({no})"))
+        (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
     }
 
     fn finite(&self, value: &str) -> String {
@@ -81,6 +81,10 @@ impl Text for Cpp<'_> {
 impl Block for Cpp<'_> {
     fn out(&mut self) -> &mut Lines {
         &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
     }
 
     fn branch(&self) -> Branch {
@@ -105,8 +109,7 @@ impl Block for Cpp<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
-        let parts = self.parts(test);
-        let line = self.out.joined("if (!(", &parts, ("&&", "\n    && "), ")) {");
+        let line = self.unless("!", test, "\n    && ", ") {");
         self.out.open(line);
         let word = word(status);
         let zero = self.literal("0.0");

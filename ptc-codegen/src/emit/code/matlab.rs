@@ -88,6 +88,10 @@ impl Block for Matlab<'_> {
         &mut self.out
     }
 
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
     fn branch(&self) -> Branch {
         Branch { open: "if ", turn: "elseif ", then: "", otherwise: "else", end: "end" }
     }
@@ -110,14 +114,14 @@ impl Block for Matlab<'_> {
 
     fn require(&mut self, test: &Test, status: Status) {
         if !self.raises {
-            let line = self.refused(test);
+            let line = self.unless("~", test, " ...\n    && ", "");
             self.out.open(line);
             self.out.line(format!("status = int32({});\nreturn;", status.number()));
             return self.out.close("end");
         }
         let name = &self.code.name;
         for check in checks(test) {
-            let line = self.refused(&check.test);
+            let line = self.unless("~", &check.test, " ...\n    && ", "");
             self.out.open(line);
             let parameter = check.parameter.map(|(name, index)| match index {
                 Some(index) => format!("{name}({})", index + 1),
@@ -135,11 +139,6 @@ impl Block for Matlab<'_> {
 impl Matlab<'_> {
     fn real_type(&self) -> &'static str {
         if self.code.precision == Precision::F32 { "single" } else { "double" }
-    }
-
-    /// The line that opens what happens where `test` does not hold.
-    fn refused(&self, test: &Test) -> String {
-        self.out.joined("if ~(", &self.parts(test), ("&&", " ...\n    && "), ")")
     }
 
     fn init(mut self) -> String {

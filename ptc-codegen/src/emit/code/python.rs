@@ -84,6 +84,10 @@ impl Block for Python<'_> {
         &mut self.out
     }
 
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
     fn branch(&self) -> Branch {
         Branch { open: "if ", turn: "elif ", then: ":", otherwise: "else:", end: "" }
     }
@@ -140,16 +144,10 @@ impl Block for Python<'_> {
 impl Python<'_> {
     /// The line that opens what happens where `test` does not hold.
     fn refused(&self, test: &Test) -> String {
-        let parts = self.parts(test);
-        match parts.as_slice() {
-            [one] if !one.contains(' ') => format!("if not {one}:"),
-            parts => {
-                let line = self.out.joined("if not (", parts, ("and", "\n    and "), "):");
-                match line.split_once('\n') {
-                    Some(_) => format!("if not (\n    {}\n):", parts.join("\n    and ")),
-                    None => line,
-                }
-            }
+        let line = self.unless("not ", test, "\n    and ", ":");
+        match line.contains('\n') {
+            true => line.replacen('(', "(\n    ", 1).replace("):", "\n):"),
+            false => line,
         }
     }
 
@@ -240,11 +238,15 @@ impl Python<'_> {
         self.out.line("");
         let name = function.name;
         self.out.open(format!("def {name}({}) -> {result}:", list.join(", ")));
-        if function.failures.is_empty() {
-            self.out.line(format!("\"\"\"{}\"\"\"", function.about.trim_end()));
+        let line = format!("\"\"\"{}\"\"\"", function.about.trim_end());
+        if function.failures.is_empty() && self.out.has_room(&line) {
+            self.out.line(line);
         } else {
-            self.out.line(format!("\"\"\"{}\n", function.about.trim_end()));
-            self.out.line("On a negative status u is 0 and nothing has changed.\n\"\"\"");
+            self.out.words("", &format!("\"\"\"{}", function.about));
+            if !function.failures.is_empty() {
+                self.out.line("\nOn a negative status u is 0 and nothing has changed.");
+            }
+            self.out.line("\"\"\"");
         }
         let computes = !function.body.is_empty() && step;
         if computes {

@@ -1,7 +1,7 @@
 //! Rust: `no_std`, no allocation, no panic, no unsafe code.
 
 use super::block::{Block, Branch};
-use super::text::{Level, Lines, Text, length};
+use super::text::{Level, Lines, Text, bracketed, length};
 use crate::code::{
     Access, Code, Expr, Function, Outcomes, Place, Shape, Statement, Status, Test, Variable,
 };
@@ -59,7 +59,7 @@ impl Text for Rust<'_> {
 
     fn real(&self, count: &str) -> (Level, String) {
         // In brackets wherever it is compared: `<` behind a type opens its arguments.
-        (Level::Choice, format!("{count} as {}", self.type_of(Shape::Real)))
+        (Level::Choice, format!("{} as {}", bracketed(count), self.type_of(Shape::Real)))
     }
 
     fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
@@ -78,6 +78,10 @@ impl Text for Rust<'_> {
 impl Block for Rust<'_> {
     fn out(&mut self) -> &mut Lines {
         &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
     }
 
     fn branch(&self) -> Branch {
@@ -113,14 +117,8 @@ impl Block for Rust<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
-        let parts = self.parts(test);
-        let line = match parts.as_slice() {
-            [one] if !one.contains(' ') => format!("if !{one} {{"),
-            parts => {
-                let line = self.out.joined("if !(", parts, ("&&", "\n    && "), ") {");
-                if line.contains('\n') { line.replace(") {", ")\n{") } else { line }
-            }
-        };
+        let line = self.unless("!", test, "\n    && ", " {");
+        let line = if line.contains('\n') { line.replace(") {", ")\n{") } else { line };
         self.out.open(line);
         self.out.line(format!("return Err({}Error::{});", self.runtime, name(status)));
         self.out.close("}");
@@ -129,6 +127,9 @@ impl Block for Rust<'_> {
 
 /// Columns of an array in one line.
 const ARRAY: usize = 58;
+
+/// Columns of the fields of a structure in one line.
+const FIELDS: usize = 18;
 
 /// Columns of a choice in one line.
 const CHOICE: usize = 50;
@@ -185,11 +186,15 @@ impl Rust<'_> {
                 other => self.statement(other),
             }
         }
-        self.out.open("Ok(Self {");
-        for field in fields {
-            self.out.line(format!("{field},"));
+        if fields.join(", ").len() <= FIELDS {
+            self.out.line(format!("Ok(Self {{ {} }})", fields.join(", ")));
+        } else {
+            self.out.open("Ok(Self {");
+            for field in fields {
+                self.out.line(format!("{field},"));
+            }
+            self.out.close("})");
         }
-        self.out.close("})");
         self.out.close("}");
         for function in &code.functions {
             self.function(function);
@@ -251,6 +256,15 @@ impl Rust<'_> {
         self.out.turn(format!("){result} {{"));
     }
 
+    /// A choice of two statuses, where it is short.
+    fn one_line(&self, ways: &[(Test, Status)], last: Status) -> Option<String> {
+        let [(test, status)] = ways else { return None };
+        let [yes, no] =
+            [*status, last].map(|status| format!("{}Status::{}", self.runtime, name(status)));
+        let line = format!("if {} {{ {yes} }} else {{ {no} }}", self.test(test));
+        (line.len() <= CHOICE).then_some(line)
+    }
+
     fn finish(&mut self, function: &Function, fails: bool) {
         let [given] = function.results.as_slice() else { return };
         let values: Vec<_> = given.values.iter().map(|value| self.alone(value)).collect();
@@ -270,6 +284,10 @@ impl Rust<'_> {
         match &function.status {
             Outcomes::One(status) => {
                 self.out.line(format!("let status = {};", word(*status)));
+            }
+            Outcomes::First(ways, last) if self.one_line(ways, *last).is_some() => {
+                let line = self.one_line(ways, *last).unwrap_or_default();
+                self.out.line(format!("let status = {line};"));
             }
             Outcomes::First(ways, last) => {
                 for (index, (test, status)) in ways.iter().enumerate() {

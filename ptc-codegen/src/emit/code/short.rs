@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::code::{Code, Expr, Operator, Shape, Statement};
+use crate::code::{Code, Expr, Operator, Shape, Statement, Test};
 use crate::program::number;
 use crate::spec::Precision;
 
@@ -58,8 +58,20 @@ impl Short {
     /// A value that is assigned; a choice may be all of it, but no part of an operation.
     fn whole(&mut self, value: Expr, out: &mut Vec<Statement>) -> Expr {
         match value {
-            Expr::Choose(test, yes, no) => {
-                let [yes, no] = [yes, no].map(|branch| Box::new(self.operand(*branch, out)));
+            Expr::Choose(mut test, yes, no) => {
+                let [yes, no] = [yes, no].map(|branch| {
+                    let short = self.operand((*branch).clone(), out);
+                    let short = match short {
+                        Expr::Binary(..) => self.named(short, out),
+                        short => short,
+                    };
+                    if let Test::Less(a, b) | Test::AtMost(a, b) = &mut *test {
+                        for side in [a, b].into_iter().filter(|side| **side == *branch) {
+                            *side = short.clone();
+                        }
+                    }
+                    Box::new(short)
+                });
                 Expr::Choose(test, yes, no)
             }
             value => self.value(value, out),

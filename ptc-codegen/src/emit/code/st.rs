@@ -93,6 +93,10 @@ impl Block for StructuredText<'_> {
         &mut self.out
     }
 
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
     fn branch(&self) -> Branch {
         Branch { open: "IF ", turn: "ELSIF ", then: " THEN", otherwise: "ELSE", end: "END_IF;" }
     }
@@ -115,8 +119,7 @@ impl Block for StructuredText<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
-        let parts = self.parts(test);
-        let line = self.out.joined("IF NOT (", &parts, ("AND", "\n    AND "), ") THEN");
+        let line = self.unless("NOT ", test, "\n    AND ", " THEN");
         self.out.open(line);
         self.out.line(format!("status := {};\nRETURN;", status.number()));
         self.out.close("END_IF;");

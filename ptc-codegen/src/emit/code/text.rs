@@ -167,6 +167,8 @@ pub(in crate::emit) trait Text {
 pub(in crate::emit) struct Lines {
     lines: Vec<String>,
     depth: usize,
+    /// Whether the last line opens a block.
+    opened: bool,
 }
 
 /// Columns of a line.
@@ -179,11 +181,12 @@ impl Lines {
             let pad = if line.is_empty() { String::new() } else { "    ".repeat(self.depth) };
             self.lines.push(format!("{pad}{line}"));
         }
+        self.opened = false;
     }
 
     /// An empty line, but behind the line that opens a block.
     pub(in crate::emit) fn gap(&mut self) {
-        if self.lines.last().is_some_and(|line| !line.ends_with(['{', ':', '('])) {
+        if !self.opened {
             self.line("");
         }
     }
@@ -227,6 +230,7 @@ impl Lines {
     pub(in crate::emit) fn open(&mut self, text: impl AsRef<str>) {
         self.line(text);
         self.depth += 1;
+        self.opened = true;
     }
 
     /// Ends a block with a line.
@@ -244,6 +248,7 @@ impl Lines {
     pub(in crate::emit) fn turn(&mut self, text: impl AsRef<str>) {
         self.close(text);
         self.depth += 1;
+        self.opened = true;
     }
 
     /// The text.
@@ -258,4 +263,9 @@ pub(in crate::emit) fn length(shape: Shape) -> Option<usize> {
         Shape::Reals(length) => Some(length),
         Shape::Real | Shape::Count => None,
     }
+}
+
+/// A text of several words in brackets.
+pub(in crate::emit) fn bracketed(text: &str) -> String {
+    if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }
