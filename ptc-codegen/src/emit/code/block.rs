@@ -44,7 +44,7 @@ pub(super) trait Block: Text {
         let branch = self.branch();
         let parts = self.parts(test);
         match parts.as_slice() {
-            [one] if !one.contains(' ') => format!("{}{not}{one}{then}", branch.open),
+            [one] if is_finite(test) => format!("{}{not}{one}{then}", branch.open),
             parts => {
                 let before = format!("{}{not}(", branch.open);
                 self.lines().joined(&before, parts, (self.and(), joint), &format!("){then}"))
@@ -140,6 +140,15 @@ pub(super) trait Block: Text {
                 close(self.out(), branch.end);
             }
         }
+    }
+}
+
+/// Whether it is one test for a finite number, which every language writes as a call.
+fn is_finite(test: &Test) -> bool {
+    match test {
+        Test::Finite(_) => true,
+        Test::All(tests) => matches!(tests.as_slice(), [Test::Finite(_)]),
+        _ => false,
     }
 }
 

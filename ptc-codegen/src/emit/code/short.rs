@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::code::{Code, Expr, Operator, Shape, Statement, Test};
+use crate::code::{Code, Expr, Operator, Outcomes, Shape, Statement, Test};
 use crate::program::number;
 use crate::spec::Precision;
 
@@ -19,6 +19,15 @@ pub(in crate::emit) fn short(mut code: Code) -> Code {
         let mut short = Short::new(precision, &body);
         short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
         function.body = short.block(body);
+        if let Outcomes::First(ways, _) = &mut function.status {
+            // What the same test has settled before is never reached.
+            let mut seen = Vec::new();
+            ways.retain(|(test, _)| {
+                let first = !seen.contains(test);
+                seen.push(test.clone());
+                first
+            });
+        }
     }
     code
 }
