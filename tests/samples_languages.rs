@@ -1,6 +1,6 @@
 //! Controllers in samples: every language gives the bits of the interpreter, for odd parameters,
-//! measurements and ticks too. Python needs NumPy (`PYTHON` names an interpreter that has it), MATLAB
-//! is run by GNU Octave; where one is not there, it is left out.
+//! measurements and ticks too. Python needs NumPy and Structured Text blark (`PYTHON` names an
+//! interpreter that has them), MATLAB is run by GNU Octave; where one is not there, it is left out.
 
 mod support;
 
@@ -14,7 +14,8 @@ use ptc_codegen::spec::Spec;
 use support::folder;
 use support::random::Random;
 use support::sampled::{
-    Call, Design, LANGUAGES, in_c, in_cpp, in_octave, in_python, in_rust, script,
+    Call, Design, LANGUAGES, in_c, in_cpp, in_octave, in_python, in_rust, in_structured_text,
+    script,
 };
 use support::specs::spec;
 
@@ -223,6 +224,7 @@ fn every_language_gives_the_bits_of_the_interpreter() {
         (Language::Rust, Some(in_rust(&folder, &designs))),
         (Language::Python, in_python(&folder, &designs)),
         (Language::Matlab, in_octave(&folder, &designs)),
+        (Language::StructuredText, in_structured_text(&folder, &designs)),
     ];
     for (language, found) in found {
         let name = language.name();

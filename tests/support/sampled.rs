@@ -453,9 +453,19 @@ for line in sys.stdin:
 
 /// In Python, where NumPy is there.
 pub(crate) fn in_python(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
+    in_interpreter("import numpy", PYTHON, folder, designs)
+}
+
+/// What a driver in Python answers, where all that it imports is there.
+fn in_interpreter(
+    needed: &str,
+    text: &str,
+    folder: &Path,
+    designs: &[Design],
+) -> Option<Vec<String>> {
     let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let numpy = Command::new(&python).args(["-c", "import numpy"]).output();
-    numpy.ok().filter(|output| output.status.success())?;
+    let found = Command::new(&python).args(["-c", needed]).output();
+    found.ok().filter(|output| output.status.success())?;
     let mut table = String::new();
     for design in designs {
         let real = if design.code.precision == Precision::F32 { "float32" } else { "float64" };
@@ -476,9 +486,74 @@ pub(crate) fn in_python(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             .expect("a string");
     }
     let source = folder.join("driver.py");
-    fs::write(&source, format!("DESIGNS = [\n{table}]\n{PYTHON}")).expect("Python");
+    fs::write(&source, format!("DESIGNS = [\n{table}]\n{text}")).expect("Python");
+    let modules = Path::new(env!("CARGO_MANIFEST_DIR")).join("assure/src/harness/driver");
     let mut command = Command::new(python);
-    Some(answers(command.args(["-B", "-W", "error"]).arg(source), folder))
+    command.args(["-B", "-W", "error::RuntimeWarning"]).arg(source);
+    Some(answers(command.env("PYTHONPATH", modules), folder))
+}
+
+const STRUCTURED_TEXT: &str = r#"
+import math, struct, sys
+import numpy as np
+from structured_text import Library
+np.seterr(all="ignore")
+def number(word): return struct.unpack(">d", bytes.fromhex(word))[0]
+def show(value):
+    value = float(value)
+    return "nan" if math.isnan(value) else struct.pack(">d", value).hex()
+def called(at, **inputs):
+    unit, memory = units[at], held[at]
+    memory.update(init=False, arm=False)
+    memory.update(inputs)
+    unit.execute(memory)
+    return memory
+units, held, layouts, givens, reals, inputs = [], [], [], [], [], []
+for folder, name, kind, real, layout, given in DESIGNS:
+    with open(f"{folder}/{name}.st") as file:
+        unit = Library(file.read()).units[name]
+    units.append(unit)
+    held.append(unit.memory())
+    layouts.append(layout)
+    givens.append(given)
+    reals.append(getattr(np, real))
+    inputs.append("y" if "y" in unit.kinds else "x")
+for line in sys.stdin:
+    word, *rest = line.split()
+    if word == "D":
+        at = int(rest[0])
+        assert called(at)["status"] == -2 and called(at, arm=True)["status"] == -1
+        continue
+    real = reals[at]
+    if word == "I":
+        values, params = [number(one) for one in rest], {}
+        for name, length in layouts[at]:
+            if length == 0:
+                params[name] = np.uint32(values.pop(0))
+            elif length == 1:
+                params[name] = real(values.pop(0))
+            else:
+                params[name] = [real(value) for value in values[:length - 1]]
+                del values[:length - 1]
+        given = {"params": params} if params else {}
+        print("I", called(at, init=True, **given)["status"])
+        continue
+    k = np.uint32(rest[0])
+    if word == "A":
+        assert called(at, arm=True, k=k)["status"] == 0
+        continue
+    memory = called(at, k=k, **{inputs[at]: [real(number(one)) for one in rest[1:]]})
+    values = [memory["u"]]
+    for name in givens[at]:
+        value = memory[name]
+        values.extend(value if isinstance(value, list) else [value])
+    assert all(type(value) is real for value in values), values
+    print("S", memory["status"], *map(show, values))
+"#;
+
+/// In Structured Text, where NumPy and blark are there.
+pub(crate) fn in_structured_text(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
+    in_interpreter("import numpy, blark", STRUCTURED_TEXT, folder, designs)
 }
 
 const OCTAVE: &str = r#"

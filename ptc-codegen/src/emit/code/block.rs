@@ -127,13 +127,12 @@ pub(super) trait Block: Text {
         match outcomes {
             Outcomes::One(status) => self.out().line(set(*status)),
             Outcomes::First(ways, last) => {
-                for (index, (test, status)) in ways.iter().enumerate() {
-                    let test = self.test(test);
+                for (index, (test, status)) in self.ways(ways).into_iter().enumerate() {
                     match index {
                         0 => self.out().open(format!("{}{test}{}", branch.open, branch.then)),
                         _ => self.out().turn(format!("{}{test}{}", branch.turn, branch.then)),
                     }
-                    self.out().line(set(*status));
+                    self.out().line(set(status));
                 }
                 self.out().turn(branch.otherwise);
                 self.out().line(set(*last));

@@ -299,13 +299,12 @@ impl C<'_> {
         match &function.status {
             Outcomes::One(status) => self.out.line(format!("status = {};", word(*status))),
             Outcomes::First(ways, last) => {
-                for (index, (test, status)) in ways.iter().enumerate() {
-                    let test = self.test(test);
+                for (index, (test, status)) in self.ways(ways).into_iter().enumerate() {
                     match index {
                         0 => self.out.open(format!("if ({test}) {{")),
                         _ => self.out.turn(format!("}} else if ({test}) {{")),
                     }
-                    self.out.line(format!("status = {};", word(*status)));
+                    self.out.line(format!("status = {};", word(status)));
                 }
                 self.out.turn("} else {");
                 self.out.line(format!("status = {};", word(*last)));

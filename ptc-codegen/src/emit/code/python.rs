@@ -62,7 +62,11 @@ impl Text for Python<'_> {
     }
 
     fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
-        (Level::Choice, format!("{} if {test} else {}", boxed(yes), boxed(no)))
+        let (yes, no) = (boxed(yes), boxed(no));
+        match boxed_test(test) == format!("{no} < {yes}") {
+            true => (Level::Atom, format!("max({no}, {yes})")),
+            false => (Level::Choice, format!("{yes} if {test} else {no}")),
+        }
     }
 
     fn finite(&self, value: &str) -> String {
@@ -72,11 +76,23 @@ impl Text for Python<'_> {
     fn and(&self) -> &'static str {
         "and"
     }
+
+    fn or(&self) -> &'static str {
+        "or"
+    }
 }
 
 /// A number that stands alone, as a NumPy scalar: Python's own would not divide by zero.
 fn boxed(text: &str) -> String {
     if text.parse::<f64>().is_ok() { format!("_R({text})") } else { text.to_owned() }
+}
+
+/// A comparison with its numbers as NumPy scalars.
+fn boxed_test(test: &str) -> String {
+    match test.split_once(" < ") {
+        Some((a, b)) => format!("{} < {}", boxed(a), boxed(b)),
+        None => test.to_owned(),
+    }
 }
 
 impl Block for Python<'_> {

@@ -256,15 +256,6 @@ impl Rust<'_> {
         self.out.turn(format!("){result} {{"));
     }
 
-    /// A choice of two statuses, where it is short.
-    fn one_line(&self, ways: &[(Test, Status)], last: Status) -> Option<String> {
-        let [(test, status)] = ways else { return None };
-        let [yes, no] =
-            [*status, last].map(|status| format!("{}Status::{}", self.runtime, name(status)));
-        let line = format!("if {} {{ {yes} }} else {{ {no} }}", self.test(test));
-        (line.len() <= CHOICE).then_some(line)
-    }
-
     fn finish(&mut self, function: &Function, fails: bool) {
         let [given] = function.results.as_slice() else { return };
         let values: Vec<_> = given.values.iter().map(|value| self.alone(value)).collect();
@@ -285,22 +276,28 @@ impl Rust<'_> {
             Outcomes::One(status) => {
                 self.out.line(format!("let status = {};", word(*status)));
             }
-            Outcomes::First(ways, last) if self.one_line(ways, *last).is_some() => {
-                let line = self.one_line(ways, *last).unwrap_or_default();
-                self.out.line(format!("let status = {line};"));
-            }
             Outcomes::First(ways, last) => {
-                for (index, (test, status)) in ways.iter().enumerate() {
-                    let test = self.test(test);
-                    match index {
-                        0 => self.out.open(format!("let status = if {test} {{")),
-                        _ => self.out.turn(format!("}} else if {test} {{")),
+                let ways = self.ways(ways);
+                let short = match ways.as_slice() {
+                    [(test, status)] => {
+                        format!("if {test} {{ {} }} else {{ {} }}", word(*status), word(*last))
                     }
-                    self.out.line(word(*status));
+                    _ => String::new(),
+                };
+                if (1..=CHOICE).contains(&short.len()) {
+                    self.out.line(format!("let status = {short};"));
+                } else {
+                    for (index, (test, status)) in ways.into_iter().enumerate() {
+                        match index {
+                            0 => self.out.open(format!("let status = if {test} {{")),
+                            _ => self.out.turn(format!("}} else if {test} {{")),
+                        }
+                        self.out.line(word(status));
+                    }
+                    self.out.turn("} else {");
+                    self.out.line(word(*last));
+                    self.out.close("};");
                 }
-                self.out.turn("} else {");
-                self.out.line(word(*last));
-                self.out.close("};");
             }
         }
         let u = if values[0] == "u" { "u".to_owned() } else { format!("u: {}", values[0]) };

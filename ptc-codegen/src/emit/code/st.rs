@@ -83,6 +83,10 @@ impl Text for StructuredText<'_> {
         "AND"
     }
 
+    fn or(&self) -> &'static str {
+        "OR"
+    }
+
     fn equal(&self) -> &'static str {
         "="
     }

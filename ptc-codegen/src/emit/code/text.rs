@@ -1,6 +1,6 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
-use crate::code::{Expr, Operator, Shape, Test};
+use crate::code::{Expr, Operator, Shape, Status, Test};
 use crate::program::number;
 use crate::spec::Precision;
 
@@ -68,6 +68,25 @@ pub(in crate::emit) trait Text {
 
     /// What stands between tests that must all hold.
     fn and(&self) -> &'static str;
+
+    /// What stands between tests one of which must hold.
+    fn or(&self) -> &'static str {
+        "||"
+    }
+
+    /// The tests that settle a status, those of the same status together.
+    fn ways(&self, ways: &[(Test, Status)]) -> Vec<(String, Status)> {
+        let same = ways.chunk_by(|a, b| a.1 == b.1);
+        let joined = same.map(|ways| match ways {
+            [(test, status)] => (self.test(test), *status),
+            several => {
+                let each: Vec<_> =
+                    several.iter().map(|(test, _)| format!("({})", self.test(test))).collect();
+                (each.join(&format!(" {} ", self.or())), several[0].1)
+            }
+        });
+        joined.collect()
+    }
 
     /// What compares for equality.
     fn equal(&self) -> &'static str {
