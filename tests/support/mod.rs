@@ -2,6 +2,7 @@
 // Each test file uses its own part of this module.
 #![allow(dead_code, unused_imports)]
 
+pub(crate) mod sampled;
 pub(crate) mod vectors;
 
 use std::path::{Path, PathBuf};

@@ -33,6 +33,21 @@ pub enum Status {
     Range,
 }
 
+impl Status {
+    /// Its number in the languages without names for it: negative where the call failed.
+    pub fn number(self) -> i32 {
+        match self {
+            Self::Ok => 0,
+            Self::Hold => 1,
+            Self::Saturated => 2,
+            Self::After => 3,
+            Self::Param => -1,
+            Self::Input => -2,
+            Self::Range => -3,
+        }
+    }
+}
+
 /// The values that a name can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {

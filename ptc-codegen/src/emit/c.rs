@@ -16,7 +16,7 @@ pub(super) const TARGET: Target = Target {
     about: "a header and a source file, C99",
     comment: ("/* ", " */"),
     is_word: |_| false,
-    refuse: |_, _| {},
+    refuse: |_, _, _| {},
     files,
 };
 

@@ -17,7 +17,7 @@ pub(super) const TARGET: Target = Target {
     about: "one header, C++17 and constexpr",
     comment: ("/* ", " */"),
     is_word: |word| WORDS.split_whitespace().any(|one| one == word),
-    refuse: |_, _| {},
+    refuse: |_, _, _| {},
     files,
 };
 

@@ -7,7 +7,7 @@ use super::print::{self, RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
 use crate::diagnostic::Diagnostics;
 use crate::parameter::Precision;
-use crate::program::Input;
+use crate::program::{Input, Program};
 use crate::request::{After, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
@@ -32,8 +32,8 @@ const WORDS: &str = "
 /// Longest name that MATLAB tells from others.
 const LONGEST: usize = 63;
 
-fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
-    let name = controller.spec().name();
+fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
+    let name = spec.name();
     let longest = LONGEST - "_init".len();
     if name.len() > longest {
         found.push(

@@ -32,6 +32,7 @@ use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
 use crate::parameter::Parameter;
+use crate::program::Program;
 use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
 use declared::{Declared, declared};
@@ -128,7 +129,7 @@ struct Target {
     /// Whether a word that other languages leave free means something in this one.
     is_word: fn(&str) -> bool,
     /// Notes what it cannot express.
-    refuse: fn(&Controller<'_>, &mut Diagnostics),
+    refuse: fn(&Spec, Option<&Program>, &mut Diagnostics),
     /// The files of a controller.
     files: fn(&Controller<'_>) -> Vec<File>,
 }
@@ -169,8 +170,15 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 /// C and Rust.
 pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     let target = language.target();
+    accepts(target, controller.spec(), Some(controller.program))?;
+    Ok((target.files)(controller))
+}
+
+/// Whether a language can express the controller of `spec`: by the names in it, and by its program,
+/// unless it is one in samples.
+fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<(), Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
-    for (key, word) in names(controller.spec()) {
+    for (key, word) in names(spec) {
         if (target.is_word)(&word) {
             found.push(
                 "reserved-name",
@@ -181,29 +189,28 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
             );
         }
     }
-    (target.refuse)(controller, &mut found);
-    found.finish(Some(()))?;
-    Ok((target.files)(controller))
+    (target.refuse)(spec, program, &mut found);
+    found.finish(Some(()))
 }
 
 /// The files of a controller in samples in `language`.
 ///
 /// # Errors
-/// The language, where it cannot express it.
+/// As [`emit`]; an FMU has no clock in samples.
 pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
+    accepts(language.target(), &report.spec, None)?;
     let Some(controller) = sampled::program(report, language) else {
         fault("a controller without samples")
     };
-    match language {
-        Language::C => Ok(code::c(&controller)),
-        Language::Rust => Ok(vec![code::rust(&controller)]),
-        other => {
-            let mut found = Diagnostics::default();
-            let message = format!("{} has no controller in samples yet", other.name());
-            found.push("clock", "clock", None, message, "emit C or Rust");
-            found.finish(None)
-        }
-    }
+    Ok(match language {
+        Language::C => code::c(&controller),
+        Language::Rust => vec![code::rust(&controller)],
+        Language::Cpp => vec![code::cpp(&controller)],
+        Language::Matlab => code::matlab(&controller),
+        Language::Python => vec![code::python(&controller)],
+        Language::StructuredText => vec![code::st(&controller)],
+        Language::Fmu2 | Language::Fmu3 => fault("an FMU refuses a clock in samples"),
+    })
 }
 
 /// The items of the Rust file of a controller in samples on the types of the facade crate `ptc`.

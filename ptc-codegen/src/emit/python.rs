@@ -18,7 +18,7 @@ pub(super) const TARGET: Target = Target {
         WORDS.split_whitespace().any(|one| one == word)
             || CLASSES.split_whitespace().any(|one| one == type_name(word))
     },
-    refuse: |_, _| {},
+    refuse: |_, _, _| {},
     files,
 };
 

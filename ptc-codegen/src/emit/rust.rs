@@ -16,7 +16,7 @@ pub(super) const TARGET: Target = Target {
     about: "one no_std file that stands alone",
     comment: ("/* ", " */"),
     is_word: |_| false,
-    refuse: |_, _| {},
+    refuse: |_, _, _| {},
     files: |controller| vec![file(controller)],
 };
 

@@ -1,6 +1,6 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, header};
+use super::{Language, code, header};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
@@ -12,6 +12,7 @@ use crate::samples;
 pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
     let sampled = report.spec.sampled()?;
     let code = samples::controller(&report.spec, sampled, head(report, sampled, language));
+    let code = code::short(code);
     match code.check() {
         Ok(()) => Some(code),
         Err(error) => fault(error),
@@ -54,13 +55,13 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
             None => format!("  {symbol} [{unit}]: {meaning}"),
         });
     }
-    rest.extend(behaviour(spec, sampled));
+    rest.extend(behaviour(spec, sampled, language));
     rest.extend(header::checks(report));
     lines.extend(rest.iter().flat_map(|line| header::wrap(line)));
     lines
 }
 
-fn behaviour(spec: &Spec, sampled: &Sampled) -> Vec<String> {
+fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> {
     let mut lines = vec![String::new()];
     lines.push("k counts samples and may wrap; arm again within 2^32 - N samples.".to_owned());
     lines.push(
@@ -83,9 +84,12 @@ fn behaviour(spec: &Spec, sampled: &Sampled) -> Vec<String> {
         Some(Fixed::Infinite) => "u is not clipped.",
         _ => "|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it lasts.",
     }.to_owned());
-    lines.push(match spec.guard {
-        Guard::Full => "Guard full: what is measured is finite and no pointer is NULL, or the call is refused (status E_INPUT).",
-        Guard::Result | Guard::None => "Guard none: finite measurements and valid pointers are the responsibility of the caller.",
+    let pointers = language == Language::C;
+    lines.push(match (spec.guard, pointers) {
+        (Guard::Full, true) => "Guard full: what is measured is finite and no pointer is NULL, or the call is refused (status E_INPUT).",
+        (Guard::Full, false) => "Guard full: what is measured is finite, or the call is refused (INPUT).",
+        (Guard::Result | Guard::None, true) => "Guard none: finite measurements and valid pointers are the responsibility of the caller.",
+        (Guard::Result | Guard::None, false) => "Guard none: finite measurements are the responsibility of the caller.",
     }.to_owned());
     lines
 }

@@ -11,7 +11,7 @@ use super::{Controller, Declared, File, Language, Target, declared, header, name
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Subject};
 use crate::parameter::{Parameter, Precision};
-use crate::program::{Input, Op};
+use crate::program::{Input, Op, Program};
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 pub(super) const TARGET: Target = Target {
@@ -39,13 +39,12 @@ const WORDS: &str = "
     var_in_out var_input var_output var_temp wchar while with word wstring xor
 ";
 
-fn is_word(word: &str) -> bool {
+pub(super) fn is_word(word: &str) -> bool {
     let word = word.to_lowercase();
     WORDS.split_whitespace().any(|one| one == word)
 }
 
-fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
-    let spec = controller.spec();
+fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
     if spec.what == What::Associated {
         found.push(
             "unsupported",
@@ -81,7 +80,7 @@ fn refuse(controller: &Controller<'_>, found: &mut Diagnostics) {
     let absent = [Function::Sinh, Function::Cosh, Function::Tanh, Function::Atanh];
     for function in absent {
         let calls = |op: &Op| matches!(op, Op::Call(called, _) if *called == function);
-        if controller.program.values.iter().any(|value| calls(&value.op)) {
+        if program.is_some_and(|p| p.values.iter().any(|value| calls(&value.op))) {
             let (name, key) = (function.name(), key_of(spec, function));
             found.push(
                 "unsupported",
@@ -137,7 +136,7 @@ fn files(controller: &Controller<'_>) -> Vec<File> {
             .into_iter()
             .map(|(name, kind)| Variable { name, kind: kind.text(real) })
             .collect::<Vec<_>>(),
-        greatest: syntax.greatest(),
+        greatest: greatest(spec.precision),
         huge: syntax.literal(if spec.precision == Precision::F32 { "1e38" } else { "1e308" }),
         divides,
         frame: &frame,
@@ -169,6 +168,30 @@ struct Variable {
     kind: String,
 }
 
+/// A literal with its type, for controllers differ in the one that a bare number has.
+pub(super) fn literal(text: &str, precision: Precision) -> String {
+    let (real, text) = match precision {
+        Precision::F32 => ("REAL", print::through_double(text)),
+        Precision::F64 => ("LREAL", text.to_owned()),
+    };
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, ""));
+    let point = if digits.contains('.') { "" } else { ".0" };
+    let sign = if exponent.starts_with('-') { "" } else { "+" };
+    match exponent {
+        "" => format!("{real}#{digits}{point}"),
+        _ => format!("{real}#{digits}{point}E{sign}{exponent}"),
+    }
+}
+
+/// The greatest finite number.
+pub(super) fn greatest(precision: Precision) -> String {
+    let digits = match precision {
+        Precision::F32 => "3.4028235e38",
+        Precision::F64 => "1.7976931348623157e308",
+    };
+    literal(digits, precision)
+}
+
 pub(super) struct StructuredText<'a> {
     spec: &'a Spec,
     name: String,
@@ -190,14 +213,6 @@ impl<'a> StructuredText<'a> {
         self.declared.borrow_mut().insert(name.to_owned(), kind);
     }
 
-    /// The greatest finite number.
-    fn greatest(&self) -> String {
-        self.literal(match self.spec.precision {
-            Precision::F32 => "3.4028235e38",
-            Precision::F64 => "1.7976931348623157e308",
-        })
-    }
-
     fn array(&self, name: &str, values: &[String]) -> Vec<String> {
         self.declare(name, Kind::Array(values.len()));
         let numbered = values.iter().enumerate();
@@ -215,19 +230,8 @@ impl Syntax for StructuredText<'_> {
         name.chars().map(letter).collect()
     }
 
-    /// With its type, for controllers differ in the one that a bare number has.
     fn literal(&self, text: &str) -> String {
-        let text = match self.spec.precision {
-            Precision::F32 => print::through_double(text),
-            Precision::F64 => text.to_owned(),
-        };
-        let (digits, exponent) = text.split_once('e').unwrap_or((&text, ""));
-        let point = if digits.contains('.') { "" } else { ".0" };
-        let sign = if exponent.starts_with('-') { "" } else { "+" };
-        match exponent {
-            "" => format!("{}#{digits}{point}", self.real),
-            _ => format!("{}#{digits}{point}E{sign}{exponent}", self.real),
-        }
+        literal(text, self.spec.precision)
     }
 
     fn field(&self, name: &str) -> String {
@@ -243,7 +247,7 @@ impl Syntax for StructuredText<'_> {
     }
 
     fn finite(&self, name: &str) -> String {
-        format!("(ABS({name}) <= {})", self.greatest())
+        format!("(ABS({name}) <= {})", greatest(self.spec.precision))
     }
 
     fn call(&self, function: &str, arguments: &[String]) -> String {

@@ -15,7 +15,7 @@ from blark import transform as st
 from blark.parse import parse_source_code
 
 REALS = {"lreal": np.float64, "real": np.float32}
-TYPES = {**REALS, "bool": bool, "int": int, "dint": int}
+TYPES = {**REALS, "bool": bool, "int": int, "dint": int, "udint": np.uint32}
 OPERATORS = {"=": "==", "<>": "!=", "and": "and", "or": "or"}
 
 
@@ -29,8 +29,25 @@ STANDARD = {
 }
 
 
+CONVERSIONS = {"udint_to_lreal": np.float64, "udint_to_real": np.float32}
+
+
 class Wrong(Exception):
     """What the text does is outside the subset, or breaks its rules."""
+
+
+def counted(operator: str, a: Any, b: Any) -> Any:
+    """An operation where counts take part, which must not overflow: what becomes of them then depends
+    on the controller."""
+    if type(a) is not type(b):
+        raise Wrong(f"{operator} of a {type(a).__name__} and a {type(b).__name__}")
+    if isinstance(a, np.uint32):
+        a, b = int(a), int(b)
+        result = {"+": a + b, "-": a - b, "*": a * b, "/": a // max(b, 1)}[operator]
+        if not 0 <= result < 2**32 or (operator == "/" and b == 0):
+            raise Wrong(f"{a} {operator} {b} is no count")
+        return np.uint32(result)
+    return {"+": lambda: a + b, "-": lambda: a - b, "*": lambda: a * b, "/": lambda: a / b}[operator]()
 
 
 def same_type(value: Any, kind: Any, name: str) -> Any:
@@ -133,6 +150,9 @@ class Unit:
     def call(self, function: str, *arguments: Any) -> Any:
         if any(argument is None for argument in arguments):
             raise Wrong(f"{function} is given a value that was never set")
+        if function in CONVERSIONS:
+            (argument,) = arguments
+            return CONVERSIONS[function](same_type(argument, np.uint32, function))
         if function in STANDARD:
             result = STANDARD[function](*arguments)
             if type(result) is not type(arguments[0]):
@@ -171,7 +191,11 @@ class Unit:
             self.constants[name] = REALS[str(e.type_name).lower()](str(e.value))
             return name
         if isinstance(e, st.Integer):
-            return str(int(e.value))
+            if e.type_name is None:
+                return str(int(e.value))
+            name = f"number{len(self.constants)}"
+            self.constants[name] = TYPES[str(e.type_name).lower()](int(e.value))
+            return name
         if isinstance(e, st.Boolean):
             return str(str(e.value).lower() in ("true", "1"))
         if isinstance(e, st.ParenthesizedExpression):
@@ -181,7 +205,11 @@ class Unit:
             return f"({'not ' if operator == 'not' else operator}{self.expression(e.expr)})"
         if isinstance(e, st.BinaryOperation):
             operator = OPERATORS.get(str(e.op).lower(), str(e.op).lower())
-            return f"({self.expression(e.left)} {operator} {self.expression(e.right)})"
+            left, right = self.expression(e.left), self.expression(e.right)
+            if operator in ("+", "-", "*", "/") and np.uint32 in self.kinds.values():
+                self.constants["counted"] = counted
+                return f"counted({operator!r}, {left}, {right})"
+            return f"({left} {operator} {right})"
         if isinstance(e, st.FunctionCall):
             function = str(e.name.name).lower()
             arguments = [self.expression(p.value) for p in e.parameters]
@@ -228,5 +256,7 @@ class Unit:
             self.statements(s.statements.statements, depth + 1)
         elif isinstance(s, st.ExitStatement):
             self.line(depth, "break")
+        elif isinstance(s, st.ReturnStatement):
+            self.line(depth, "return")
         else:
             raise Wrong(f"a {type(s).__name__} is outside the subset")

@@ -1,20 +1,22 @@
 //! C99.
 
-use super::text::{Level, Lines, Text, length};
+use super::text::{Level, Lines, Text, bracketed, length};
 use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::File;
 use crate::parameter::Precision;
 
 struct C<'a> {
     code: &'a Code,
+    /// What the variable `status` holds, where it is known.
+    standing: Option<Status>,
     out: Lines,
 }
 
 /// The header and the source of a controller.
 pub(in crate::emit) fn files(code: &Code) -> Vec<File> {
     let name = &code.name;
-    let header = C { code, out: Lines::default() }.header();
-    let source = C { code, out: Lines::default() }.source();
+    let printer = || C { code, standing: None, out: Lines::default() };
+    let (header, source) = (printer().header(), printer().source());
     vec![
         File { name: format!("{name}.h"), text: header },
         File { name: format!("{name}.c"), text: source },
@@ -76,10 +78,6 @@ impl Text for C<'_> {
     }
 }
 
-fn bracketed(text: &str) -> String {
-    if text.contains(' ') { format!("({text})") } else { text.to_owned() }
-}
-
 impl C<'_> {
     fn type_of(&self, shape: Shape) -> &'static str {
         match (shape, self.code.precision) {
@@ -117,7 +115,7 @@ impl C<'_> {
             self.out.line(line);
         }
         self.out.line("#ifdef __cplusplus\nextern \"C\" {\n#endif\n");
-        self.out.line(STATUS);
+        self.out.line(include_str!("../../../templates/status.h.txt"));
         self.out.line("/* Run-time parameters. */");
         self.out.open(format!("typedef struct {name}_params {{"));
         for parameter in &code.parameters {
@@ -137,7 +135,9 @@ impl C<'_> {
         }
         self.out.close(format!("}} {name};"));
         self.out.line("");
-        self.out.line("/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */");
+        self.remark(
+            "Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched.",
+        );
         self.out.line(format!("{};", self.init_signature()));
         for function in &code.functions {
             self.out.line("");
@@ -146,16 +146,36 @@ impl C<'_> {
                 _ if function.failures.is_empty() => "",
                 _ => " On a negative status u is 0 and nothing has changed.",
             };
-            self.out.line(format!("/* {}{failed} */", function.about.trim_end()));
+            self.remark(&format!("{}{failed}", function.about.trim_end()));
             self.out.line(format!("{};", self.signature(function)));
         }
         self.out.line("\n#ifdef __cplusplus\n}\n#endif\n\n#endif");
         self.out.text()
     }
 
+    /// A comment, in as many lines as it needs.
+    fn remark(&mut self, text: &str) {
+        let line = format!("/* {text} */");
+        if self.out.has_room(&line) {
+            return self.out.line(line);
+        }
+        self.out.line("/*");
+        self.out.words(" * ", text);
+        self.out.line(" */");
+    }
+
     fn init_signature(&self) -> String {
         let name = &self.code.name;
-        format!("ptc_status {name}_init({name} *self, const {name}_params *params)")
+        self.declared("init", &[format!("{name} *self"), format!("const {name}_params *params")])
+    }
+
+    fn declared(&self, function: &str, list: &[String]) -> String {
+        let open = format!("ptc_status {}_{function}(", self.code.name);
+        let line = format!("{open}{})", list.join(", "));
+        match self.out.has_room(&format!("{line};")) {
+            true => line,
+            false => format!("{open}\n    {})", list.join(",\n    ")),
+        }
     }
 
     fn signature(&self, function: &Function) -> String {
@@ -176,7 +196,7 @@ impl C<'_> {
                 None => format!("{kind} *{result}"),
             });
         }
-        format!("ptc_status {name}_{}({})", function.name, list.join(", "))
+        self.declared(function.name, &list)
     }
 
     fn source(mut self) -> String {
@@ -188,6 +208,7 @@ impl C<'_> {
         self.out.line(self.init_signature());
         self.out.open("{");
         self.out.line("ptc_status status = PTC_E_PARAM;");
+        self.standing = Some(Status::Param);
         self.out.line("");
         let uses = !code.parameters.is_empty();
         if !uses {
@@ -214,6 +235,7 @@ impl C<'_> {
             false => function.failures.first().copied().unwrap_or(Status::Ok),
         };
         self.out.line(format!("ptc_status status = {};", word(first)));
+        self.standing = Some(first);
         self.out.line("");
         let may_fail = !function.failures.is_empty();
         let single: Vec<_> = function
@@ -277,13 +299,12 @@ impl C<'_> {
         match &function.status {
             Outcomes::One(status) => self.out.line(format!("status = {};", word(*status))),
             Outcomes::First(ways, last) => {
-                for (index, (test, status)) in ways.iter().enumerate() {
-                    let test = self.test(test);
+                for (index, (test, status)) in self.ways(ways).into_iter().enumerate() {
                     match index {
                         0 => self.out.open(format!("if ({test}) {{")),
                         _ => self.out.turn(format!("}} else if ({test}) {{")),
                     }
-                    self.out.line(format!("status = {};", word(*status)));
+                    self.out.line(format!("status = {};", word(status)));
                 }
                 self.out.turn("} else {");
                 self.out.line(format!("status = {};", word(*last)));
@@ -297,15 +318,18 @@ impl C<'_> {
         let Some((first, rest)) = statements.split_first() else { return then(self) };
         match first {
             Statement::Require(test, status) => {
-                let test = self.test(test);
-                let test = test
-                    .strip_prefix('(')
-                    .and_then(|t| t.strip_suffix(')'))
-                    .filter(|t| !t.contains("&&"))
-                    .unwrap_or(&test)
-                    .to_owned();
-                self.out.line(format!("status = {};", word(*status)));
-                self.out.open(format!("if ({test}) {{"));
+                if self.standing != Some(*status) {
+                    self.out.line(format!("status = {};", word(*status)));
+                    self.standing = Some(*status);
+                }
+                let mut parts = self.parts(test);
+                if let [only] = parts.as_mut_slice() {
+                    // The brackets of the statement are enough.
+                    let bare = only.strip_prefix('(').and_then(|t| t.strip_suffix(')'));
+                    *only = bare.unwrap_or(only).to_owned();
+                }
+                let line = self.out.joined("if (", &parts, ("&&", "\n    && "), ") {");
+                self.out.open(line);
                 self.block(rest, then);
                 self.out.close("}");
                 return;
@@ -357,7 +381,7 @@ impl C<'_> {
                 self.out.line(format!("{place} = {value};"));
             }
             Statement::Note(text) => {
-                self.out.line("");
+                self.out.gap();
                 self.out.line(format!("/* {text} */"));
             }
             Statement::If(..) | Statement::Require(..) => {}
@@ -377,19 +401,3 @@ fn word(status: Status) -> &'static str {
         Status::Range => "PTC_E_RANGE",
     }
 }
-
-const STATUS: &str = "\
-#ifndef PTC_STATUS_DEFINED
-#define PTC_STATUS_DEFINED
-/* Outcome of a call; a negative one leaves *u = 0. */
-typedef enum ptc_status {
-    PTC_OK = 0,        /* tracking */
-    PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
-    PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
-    PTC_AFTER = 3,     /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
-    PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
-    PTC_E_RANGE = -3   /* u not finite */
-} ptc_status;
-#endif
-";

@@ -1,7 +1,10 @@
 //! Rust: `no_std`, no allocation, no panic, no unsafe code.
 
-use super::text::{Level, Lines, Text, length};
-use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
+use super::block::{Block, Branch};
+use super::text::{Level, Lines, Text, bracketed, length};
+use crate::code::{
+    Access, Code, Expr, Function, Outcomes, Place, Shape, Statement, Status, Test, Variable,
+};
 use crate::emit::{File, rust::module_text};
 use crate::parameter::{Precision, type_name};
 
@@ -56,7 +59,7 @@ impl Text for Rust<'_> {
 
     fn real(&self, count: &str) -> (Level, String) {
         // In brackets wherever it is compared: `<` behind a type opens its arguments.
-        (Level::Choice, format!("{count} as {}", self.type_of(Shape::Real)))
+        (Level::Choice, format!("{} as {}", bracketed(count), self.type_of(Shape::Real)))
     }
 
     fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
@@ -72,6 +75,65 @@ impl Text for Rust<'_> {
     }
 }
 
+impl Block for Rust<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "if ", turn: "} else if ", then: " {", otherwise: "} else {", end: "}" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("// ", "")
+    }
+
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        format!("let {name} = {value};")
+    }
+
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        Some(format!("let {name}: {};", self.type_of(shape)))
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    /// A choice is a block each way where rustfmt makes it one.
+    fn value(&self, value: &Expr) -> String {
+        let text = self.alone(value);
+        match value {
+            Expr::Choose(test, yes, no) if text.len() > CHOICE => {
+                let (test, yes, no) = (self.test(test), self.alone(yes), self.alone(no));
+                format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
+            }
+            _ => text,
+        }
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let line = self.unless("!", test, "\n    && ", " {");
+        let line = if line.contains('\n') { line.replace(") {", ")\n{") } else { line };
+        self.out.open(line);
+        self.out.line(format!("return Err({}Error::{});", self.runtime, name(status)));
+        self.out.close("}");
+    }
+}
+
+/// Columns of an array in one line.
+const ARRAY: usize = 58;
+
+/// Columns of the fields of a structure in one line.
+const FIELDS: usize = 18;
+
+/// Columns of a choice in one line.
+const CHOICE: usize = 50;
+
 impl Rust<'_> {
     fn type_of(&self, shape: Shape) -> String {
         let real = if self.code.precision == Precision::F32 { "f32" } else { "f64" };
@@ -86,6 +148,9 @@ impl Rust<'_> {
         self.out.line(format!("/// {about}"));
         self.out.line("#[derive(Clone, Copy, Debug, PartialEq)]");
         self.out.line("#[allow(non_snake_case)]");
+        if members.is_empty() {
+            return self.out.line(format!("pub struct {name} {{}}\n"));
+        }
         self.out.open(format!("pub struct {name} {{"));
         for member in members {
             let kind = self.type_of(member.shape);
@@ -103,14 +168,14 @@ impl Rust<'_> {
         let about = format!("Run-time parameters of [`{kind}`].");
         self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
         self.structure(&kind, "Prescribed-time controller in samples.", &code.fields, false);
-        self.out.line("#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]");
+        self.out.line(ALLOWED);
         self.out.open(format!("impl {kind} {{"));
         self.out.line("/// Takes the parameters and arms at tick 0.");
         self.out.line("///");
         self.out.line("/// # Errors");
         self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.");
-        self.out
-            .open(format!("pub fn new(params: {kind}Params) -> Result<Self, {runtime}Error> {{"));
+        let result = format!(" -> Result<Self, {runtime}Error>");
+        self.signature("new", &[format!("params: {kind}Params")], &result);
         let mut fields = Vec::new();
         for statement in &code.init {
             match statement {
@@ -121,11 +186,15 @@ impl Rust<'_> {
                 other => self.statement(other),
             }
         }
-        self.out.open("Ok(Self {");
-        for field in fields {
-            self.out.line(format!("{field},"));
+        if fields.join(", ").len() <= FIELDS {
+            self.out.line(format!("Ok(Self {{ {} }})", fields.join(", ")));
+        } else {
+            self.out.open("Ok(Self {");
+            for field in fields {
+                self.out.line(format!("{field},"));
+            }
+            self.out.close("})");
         }
-        self.out.close("})");
         self.out.close("}");
         for function in &code.functions {
             self.function(function);
@@ -157,7 +226,7 @@ impl Rust<'_> {
             (false, false) => format!(" -> {value}"),
         };
         self.out.line("");
-        self.out.line(format!("/// {}", doc(function.about.trim_end())));
+        self.out.words("/// ", &doc(&function.about));
         if fails {
             let errors = function.failures.iter().map(|status| match status {
                 Status::Input => "`Input`: an argument is not finite.",
@@ -169,12 +238,22 @@ impl Rust<'_> {
             }
         }
         self.out.line("#[inline]");
-        self.out.open(format!("pub fn {}({}){result} {{", function.name, list.join(", ")));
-        for statement in &function.body {
-            self.statement(statement);
-        }
+        self.signature(function.name, &list, &result);
+        self.block(&function.body);
         self.finish(function, fails);
         self.out.close("}");
+    }
+
+    fn signature(&mut self, name: &str, list: &[String], result: &str) {
+        let line = format!("pub fn {name}({}){result} {{", list.join(", "));
+        if self.out.has_room(&line) {
+            return self.out.open(line);
+        }
+        self.out.open(format!("pub fn {name}("));
+        for argument in list {
+            self.out.line(format!("{argument},"));
+        }
+        self.out.turn(format!("){result} {{"));
     }
 
     fn finish(&mut self, function: &Function, fails: bool) {
@@ -182,6 +261,9 @@ impl Rust<'_> {
         let values: Vec<_> = given.values.iter().map(|value| self.alone(value)).collect();
         if function.name != "step" {
             let value = match length(given.variable.shape) {
+                Some(_) if values.join(", ").len() > ARRAY => {
+                    format!("[\n    {},\n]", values.join(",\n    "))
+                }
                 Some(_) => format!("[{}]", values.join(", ")),
                 None => values.join(", "),
             };
@@ -195,77 +277,44 @@ impl Rust<'_> {
                 self.out.line(format!("let status = {};", word(*status)));
             }
             Outcomes::First(ways, last) => {
-                for (index, (test, status)) in ways.iter().enumerate() {
-                    let test = self.test(test);
-                    match index {
-                        0 => self.out.open(format!("let status = if {test} {{")),
-                        _ => self.out.turn(format!("}} else if {test} {{")),
+                let ways = self.ways(ways);
+                let short = match ways.as_slice() {
+                    [(test, status)] => {
+                        format!("if {test} {{ {} }} else {{ {} }}", word(*status), word(*last))
                     }
-                    self.out.line(word(*status));
+                    _ => String::new(),
+                };
+                if (1..=CHOICE).contains(&short.len()) {
+                    self.out.line(format!("let status = {short};"));
+                } else {
+                    for (index, (test, status)) in ways.into_iter().enumerate() {
+                        match index {
+                            0 => self.out.open(format!("let status = if {test} {{")),
+                            _ => self.out.turn(format!("}} else if {test} {{")),
+                        }
+                        self.out.line(word(status));
+                    }
+                    self.out.turn("} else {");
+                    self.out.line(word(*last));
+                    self.out.close("};");
                 }
-                self.out.turn("} else {");
-                self.out.line(word(*last));
-                self.out.close("};");
             }
         }
         let u = if values[0] == "u" { "u".to_owned() } else { format!("u: {}", values[0]) };
         self.out.line(format!("Ok({runtime}Control {{ {u}, status }})"));
     }
-
-    fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Let(name, _, value) => {
-                let value = self.alone(value);
-                self.out.line(format!("let {name} = {value};"));
-            }
-            Statement::Variable(name, shape) => {
-                let kind = self.type_of(*shape);
-                self.out.line(format!("let {name}: {kind};"));
-            }
-            Statement::Set(place, value) => {
-                let value = self.alone(value);
-                let place = match place {
-                    Place::Local(name) => name.clone(),
-                    Place::Field(name) => self.field(name),
-                };
-                self.out.line(format!("{place} = {value};"));
-            }
-            Statement::Require(test, status) => {
-                let (test, runtime) = (self.test(test), self.runtime);
-                self.out.open(format!("if !({test}) {{"));
-                self.out.line(format!("return Err({runtime}Error::{});", name(*status)));
-                self.out.close("}");
-            }
-            Statement::If(test, yes, no) => {
-                let text = self.test(test);
-                self.out.open(format!("if {text} {{"));
-                self.otherwise(yes, no);
-            }
-            Statement::Note(text) => self.out.line(format!("// {text}")),
-        }
-    }
-
-    fn otherwise(&mut self, yes: &[Statement], no: &[Statement]) {
-        for statement in yes {
-            self.statement(statement);
-        }
-        match no {
-            [] => {}
-            [Statement::If(test, yes, no)] => {
-                let text = self.test(test);
-                self.out.turn(format!("}} else if {text} {{"));
-                return self.otherwise(yes, no);
-            }
-            no => {
-                self.out.turn("} else {");
-                for statement in no {
-                    self.statement(statement);
-                }
-            }
-        }
-        self.out.close("}");
-    }
 }
+
+/// What the lints need not judge: names and shape follow the formulas.
+const ALLOWED: &str = "\
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]";
 
 /// Text as rustdoc, which takes brackets for links.
 fn doc(text: &str) -> String {

@@ -1,6 +1,6 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
-use crate::code::{Expr, Operator, Shape, Test};
+use crate::code::{Expr, Operator, Shape, Status, Test};
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -31,6 +31,11 @@ pub(in crate::emit) trait Text {
 
     /// A literal count.
     fn count(&self, count: u32) -> String;
+
+    /// A local value or an argument.
+    fn local(&self, name: &str) -> String {
+        name.to_owned()
+    }
 
     /// A field of the controller.
     fn field(&self, name: &str) -> String;
@@ -64,6 +69,25 @@ pub(in crate::emit) trait Text {
     /// What stands between tests that must all hold.
     fn and(&self) -> &'static str;
 
+    /// What stands between tests one of which must hold.
+    fn or(&self) -> &'static str {
+        "||"
+    }
+
+    /// The tests that settle a status, those of the same status together.
+    fn ways(&self, ways: &[(Test, Status)]) -> Vec<(String, Status)> {
+        let same = ways.chunk_by(|a, b| a.1 == b.1);
+        let joined = same.map(|ways| match ways {
+            [(test, status)] => (self.test(test), *status),
+            several => {
+                let each: Vec<_> =
+                    several.iter().map(|(test, _)| format!("({})", self.test(test))).collect();
+                (each.join(&format!(" {} ", self.or())), several[0].1)
+            }
+        });
+        joined.collect()
+    }
+
     /// What compares for equality.
     fn equal(&self) -> &'static str {
         "=="
@@ -81,8 +105,8 @@ pub(in crate::emit) trait Text {
                 }
             }
             Expr::Count(count) => (Level::Atom, self.count(*count)),
-            Expr::Local(name) => (Level::Atom, name.clone()),
-            Expr::Element(name, index) => (Level::Atom, self.element(name, *index)),
+            Expr::Local(name) => (Level::Atom, self.local(name)),
+            Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
             Expr::Field(name) => (Level::Atom, self.field(name)),
             Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
             Expr::ParameterElement(name, index) => {
@@ -132,24 +156,27 @@ pub(in crate::emit) trait Text {
 
     /// A test.
     fn test(&self, test: &Test) -> String {
+        self.parts(test).join(&format!(" {} ", self.and()))
+    }
+
+    /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
+    fn parts(&self, test: &Test) -> Vec<String> {
         let two = |a: &Expr, sign: &str, b: &Expr| {
-            format!("{} {sign} {}", self.within(a, Level::Sum), self.within(b, Level::Sum))
+            vec![format!("{} {sign} {}", self.within(a, Level::Sum), self.within(b, Level::Sum))]
         };
         match test {
             Test::Less(a, b) | Test::CountLess(a, b) => two(a, "<", b),
             Test::AtMost(a, b) => two(a, "<=", b),
             Test::CountEqual(a, b) => two(a, self.equal(), b),
-            Test::Finite(a) => self.finite(&self.within(a, Level::Atom)),
-            Test::All(tests) => match tests.as_slice() {
-                [only] => self.test(only),
-                all => {
-                    let each = all.iter().map(|test| match test {
-                        Test::Finite(_) => self.test(test),
-                        _ => format!("({})", self.test(test)),
-                    });
-                    each.collect::<Vec<_>>().join(&format!(" {} ", self.and()))
-                }
-            },
+            Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
+            Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
+            Test::All(tests) => {
+                let part = |test: &Test| match test {
+                    Test::Finite(_) => self.parts(test),
+                    _ => vec![format!("({})", self.test(test))],
+                };
+                tests.iter().flat_map(part).collect()
+            }
         }
     }
 }
@@ -159,20 +186,70 @@ pub(in crate::emit) trait Text {
 pub(in crate::emit) struct Lines {
     lines: Vec<String>,
     depth: usize,
+    /// Whether the last line opens a block.
+    opened: bool,
 }
 
+/// Columns of a line.
+const WIDTH: usize = 100;
+
 impl Lines {
-    /// A line at the present depth.
+    /// A line at the present depth, or several, each with what it is indented further.
     pub(in crate::emit) fn line(&mut self, text: impl AsRef<str>) {
-        let text = text.as_ref();
-        let pad = if text.is_empty() { String::new() } else { "    ".repeat(self.depth) };
-        self.lines.push(format!("{pad}{text}"));
+        for line in text.as_ref().split('\n') {
+            let pad = if line.is_empty() { String::new() } else { "    ".repeat(self.depth) };
+            self.lines.push(format!("{pad}{line}"));
+        }
+        self.opened = false;
+    }
+
+    /// An empty line, but behind the line that opens a block.
+    pub(in crate::emit) fn gap(&mut self) {
+        if !self.opened {
+            self.line("");
+        }
+    }
+
+    /// Whether a line at the present depth has room for `text`.
+    pub(in crate::emit) fn has_room(&self, text: &str) -> bool {
+        4 * self.depth + text.len() <= WIDTH
+    }
+
+    /// Words in as many lines as they need, each behind `prefix`.
+    pub(in crate::emit) fn words(&mut self, prefix: &str, text: &str) {
+        let mut line = String::new();
+        for word in text.split_whitespace() {
+            if !line.is_empty() && !self.has_room(&format!("{prefix}{line} {word}")) {
+                self.line(format!("{prefix}{line}"));
+                line.clear();
+            }
+            line.push_str(if line.is_empty() { "" } else { " " });
+            line.push_str(word);
+        }
+        self.line(format!("{prefix}{line}"));
+    }
+
+    /// `parts` between `before` and `behind`: in one line, or a line for each part, with `joint`
+    /// between them.
+    pub(in crate::emit) fn joined(
+        &self,
+        before: &str,
+        parts: &[String],
+        (and, joint): (&str, &str),
+        behind: &str,
+    ) -> String {
+        let line = format!("{before}{}{behind}", parts.join(&format!(" {and} ")));
+        match self.has_room(&line) || parts.len() < 2 {
+            true => line,
+            false => format!("{before}{}{behind}", parts.join(joint)),
+        }
     }
 
     /// A line behind which a block opens.
     pub(in crate::emit) fn open(&mut self, text: impl AsRef<str>) {
         self.line(text);
         self.depth += 1;
+        self.opened = true;
     }
 
     /// Ends a block with a line.
@@ -181,10 +258,16 @@ impl Lines {
         self.line(text);
     }
 
+    /// Ends a block without a line.
+    pub(in crate::emit) fn leave(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
+    }
+
     /// Ends a block and opens the next one, with a line between them.
     pub(in crate::emit) fn turn(&mut self, text: impl AsRef<str>) {
         self.close(text);
         self.depth += 1;
+        self.opened = true;
     }
 
     /// The text.
@@ -199,4 +282,9 @@ pub(in crate::emit) fn length(shape: Shape) -> Option<usize> {
         Shape::Reals(length) => Some(length),
         Shape::Real | Shape::Count => None,
     }
+}
+
+/// A text of several words in brackets.
+pub(in crate::emit) fn bracketed(text: &str) -> String {
+    if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }

@@ -10,8 +10,10 @@ use super::c;
 use super::example::Example;
 use super::frame::{Frame, Requirement, literal, parameter_text};
 use super::{Controller, File, Language, Target, stands_alone, text_of, tidy};
+use crate::diagnostic::Diagnostics;
 use crate::parameter::{Fixed, Parameter, Precision};
-use crate::program::number;
+use crate::program::{Program, number};
+use crate::request::Spec;
 use variables::{Unit, Variable};
 
 /// A version of the interface.
@@ -59,9 +61,18 @@ pub(super) const TARGET_3: Target = Target {
     about: "one after FMI 3.0",
     comment: ("/* ", " */"),
     is_word: |word| matches!(word, "time" | "u" | "time_to_go" | "status"),
-    refuse: |controller, found| stands_alone(controller.spec(), "an FMU", found),
+    refuse,
     files: |controller| files(controller, Version::Three),
 };
+
+fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
+    if spec.sampled().is_some() {
+        let message = "an FMU is given its time, and has no clock in samples";
+        let help = "leave `clock` out, or emit another language and count the ticks in the model";
+        found.push("unsupported", "clock", None, message, help);
+    }
+    stands_alone(spec, "an FMU", found);
+}
 
 /// The files of the FMU of a controller, by their paths in it, without a binary.
 fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {

@@ -1,0 +1,170 @@
+//! Short lines: parts of a long value get names of their own. Each operation stays what it is, in the
+//! order it has, so that no bit changes.
+
+use std::collections::BTreeSet;
+
+use crate::code::{Code, Expr, Operator, Outcomes, Shape, Statement, Test};
+use crate::parameter::Precision;
+use crate::program::number;
+
+/// Longest value, in characters of a plain notation.
+const WIDTH: usize = 56;
+
+/// The same program in short lines.
+pub(in crate::emit) fn short(mut code: Code) -> Code {
+    let precision = code.precision;
+    code.init = Short::new(precision, &code.init).block(std::mem::take(&mut code.init));
+    for function in &mut code.functions {
+        let body = std::mem::take(&mut function.body);
+        let mut short = Short::new(precision, &body);
+        short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
+        function.body = short.block(body);
+        if let Outcomes::First(ways, _) = &mut function.status {
+            // What the same test has settled before is never reached.
+            let mut seen = Vec::new();
+            ways.retain(|(test, _)| {
+                let first = !seen.contains(test);
+                seen.push(test.clone());
+                first
+            });
+        }
+    }
+    code
+}
+
+struct Short {
+    precision: Precision,
+    used: BTreeSet<String>,
+    count: usize,
+}
+
+impl Short {
+    fn new(precision: Precision, body: &[Statement]) -> Self {
+        let mut used = BTreeSet::new();
+        names(body, &mut used);
+        Self { precision, used, count: 0 }
+    }
+
+    fn block(&mut self, statements: Vec<Statement>) -> Vec<Statement> {
+        let mut out = Vec::new();
+        for statement in statements {
+            let statement = match statement {
+                Statement::Let(name, shape, value) => {
+                    Statement::Let(name, shape, self.whole(value, &mut out))
+                }
+                Statement::Set(place, value) => Statement::Set(place, self.whole(value, &mut out)),
+                Statement::If(test, yes, no) => {
+                    let (yes, no) = (self.block(yes), self.block(no));
+                    Statement::If(test, yes, no)
+                }
+                other => other,
+            };
+            out.push(statement);
+        }
+        out
+    }
+
+    /// A value that is assigned; a choice may be all of it, but no part of an operation.
+    fn whole(&mut self, value: Expr, out: &mut Vec<Statement>) -> Expr {
+        match value {
+            Expr::Choose(mut test, yes, no) => {
+                let [yes, no] = [yes, no].map(|branch| {
+                    let short = self.operand((*branch).clone(), out);
+                    let short = match short {
+                        Expr::Binary(..) => self.named(short, out),
+                        short => short,
+                    };
+                    if let Test::Less(a, b) | Test::AtMost(a, b) = &mut *test {
+                        for side in [a, b].into_iter().filter(|side| **side == *branch) {
+                            *side = short.clone();
+                        }
+                    }
+                    Box::new(short)
+                });
+                Expr::Choose(test, yes, no)
+            }
+            value => self.value(value, out),
+        }
+    }
+
+    fn operand(&mut self, value: Expr, out: &mut Vec<Statement>) -> Expr {
+        let value = self.whole(value, out);
+        if matches!(value, Expr::Choose(..)) { self.named(value, out) } else { value }
+    }
+
+    fn value(&mut self, value: Expr, out: &mut Vec<Statement>) -> Expr {
+        match value {
+            Expr::Neg(a) => Expr::Neg(Box::new(self.operand(*a, out))),
+            Expr::Binary(operator, a, b) => {
+                let (mut a, mut b) = (self.operand(*a, out), self.operand(*b, out));
+                for _ in 0..2 {
+                    if self.width(&a) + self.width(&b) <= WIDTH {
+                        break;
+                    }
+                    let long = if self.width(&a) < self.width(&b) { &mut b } else { &mut a };
+                    let part = std::mem::replace(long, Expr::integer(0));
+                    *long = self.named(part, out);
+                }
+                Expr::Binary(operator, Box::new(a), Box::new(b))
+            }
+            other => other,
+        }
+    }
+
+    fn named(&mut self, value: Expr, out: &mut Vec<Statement>) -> Expr {
+        let name = loop {
+            self.count += 1;
+            let name = format!("s{}", self.count);
+            if self.used.insert(name.clone()) {
+                break name;
+            }
+        };
+        out.push(Statement::Let(name.clone(), Shape::Real, value));
+        Expr::Local(name)
+    }
+
+    fn width(&self, value: &Expr) -> usize {
+        match value {
+            Expr::Number(value) => {
+                number::literal(number::round(value, self.precision), self.precision).len()
+            }
+            Expr::Count(_) => 5,
+            Expr::Local(name) => name.len(),
+            Expr::Element(name, _) => name.len() + 3,
+            Expr::Field(name) => name.len() + 6,
+            Expr::Parameter(name) => name.len() + 8,
+            Expr::ParameterElement(name, _) => name.len() + 11,
+            Expr::Neg(a) | Expr::CountHalf(a) => self.width(a) + 4,
+            Expr::Real(a) => self.width(a) + 8,
+            Expr::Binary(operator, a, b) => {
+                let brackets = match operator {
+                    Operator::Add | Operator::Sub => 0,
+                    Operator::Mul | Operator::Div => [a, b]
+                        .iter()
+                        .filter(|side| {
+                            matches!(****side, Expr::Binary(Operator::Add | Operator::Sub, ..))
+                        })
+                        .count(),
+                };
+                self.width(a) + self.width(b) + 3 + 2 * brackets
+            }
+            Expr::CountSub(a, b) | Expr::CountLeft(a, b) => self.width(a) + self.width(b) + 20,
+            Expr::Choose(_, a, b) => self.width(a) + self.width(b) + 20,
+        }
+    }
+}
+
+fn names(statements: &[Statement], used: &mut BTreeSet<String>) {
+    for statement in statements {
+        match statement {
+            Statement::Let(name, ..) | Statement::Variable(name, _) => {
+                used.insert(name.clone());
+            }
+            Statement::If(_, yes, no) => {
+                names(yes, used);
+                names(no, used);
+            }
+            _ => {}
+        }
+    }
+}

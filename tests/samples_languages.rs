@@ -1,0 +1,279 @@
+//! Controllers in samples: every language gives the bits of the interpreter, for odd parameters,
+//! measurements and ticks too. Python needs NumPy and Structured Text blark (`PYTHON` names an
+//! interpreter that has them), MATLAB is run by GNU Octave; where one is not there, it is left out.
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::emit::Language;
+use ptc_codegen::request::Spec;
+use ptc_codegen::samples;
+use support::folder;
+use support::random::Random;
+use support::sampled::{
+    Call, Design, LANGUAGES, in_c, in_cpp, in_octave, in_python, in_rust, in_structured_text,
+    script,
+};
+use support::specs::spec;
+
+/// Calls of `init` for each design, and steps for each of them.
+const INITS: usize = 12;
+const STEPS: usize = 14;
+
+type Keys = &'static [(&'static str, &'static str)];
+
+const DESIGNS: [Keys; 12] = [
+    &[("n", "1"), ("mu", "exp")],
+    &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
+    &[
+        ("n", "3"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5,-6"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.02"),
+        ("u_max", "inf"),
+        ("guard", "none"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5,-6"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.04"),
+        ("delay", "1"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("observer_samples", "20"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=2)"),
+        ("precision", "f32"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("after", "zero"),
+    ],
+    &[("n", "4"), ("mu", "exp"), ("delay", "2"), ("eps", "0.01"), ("guard", "none")],
+    &[
+        ("n", "3"),
+        ("mu", "exp(a=0.7)"),
+        ("measured", "x1,x2"),
+        ("observer_poles", "-4,-5.3"),
+        ("sample_time", "2e-3"),
+        ("g", "2"),
+        ("f", "0.5"),
+    ],
+    &[
+        ("n", "1"),
+        ("mu", "exp(a=1)"),
+        ("precision", "f32"),
+        ("gains", "3"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5"),
+        ("guard", "none"),
+    ],
+    &[
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("poles", "-4,-5"),
+        ("sample_time", "1e-3"),
+        ("tau", "0.03"),
+        ("eps", "0.005"),
+        ("after", "zero"),
+        ("u_max", "3"),
+    ],
+    &[
+        ("n", "3"),
+        ("mu", "exp(a=1)"),
+        ("delay", "1"),
+        ("measured", "x1"),
+        ("observer_poles", "-4,-5,-6"),
+        ("observer_eps", "0.01"),
+        ("eps", "0.02"),
+        ("u_max", "1e3"),
+    ],
+    &[("n", "2"), ("mu", "exp(a=1.3)"), ("deadbeat", "20"), ("precision", "f32")],
+    &[
+        ("n", "4"),
+        ("mu", "exp(a=1)"),
+        ("precision", "f32"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7,-8"),
+        ("sample_time", "0.01"),
+    ],
+];
+
+/// A name of its own, long for one of them, so that its signatures are.
+fn named(index: usize, keys: Keys) -> Spec {
+    let name = match index {
+        4 => format!("a_name_that_fills_half_of_a_line_alone_{index}"),
+        _ => format!("stage{index}"),
+    };
+    spec(&[keys, &[("clock", "samples"), ("name", name.as_str())]].concat())
+}
+
+fn designs(folder: &std::path::Path) -> Vec<Design> {
+    let mut designs = Vec::new();
+    for (index, keys) in DESIGNS.into_iter().enumerate() {
+        let report = examine(&named(index, keys)).accepted().expect("a legal design");
+        let sampled = report.spec.sampled().expect("a clock in samples");
+        // Without the passes that only shorten lines.
+        let code = samples::controller(&report.spec, sampled, Vec::new());
+        let home = folder.join(index.to_string());
+        fs::create_dir_all(&home).expect("a folder");
+        for language in LANGUAGES {
+            support::write(&home, &report.spec, language);
+        }
+        designs.push(Design { code, folder: home });
+    }
+    designs
+}
+
+/// Mostly of the size of 1, sometimes anything.
+fn value(random: &mut Random, odd: u64) -> f64 {
+    const ODD: [f64; 12] = [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        1e300,
+        -1e300,
+        1e-300,
+        0.0,
+        -0.0,
+        3e38,
+        1e40,
+        -1e19,
+        5e-324,
+    ];
+    match random.below(odd) {
+        0 => ODD[random.below(ODD.len() as u64) as usize],
+        _ => random.between(-2.0, 2.0),
+    }
+}
+
+fn calls(design: &Design, random: &mut Random) -> Vec<Call> {
+    let mut calls = Vec::new();
+    let length = design.numbers();
+    let legal = |random: &mut Random| -> Vec<f64> {
+        let mut values = Vec::new();
+        for parameter in &design.code.parameters {
+            use ptc_codegen::code::Shape;
+            match (parameter.shape, parameter.name.as_str()) {
+                (Shape::Count, _) => values.push(40.0),
+                (Shape::Reals(n), _) => values.extend((0..n).map(|i| 6.0 + i as f64)),
+                (_, "h") => values.push(random.between(0.004, 0.014)),
+                (_, "deadbeat") => values.push(0.0),
+                _ => values.push(random.between(0.5, 3.5)),
+            }
+        }
+        values
+    };
+    for round in 0..INITS {
+        let mut values = legal(random);
+        if round > 0 && length > 0 && round % 2 == 0 {
+            let at = random.below(length as u64) as usize;
+            let mut names = Vec::new();
+            for parameter in &design.code.parameters {
+                let n = support::sampled::length(parameter.shape);
+                names.extend(vec![parameter.shape == ptc_codegen::code::Shape::Count; n]);
+            }
+            // A count has no fraction and no sign.
+            values[at] = match names[at] {
+                true => [0.0, 1.0, 7.0, 4294967295.0][random.below(4) as usize],
+                false => value(random, 2),
+            };
+        }
+        calls.push(Call::Init(values));
+        let start = [0, 5, u32::MAX - 7, 1 << 31][random.below(4) as usize];
+        if random.below(3) > 0 {
+            calls.push(Call::Arm(start));
+        }
+        let mut k = start;
+        for _ in 0..STEPS {
+            let measured = design.measured();
+            let x = (0..measured).map(|_| value(random, 9)).collect();
+            calls.push(Call::Step(k, x));
+            k = match random.below(8) {
+                0 => k.wrapping_add(random.below(1 << 32) as u32),
+                1 => k.wrapping_sub(1),
+                _ => k.wrapping_add(1 + random.below(4) as u32),
+            };
+        }
+    }
+    calls
+}
+
+#[test]
+fn every_language_gives_the_bits_of_the_interpreter() {
+    let folder = folder("samples_languages");
+    let designs = designs(&folder);
+    let mut random = Random(7);
+    let calls: Vec<_> = designs.iter().map(|design| calls(design, &mut random)).collect();
+    fs::write(folder.join("script"), script(&calls)).expect("a script");
+    let wanted: Vec<Vec<String>> =
+        designs.iter().zip(&calls).map(|(design, calls)| design.interpreted(calls)).collect();
+    let found = [
+        (Language::C, Some(in_c(&folder, &designs))),
+        (Language::Cpp, Some(in_cpp(&folder, &designs))),
+        (Language::Rust, Some(in_rust(&folder, &designs))),
+        (Language::Python, in_python(&folder, &designs)),
+        (Language::Matlab, in_octave(&folder, &designs)),
+        (Language::StructuredText, in_structured_text(&folder, &designs)),
+    ];
+    for (language, found) in found {
+        let name = language.name();
+        let Some(found) = found else {
+            eprintln!("{name}: not there, left out");
+            continue;
+        };
+        let mut found = found.iter();
+        for (index, (wanted, calls)) in wanted.iter().zip(&calls).enumerate() {
+            let answered = calls.iter().filter(|call| !matches!(call, Call::Arm(_)));
+            for (wanted, call) in wanted.iter().zip(answered) {
+                let found = found.next().map(String::as_str);
+                assert_eq!(found, Some(wanted.as_str()), "{name}, design {index}: {call:?}");
+            }
+        }
+        assert_eq!(found.next(), None, "{name} answers more than it is asked");
+    }
+    let mut statuses = BTreeMap::new();
+    for line in wanted.iter().flatten() {
+        let status = line.split(' ').take(2).collect::<Vec<_>>().join(" ");
+        *statuses.entry(status).or_insert(0) += 1;
+    }
+    println!("{statuses:?}");
+    for status in ["I 0", "I -1", "S 0", "S 1", "S 2", "S 3", "S -2", "S -3"] {
+        assert!(statuses.get(status).is_some_and(|count| *count > 10), "{status}: {statuses:?}");
+    }
+}
+
+/// What is refused, by key and a part of the message.
+#[test]
+fn what_a_language_cannot_say_is_refused() {
+    let of = |name: &str| {
+        let keys = [("n", "2"), ("mu", "exp"), ("clock", "samples"), ("name", name)];
+        spec(&keys)
+    };
+    let cases = [
+        (Language::Fmu3, of("stage"), "clock", "no clock in samples"),
+        (Language::Fmu2, of("stage"), "clock", "no clock in samples"),
+        (Language::Python, of("lambda"), "name", "meaning of its own in python"),
+        (Language::Cpp, of("concept"), "name", "meaning of its own in cpp"),
+        (Language::Matlab, of("end"), "name", "meaning of its own in matlab"),
+        (Language::StructuredText, of("limit"), "name", "meaning of its own in st"),
+        (Language::StructuredText, of("a__b"), "name", "no identifier in st"),
+    ];
+    for (language, spec, key, message) in cases {
+        let found = ptc_codegen::generate(&spec, language).expect_err(message);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].key == key && found[0].message.contains(message), "{found:?}");
+        assert!(!found[0].help.is_empty());
+        assert!(ptc_codegen::generate(&spec, Language::C).is_ok(), "{message}");
+    }
+}
