@@ -123,11 +123,17 @@ fn sampled<T>(spec: &Spec, emit: impl FnOnce(&Report) -> T) -> Result<T, Vec<Dia
 }
 
 /// Refuses a clock in samples for what knows time alone.
-fn needs_time(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
+pub(crate) fn needs_time(spec: &Spec, what: &str) -> Result<(), Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
     if spec.sampled().is_some() {
         let message = format!("{what} does not know a clock in samples yet");
-        found.push("clock", "clock", None, message, "leave `clock` out, or emit C or Rust");
+        found.push(
+            "clock",
+            "clock",
+            None,
+            message,
+            "leave `clock` out, or emit and simulate it alone",
+        );
     }
     found.finish(Some(()))
 }
@@ -146,6 +152,10 @@ fn emitted<T>(spec: &Spec, emit: impl FnOnce(&Controller<'_>) -> T) -> Result<T,
 /// The program after the pass called `name`, or as it was lowered where `name` is `lower`, as
 /// text; `None` where there is no such pass.
 pub fn dump(spec: &Spec, name: &str) -> Option<String> {
+    // A controller in samples has no staged program.
+    if spec.sampled().is_some() {
+        return None;
+    }
     let law = Law::of(spec);
     let lowered = lower::lower(spec, &law);
     if name == "lower" {

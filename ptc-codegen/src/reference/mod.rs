@@ -13,6 +13,7 @@ pub mod tolerance;
 
 use astro_float_num::BigFloat;
 
+use crate::code;
 use crate::expression::{Expression, Variable};
 use crate::spec::{After, Domain, Feedback, Fixed, Parameter, Precision, Spec};
 use law::{Leaves, Term, larger};
@@ -45,6 +46,20 @@ pub enum Status {
     Saturated = 2,
     /// The deadline is over, and another law than the controller's gives u.
     After = 3,
+}
+
+impl From<code::Status> for Status {
+    fn from(status: code::Status) -> Self {
+        match status {
+            code::Status::Ok => Self::Ok,
+            code::Status::Hold => Self::Hold,
+            code::Status::Saturated => Self::Saturated,
+            code::Status::After => Self::After,
+            code::Status::Param => Self::Param,
+            code::Status::Input => Self::Input,
+            code::Status::Range => Self::Range,
+        }
+    }
 }
 
 impl Status {

@@ -356,7 +356,7 @@ impl Builder<'_> {
                 let sum = self.parameter(Parameter::Gain(order)).div(self.parameter(Parameter::A));
                 let last = integer(i64::try_from(order).unwrap_or(0));
                 let safe = sum.sub(Expr::Number(square)).add(Expr::Number(last.clone()));
-                let safe = safe.max(Expr::Number(last));
+                let safe = safe.max(Expr::Number(last * integer(2)));
                 let given = Expr::Parameter(Parameter::Deadbeat.key().to_owned());
                 Expr::choose(Test::Less(Expr::integer(0), given.clone()), given, safe)
             }

@@ -37,10 +37,11 @@ pub(super) fn deadbeat(m: usize) -> Vec<BigRational> {
 }
 
 /// Samples to go at which deadbeat takes over from the law of order `m`, by the greatest real part
-/// of the exponents p.
+/// of the exponents p: below, T^(p) changes its sign. Two rounds of deadbeat at least, since one
+/// leaves the roundings of what it found.
 pub(super) fn deadbeat_from(m: usize, greatest: &BigRational) -> BigInt {
     let order = BigInt::from(m);
-    (greatest.ceil().to_integer() + &order - BigInt::from(1)).max(order)
+    (greatest.ceil().to_integer() + &order - BigInt::from(1)).max(order * 2)
 }
 
 /// The Stirling number of the second kind: partitions of `n` things into `k` sets.

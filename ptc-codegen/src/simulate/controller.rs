@@ -163,6 +163,12 @@ impl Controller {
 
 /// Whether a simulation has all of the controller: no function of the user's program.
 pub(super) fn has_text(spec: &Spec, after: bool) -> Result<(), Failure> {
+    if spec.sampled().is_some() {
+        return Err(Failure::input(
+            "a clock in samples has no law between the samples".to_owned(),
+            "simulate its sampled loop".to_owned(),
+        ));
+    }
     let key = match (&spec.feedback, spec.after) {
         (Feedback::Extern, _) => "pi0",
         (_, After::Extern) if after => "after",

@@ -1,5 +1,7 @@
 //! The loop as it will run: the emitted controller at each sample, u held in between.
 
+use std::sync::Arc;
+
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -8,7 +10,11 @@ use super::plant::Motion;
 use super::solver::{First, State};
 use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
+use crate::code::{Code, Instance};
+use crate::expression::Expression;
 use crate::plant::Plant;
+use crate::reference::Status;
+use crate::samples;
 use crate::spec::{Parameter, Spec};
 
 /// What the loop around the controller is like.
@@ -42,8 +48,36 @@ impl Default for Loop {
 #[derive(Clone, Debug)]
 pub struct Sampled {
     n: usize,
-    controller: Controller,
+    controller: Kind,
     motion: Motion,
+}
+
+/// What the controller is given beside the measurement.
+#[derive(Clone, Debug)]
+enum Kind {
+    Time(Box<Controller>),
+    Samples(Arc<Code>, Vec<Parameter>),
+}
+
+/// A controller on its way.
+enum Running<'a> {
+    Time(&'a mut Controller),
+    Samples(Instance<'a>),
+}
+
+impl Running<'_> {
+    /// u and its status at sample `index` and time `t`.
+    fn step(&mut self, index: u32, t: f64, measured: &[f64]) -> (f64, Status) {
+        match self {
+            Self::Time(controller) => controller.step(t, measured),
+            Self::Samples(controller) => {
+                let given = [("k", &[f64::from(index)][..]), ("x", measured), ("y", measured)];
+                let outcome = controller.call("step", &given);
+                let u = outcome.results.get("u").and_then(|u| u.first());
+                (u.copied().unwrap_or(0.0), outcome.status.into())
+            }
+        }
+    }
 }
 
 /// Accuracy of the motion between two samples, where u is constant.
@@ -55,7 +89,15 @@ impl Sampled {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
-        let controller = Controller::new(spec)?;
+        let Some(sampled) = spec.sampled() else {
+            let controller = Kind::Time(Box::new(Controller::new(spec)?));
+            return Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) });
+        };
+        let code = Arc::new(samples::controller(spec, sampled, Vec::new()));
+        let controller = Kind::Samples(code, spec.run_time_parameters().collect());
+        // A chain has the f that the controller knows.
+        let own = Plant { f: Expression::Number(sampled.force.clone()), ..Plant::default() };
+        let plant = if *plant == Plant::default() { &own } else { plant };
         Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) })
     }
 
@@ -71,8 +113,15 @@ impl Sampled {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        self.controller.init(values, x0)?;
         self.motion.init(values, x0)?;
+        let mut kind = self.controller.clone();
+        let mut controller = match &mut kind {
+            Kind::Time(controller) => {
+                controller.init(values, x0)?;
+                Running::Time(controller)
+            }
+            Kind::Samples(code, open) => Running::Samples(started(code, open, values)?),
+        };
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut random = Pcg64Mcg::seed_from_u64(around.seed);
         let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
@@ -91,7 +140,7 @@ impl Sampled {
                 let noisy = x[j] + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
                 *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
             }
-            let (u, status) = self.controller.step(t, &measured);
+            let (u, status) = controller.step(index, t, &measured);
             late.push_back(quantised(u, around.u_step));
             let u = late.pop_front().unwrap_or(0.0);
             let state = &x.as_slice()[..self.n];
@@ -122,6 +171,30 @@ impl Sampled {
         done.map_err(|(_, failure)| failure)?;
         Ok(end)
     }
+}
+
+/// The controller in samples with its parameters.
+fn started<'a>(
+    code: &'a Code,
+    open: &[Parameter],
+    values: &Values,
+) -> Result<Instance<'a>, Failure> {
+    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
+    for parameter in open {
+        let value = values.get(*parameter);
+        match given.last_mut() {
+            Some((key, all)) if *key == parameter.key() => all.push(value),
+            _ => given.push((parameter.key(), vec![value])),
+        }
+    }
+    let given: Vec<_> = given.iter().map(|(key, all)| (*key, all.as_slice())).collect();
+    Instance::new(code, &given).map_err(|_| {
+        let keys: Vec<_> = given.iter().map(|(key, all)| format!("{key} = {all:?}")).collect();
+        Failure::input(
+            format!("init refuses {}", keys.join(", ")),
+            "give parameters within their domains, and enough samples".to_owned(),
+        )
+    })
 }
 
 /// The plant between two samples, over the part of the time between them.

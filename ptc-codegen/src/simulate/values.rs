@@ -16,8 +16,11 @@ impl Values {
     /// What the design and the plant fix. The start is at 0 and u without a bound unless they say
     /// otherwise.
     pub fn of(spec: &Spec, plant: &Plant) -> Self {
-        let mut values =
-            BTreeMap::from([(Parameter::StartTime, 0.0), (Parameter::UMax, f64::INFINITY)]);
+        let mut values = BTreeMap::from([
+            (Parameter::StartTime, 0.0),
+            (Parameter::UMax, f64::INFINITY),
+            (Parameter::Deadbeat, 0.0),
+        ]);
         let fixed = spec.fixed.iter().chain(&plant.fixed);
         values.extend(fixed.map(|(parameter, value)| (*parameter, to_f64(value))));
         Self(values)

@@ -24,7 +24,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::mapping::Family;
 use crate::program::{Input, number, passes};
-use crate::spec::{Clock, Feedback, Fixed, Parameter, Spec, What};
+use crate::spec::{After, Clock, Feedback, Fixed, Parameter, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -117,18 +117,26 @@ fn in_samples(spec: &Spec) -> Report {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
     let (growth, _) = check_growth(&continuous);
     let exact = |name| Outcome::not_checked(name, "the law is exact in samples, at any period");
-    let lacks = |name| {
-        Outcome::not_checked(name, "it does not examine a clock in samples yet: simulate the loop")
+    let continued = Spec { after: After::Hold, ..spec.clone() };
+    let known = |p: &Parameter| spec.fixed.contains_key(p);
+    let open = spec.parameters().into_iter().find(|p| *p != Parameter::UMax && !known(p));
+    let (looped, worst) = match open {
+        Some(open) => {
+            let reason = format!("`{}` is left to run time", open.spelling());
+            (Outcome::not_checked(sampled::NAME, reason), None)
+        }
+        None => sampled::outcome(&continued),
     };
+    let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let outcomes = vec![
         membership(&continuous),
         growth,
         exact("sampling"),
         exact("deadline"),
-        lacks(sampled::NAME),
+        looped,
         lacks("envelope"),
     ];
-    Report { spec: spec.clone(), outcomes, greatest: None, worst: None }
+    Report { spec: spec.clone(), outcomes, greatest: None, worst }
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop

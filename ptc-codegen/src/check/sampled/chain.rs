@@ -1,8 +1,8 @@
 //! One sample of the loop that runs: the chain under a zero-order hold, the gains and the delay.
 //!
 //! The state is s = (x_1, ..., x_n, w_1, ..., w_d): the plant's and the inputs that are on their way,
-//! the next one first. With M_k and the column B of the input, s_{k+1} = M_k s_k + B (gain_k v + q),
-//! v the error of the measurement and q that of the actuator.
+//! the next one first; a controller in samples keeps states of its own instead. s_{k+1} = M_k s_k +
+//! sum_l b_{l,k} w_l, w the errors of the measurement and of the actuator.
 
 use super::rounded::{Rounded, unit_roundoff};
 use crate::expression::range::Range;
@@ -33,10 +33,29 @@ impl Gains {
 }
 
 /// A number in a range, and a bound of its distance from what is within `error` of the range.
-fn centre(range: Range, error: f64) -> (f64, f64) {
+pub(super) fn centre(range: Range, error: f64) -> (f64, f64) {
     let middle = 0.5 * (range.low() + range.high());
     let radius = (range - Range::from(middle)).size().high();
     (middle, (radius + error).next_up())
+}
+
+/// A number and a bound of its distance from the true one.
+pub(super) type Near = (f64, f64);
+
+/// A value as a sum over the states and the causes: the errors of each measured state, then that of
+/// the actuator.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub(super) of_state: Vec<Near>,
+    pub(super) of_cause: Vec<Near>,
+}
+
+/// One sample of a loop: s_{k+1} = M s_k + sum_l column_l w_l, and u_k.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) matrix: Matrix,
+    pub(super) columns: Vec<Vec<Near>>,
+    pub(super) u: Row,
 }
 
 /// The chain x_i' = x_{i+1}, x_n' = g u, sampled with a period.
@@ -78,53 +97,87 @@ impl Chain {
         self.n + self.delay
     }
 
-    /// The column B of the input, with its errors.
-    pub(super) fn column(&self) -> Vec<(f64, f64)> {
-        let mut column = vec![(0.0, 0.0); self.size()];
-        if self.delay == 0 {
-            column.copy_from_slice(&self.input);
-        } else {
-            column[self.size() - 1] = (1.0, 0.0);
-        }
-        column
+    /// The sample at which the gains act on what is measured.
+    pub(super) fn closed(&self, gains: &Gains) -> Step {
+        let size = self.size();
+        let row = |j: usize| match j < self.n {
+            true => (gains.values[j], gains.errors[j]),
+            false => (0.0, 0.0),
+        };
+        let row: Vec<_> = (0..size).map(row).collect();
+        let mut rows: Vec<Row> = (self.n..size)
+            .map(|i| {
+                let next = |j: usize| (f64::from(u8::from(j == i + 1)), 0.0);
+                Row {
+                    of_state: (0..size).map(next).collect(),
+                    of_cause: vec![(0.0, 0.0); self.n + 1],
+                }
+            })
+            .collect();
+        let mut direct: Vec<_> = row[..self.n].to_vec();
+        direct.push((1.0, 0.0));
+        let u = Row { of_state: row, of_cause: direct };
+        let acting = match self.delay {
+            0 => None,
+            _ => {
+                if let Some(last) = rows.last_mut() {
+                    *last = u.clone();
+                }
+                Some(self.n)
+            }
+        };
+        self.step(&u, &rows, acting)
     }
 
-    /// M_k.
-    pub(super) fn step(&self, gains: &Gains) -> Matrix {
-        let (n, size) = (self.n, self.size());
-        let mut step =
-            Matrix { size, entries: vec![0.0; size * size], errors: vec![0.0; size * size] };
-        for i in 0..n {
-            for j in 0..n {
-                step.entries[i * size + j] = self.motion.entries[i * n + j];
-                step.errors[i * size + j] = self.motion.errors[i * n + j];
-            }
-        }
-        if self.delay > 0 {
-            for (i, (value, error)) in self.input.iter().enumerate() {
-                (step.entries[i * size + n], step.errors[i * size + n]) = (*value, *error);
-            }
-            for i in n..size - 1 {
-                step.entries[i * size + i + 1] = 1.0;
-            }
-        }
+    /// The sample with the rows of u and of what is kept behind x; `acting` is where the input that
+    /// acts is kept, none for u itself.
+    pub(super) fn step(&self, u: &Row, kept: &[Row], acting: Option<usize>) -> Step {
+        let n = self.n;
         let unit = 2.0 * unit_roundoff(Precision::F64);
-        for (i, (value, error)) in self.column().into_iter().enumerate() {
-            if value == 0.0 {
-                continue;
-            }
-            for j in 0..n {
-                let (gain, off) = (gains.values[j], gains.errors[j]);
-                let place = i * size + j;
-                let entry = step.entries[place] + value * gain;
+        let (size, causes) = (u.of_state.len(), u.of_cause.len());
+        // What a controller keeps has not been through the actuator.
+        let late = kept.iter().all(|row| row.of_cause[causes - 1].0 == 0.0);
+        let mut rows = Vec::with_capacity(size);
+        for i in 0..n {
+            let input = self.input[i];
+            let through = |own: Near, (value, error): Near, (entry, off): Near| {
+                let sum = own.0 + value * entry;
                 // What was not exact, and the rounding of this line.
-                let own = value.abs() * off + error * (gain.abs() + off);
-                let rounding = unit * (step.entries[place].abs() + (value * gain).abs());
-                step.entries[place] = entry;
-                step.errors[place] = (step.errors[place] + own + rounding) * (1.0 + 4.0 * unit);
-            }
+                let inexact = value.abs() * off + error * (entry.abs() + off);
+                let rounding = unit * (own.0.abs() + (value * entry).abs());
+                (sum, (own.1 + inexact + rounding) * (1.0 + 4.0 * unit))
+            };
+            let state = |j: usize| {
+                let own = match j < n {
+                    true => (self.motion.entries[i * n + j], self.motion.errors[i * n + j]),
+                    false => (0.0, 0.0),
+                };
+                match acting {
+                    None if u.of_state[j] == (0.0, 0.0) => own,
+                    None => through(own, input, u.of_state[j]),
+                    Some(kept) if kept == j => through(own, input, (1.0, 0.0)),
+                    Some(_) => own,
+                }
+            };
+            let cause = |l: usize| match acting {
+                None => through((0.0, 0.0), input, u.of_cause[l]),
+                Some(_) if late && l + 1 == causes => through((0.0, 0.0), input, (1.0, 0.0)),
+                Some(_) => (0.0, 0.0),
+            };
+            rows.push(Row {
+                of_state: (0..size).map(state).collect(),
+                of_cause: (0..causes).map(cause).collect(),
+            });
         }
-        step
+        rows.extend_from_slice(kept);
+        let all = || rows.iter().flat_map(|row| &row.of_state);
+        let matrix = Matrix {
+            size,
+            entries: all().map(|(value, _)| *value).collect(),
+            errors: all().map(|(_, error)| *error).collect(),
+        };
+        let column = |l: usize| rows.iter().map(|row| row.of_cause[l]).collect();
+        Step { matrix, columns: (0..causes).map(column).collect(), u: u.clone() }
     }
 }
 

@@ -2,11 +2,10 @@
 
 use super::chain::Gains;
 use super::rounded::{Enclosure, Rounded, unit_roundoff};
-use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::law::Law;
 use crate::lower::lower;
-use crate::program::{Input, Program, Stage, number, passes};
+use crate::program::{Input, Program, Stage, passes};
 use crate::spec::{After, Parameter, Spec};
 
 /// The rows of gains of samples 0..=`last` with period `h`, the last ones held from there on; none
@@ -69,12 +68,5 @@ impl<'a> Acting<'a> {
 /// A fixed parameter as the emitted code has it.
 fn parameter(spec: &Spec, parameter: Parameter) -> Option<Rounded> {
     let exact = spec.fixed.get(&parameter)?.number()?;
-    let range = Range::from(&Interval::exact(exact));
-    let near = number::round(exact, spec.precision);
-    let error = if number::exact(near).is_some_and(|near| near == *exact) {
-        0.0
-    } else {
-        (unit_roundoff(spec.precision) * range.size().high()).next_up()
-    };
-    Some(Rounded { exact: range, error })
+    Some(Rounded::number(exact, spec.precision))
 }

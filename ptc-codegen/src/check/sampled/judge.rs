@@ -6,6 +6,7 @@
 use num_traits::{Signed, ToPrimitive};
 
 use super::chain::{Chain, Gains};
+use super::emitted;
 use super::gains::gains;
 use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
@@ -76,8 +77,11 @@ impl<'a> Loop<'a> {
             ));
         }
         let delay = promises.delay.unwrap_or(0);
-        let size = (spec.n + delay) as f64;
-        let samples = samples.to_usize().filter(|count| *count as f64 * size * size <= ENTRIES);
+        // The states, what is kept of them, and the causes.
+        let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |_| spec.n + 2);
+        let size = (spec.n + delay + kept) as f64;
+        let numbers = size * (size + spec.n as f64 + 1.0);
+        let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
         let Some(samples) = samples.filter(|count| *count > 0) else {
             return Err(format!(
                 "{} samples are more than it looks at",
@@ -91,9 +95,8 @@ impl<'a> Loop<'a> {
     }
 
     /// The loop with what disturbs it.
-    fn disturbed(&self, rows: Vec<Gains>) -> Sampled {
+    fn disturbed(&self, mut sampled: Sampled) -> Sampled {
         let promises = &self.spec.promises;
-        let mut sampled = Sampled::new(self.chain.clone(), rows);
         sampled.x0 = promises.x0_max.iter().map(double).collect();
         let each = |bounds: &[Fixed], j: usize| {
             bounds.get(if bounds.len() == 1 { 0 } else { j }).map_or(0.0, double)
@@ -104,18 +107,36 @@ impl<'a> Loop<'a> {
         sampled
     }
 
+    /// The loop with the emitted program.
+    fn acting(&self) -> Result<Sampled, String> {
+        let chain = self.chain.clone();
+        let Some(own) = self.spec.sampled() else {
+            let rows = gains(self.spec, self.period, self.samples)
+                .ok_or("the gains of this mapping are not enclosed")?;
+            return Ok(Sampled::new(chain, &rows));
+        };
+        if own.force != BigRational::default() {
+            return Err("the known f of the plant is no part of what it looks at".to_owned());
+        }
+        let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, self.samples)
+            .ok_or("the emitted program is not enclosed")?;
+        Ok(Sampled::of(chain, steps, acting, &kept))
+    }
+
     /// The worst case with the eps of the design.
     ///
     /// # Errors
     /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
     pub(crate) fn worst(&self) -> Result<Worst, String> {
-        let rows = gains(self.spec, self.period, self.samples)
-            .ok_or("the gains of this mapping are not enclosed")?;
-        let sampled = self.disturbed(rows);
+        let sampled = self.disturbed(self.acting()?);
+        // A loop that comes to rest sees nothing of its states before the last few samples, so that
+        // a state cannot be scaled by what is seen of it.
+        let rests = self.spec.sampled().map(|_| sampled.fading(None, self.samples));
         let state = |i: usize| {
             let output = sampled.state(i);
-            let fading = sampled.fading(Some(&output), self.samples);
-            fading.map(|fading| sampled.bound(&output, self.samples, Some(&fading)))
+            let own = rests.is_none().then(|| sampled.fading(Some(&output), self.samples));
+            let fading = own.as_ref().or(rests.as_ref())?.as_ref()?;
+            Some(sampled.bound(&output, self.samples, Some(fading)))
         };
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
@@ -125,7 +146,7 @@ impl<'a> Loop<'a> {
 
     /// The bounds on the way, over all samples and the polynomials between them.
     fn way(&self, sampled: &Sampled) -> Option<Way> {
-        let (n, size) = (self.spec.n, self.chain.size());
+        let (n, size) = (self.spec.n, sampled.size());
         let outputs = n + 1 + n * (n - 1) / 2;
         let count = self.samples as f64;
         if 0.5 * count * count * (outputs * (size * size + 4 * size)) as f64 > OPERATIONS {
@@ -149,7 +170,7 @@ impl<'a> Loop<'a> {
                 };
                 take(&sampled.state(i + 1));
                 if k < self.samples {
-                    self.between(i).iter().for_each(take);
+                    self.between(sampled, i).iter().for_each(take);
                 }
             }
         }
@@ -159,8 +180,8 @@ impl<'a> Loop<'a> {
 
     /// The inner control points of x_{i+1} between two samples in Bernstein's form, of which it is a
     /// convex combination together with its values at the samples.
-    fn between(&self, i: usize) -> Vec<Output> {
-        let (n, size) = (self.spec.n, self.chain.size());
+    fn between(&self, sampled: &Sampled, i: usize) -> Vec<Output> {
+        let (n, size) = (self.spec.n, sampled.size());
         let degree = n - i;
         let choose = |n: usize, k: usize| {
             (0..k).fold(1.0, |product, j| product * (n - j) as f64 / (j + 1) as f64)
@@ -171,10 +192,11 @@ impl<'a> Loop<'a> {
                 let weight = choose(r, l) / choose(degree, l) * self.chain.shares[l];
                 if i + l < n {
                     output.row[i + l] += weight;
-                } else if self.chain.delay == 0 {
-                    output.direct += weight * self.chain.gain;
                 } else {
-                    output.row[n] += weight * self.chain.gain;
+                    match sampled.acting {
+                        None => output.direct += weight * self.chain.gain,
+                        Some(kept) => output.row[kept] += weight * self.chain.gain,
+                    }
                 }
             }
             output
@@ -196,7 +218,8 @@ impl<'a> Loop<'a> {
                 let values = if go > eps { free[k].clone() } else { held.clone() };
                 Gains { errors: vec![0.0; values.len()], values }
             };
-            let sampled = self.disturbed((0..self.samples).map(row).collect());
+            let rows: Vec<_> = (0..self.samples).map(row).collect();
+            let sampled = self.disturbed(Sampled::new(self.chain.clone(), &rows));
             let share = |i: usize| {
                 let bound = sampled.bound(&sampled.state(i + 1), self.samples, None);
                 bound.attained() / errors[i]

@@ -7,6 +7,7 @@
 //! lose is bounded with the transitions of the loop (`transition`).
 
 mod chain;
+mod emitted;
 mod gains;
 mod judge;
 mod outcome;

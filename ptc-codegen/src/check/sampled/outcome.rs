@@ -143,8 +143,9 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / bound.attained()).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    let eps = closed
-        .best_eps(&Numbers::new(spec))
-        .map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
+    // In samples eps is a hold that the design chose.
+    let open = spec.sampled().is_none();
+    let eps = open.then(|| closed.best_eps(&Numbers::new(spec))).flatten();
+    let eps = eps.map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

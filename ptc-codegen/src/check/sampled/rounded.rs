@@ -7,6 +7,7 @@
 
 use astro_float_num::Consts;
 
+use crate::algebra::BigRational;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::program::{Input, Op, Program, Stage, Value, number};
@@ -30,12 +31,22 @@ impl Rounded {
         Self { exact, error: 0.0 }
     }
 
+    /// An exact number as the emitted code has it.
+    pub(super) fn number(exact: &BigRational, precision: Precision) -> Self {
+        let near = number::round(exact, precision);
+        if number::exact(near).is_some_and(|near| near == *exact) {
+            return Self::of(Range::from(near));
+        }
+        let range = Range::from(&Interval::exact(exact));
+        Self { exact: range, error: up(unit_roundoff(precision) * range.size().high()) }
+    }
+
     fn size(self) -> f64 {
         self.exact.size().high()
     }
 
     /// Encloses the emitted value too.
-    fn emitted(self) -> Range {
+    pub(super) fn emitted(self) -> Range {
         self.exact + Range::from(self.error).both_signs()
     }
 }
@@ -97,13 +108,7 @@ impl<'a> Enclosure<'a> {
         let program = self.program;
         let at = |value: Value| self.values[value.0];
         match &program.get(value).op {
-            Op::Number(exact) => {
-                let near = number::round(exact, program.precision);
-                let range = Range::from(&Interval::exact(exact));
-                let kept = number::exact(near).is_some_and(|near| near == *exact);
-                let error = if kept { 0.0 } else { up(unit * range.size().high()) };
-                Some(Rounded { exact: range, error })
-            }
+            Op::Number(exact) => Some(Rounded::number(exact, program.precision)),
             Op::Input(asked) => input(*asked),
             Op::Neg(a) => at(*a).map(|a| Rounded { exact: -a.exact, ..a }),
             Op::Add(a, b) => Some(sum(at(*a)?, at(*b)?, unit)),
@@ -153,7 +158,7 @@ impl<'a> Enclosure<'a> {
     }
 }
 
-fn sum(a: Rounded, b: Rounded, unit: f64) -> Rounded {
+pub(super) fn sum(a: Rounded, b: Rounded, unit: f64) -> Rounded {
     let inherited = up(a.error + b.error);
     let size = up(up(a.size() + b.size()) + inherited);
     Rounded { exact: a.exact + b.exact, error: up(inherited + up(unit * size)) }
@@ -167,14 +172,14 @@ fn is_exact(a: Rounded, b: Rounded) -> bool {
     within(a, b) || within(-a, -b)
 }
 
-fn product(a: Rounded, b: Rounded, unit: f64) -> Rounded {
+pub(super) fn product(a: Rounded, b: Rounded, unit: f64) -> Rounded {
     let exact = a.exact * b.exact;
     let inherited = up(up(a.error * up(b.size() + b.error)) + up(a.size() * b.error));
     let size = up(exact.size().high() + inherited);
     Rounded { exact, error: up(inherited + up(unit * size)) }
 }
 
-fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
+pub(super) fn quotient(a: Rounded, b: Rounded, unit: f64) -> Option<Rounded> {
     let exact = a.exact / b.exact;
     let least = -((-b.emitted().size()).high());
     if least <= 0.0 || !exact.is_bounded() {

@@ -42,7 +42,7 @@ fn final_errors_are_those_of_the_reference() {
         let h = range(&text(&case["tau"])) / Range::from(samples as f64);
         let delay = case["delay"].as_u64().expect("delay") as usize;
         let rows = gains(&spec, h, samples).expect("gains");
-        let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), rows);
+        let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), &rows);
         sampled.x0 = numbers(&case["x0_max"]);
         sampled.noise = numbers(&case["noise"]);
         let step = case["u_step"].as_str().and_then(|step| step.parse::<f64>().ok());
@@ -64,6 +64,67 @@ fn final_errors_are_those_of_the_reference() {
     }
 }
 
+/// Controllers in samples in 50-digit arithmetic: `tests/data/sampled_controllers.json`.
+const CONTROLLERS: &str = include_str!("../../../../tests/data/sampled_controllers.json");
+
+#[test]
+fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
+    let all: serde_json::Value = serde_json::from_str(CONTROLLERS).expect("JSON");
+    let mut checked = 0;
+    for case in all["controllers"].as_array().expect("a list") {
+        let n = case["n"].as_u64().expect("n") as usize;
+        let samples = case["samples"].as_u64().expect("samples") as usize;
+        let (tau, eps) = (case["tau"].as_str().expect("tau"), case["eps"].as_str().expect("eps"));
+        let poles: Vec<_> = case["poles"].as_array().expect("poles").iter().collect();
+        let poles: Vec<_> = poles.iter().map(|pole| pole.as_str().expect("a pole")).collect();
+        let (order, period) = (n.to_string(), format!("{tau}/{samples}"));
+        let keys = [
+            ("n", order.as_str()),
+            ("mu", "exp(a=1)"),
+            ("clock", "samples"),
+            ("tau", tau),
+            ("sample_time", &period),
+            ("poles", &poles.join(",")),
+            ("eps", eps),
+            ("u_max", "inf"),
+        ];
+        let entry = |(key, text): &(&str, &str)| crate::spec::Entry {
+            key: (*key).to_owned(),
+            place: crate::diagnostic::Place(0),
+            value: crate::spec::parse(key, text, &mut |_| crate::diagnostic::Place(0))
+                .expect("a value"),
+        };
+        let spec =
+            crate::spec::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design");
+        let own = spec.sampled().expect("a clock in samples");
+        let h = range(&spec.fixed[&Parameter::SampleTime]);
+        let chain = Chain::new(n, h, Range::from(1.0), 0);
+        let (steps, acting, kept) =
+            super::emitted::steps(&spec, own, &chain, samples).expect("a program in rows");
+        assert_eq!((acting, kept.len()), (None, 0));
+        let mut sampled = Sampled::of(chain, steps, acting, &kept);
+        sampled.x0 = vec![1.0; n];
+        sampled.noise = numbers(&case["noise"]);
+        // Where the law is held on its pole, the gains are those of a rounding of eps.
+        let expected = numbers(&case["final_from_noise"]);
+        if expected.iter().any(|error| *error > 1e6) {
+            continue;
+        }
+        let fading = sampled.fading(None, samples).expect("a loop that fades");
+        for i in 1..=n {
+            let bound = sampled.bound(&sampled.state(i), samples, Some(&fading));
+            let noise: f64 = bound.noise.iter().sum();
+            assert!((noise / expected[i - 1] - 1.0).abs() < 1e-9, "n = {n}, x{i}: {noise}");
+            let rest = numbers(&case["final_from_unit_box"])[i - 1];
+            assert!((bound.x0 - rest).abs() <= bound.rounding + 1e-9 * rest, "n = {n}: {bound:?}");
+            // Rounding is small beside what the noise does.
+            assert!(bound.rounding < 1e-5 * noise, "n = {n}, x{i}: {bound:?}");
+            checked += 1;
+        }
+    }
+    assert!(checked >= 15, "{checked}");
+}
+
 /// The state at sample `at` under the given signals, from the chain's own definition.
 fn run(sampled: &Sampled, signals: &Signals, at: usize) -> Vec<f64> {
     let (n, delay) = (sampled.chain.n, sampled.chain.delay);
@@ -71,9 +132,9 @@ fn run(sampled: &Sampled, signals: &Signals, at: usize) -> Vec<f64> {
     let mut x = signals.x0.clone();
     let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
     for k in 0..at {
-        let gains = &sampled.gains(k).values;
+        let gains = sampled.step(k).u.of_state.iter().map(|(gain, _)| gain);
         let measured = x.iter().zip(&signals.noise[k]).map(|(x, v)| x + v);
-        let u: f64 = gains.iter().zip(measured).map(|(gain, x)| gain * x).sum();
+        let u: f64 = gains.zip(measured).map(|(gain, x)| gain * x).sum();
         late.push_back(u + signals.actuator[k]);
         let u = late.pop_front().expect("an input");
         let next = |i: usize| {

@@ -1,22 +1,24 @@
 //! The worst case of a sampled loop, to the sign of each signal.
 //!
 //! What a row q sees at sample K is linear in the state at the start and in all that disturbs the
-//! loop on the way: q s_K = p_0 s_0 + sum_k p_{k+1} B (gain_k v_k + a_k), p_K = q, p_k = p_{k+1} M_k.
-//! Its largest size over bounded s_0, v_k and a_k is the sum of the sizes of the coefficients times the
+//! loop on the way: q s_K = p_0 s_0 + sum_k sum_l p_{k+1} b_{l,k} w_{l,k}, p_K = q, p_k = p_{k+1} M_k.
+//! Its largest size over bounded s_0 and w is the sum of the sizes of the coefficients times the
 //! bounds, attained by their signs. The rows are computed in doubles; by how much rounding, here and
 //! in the emitted program, may change the sum is bounded with [`growth`](super::transition::growth).
 
-use super::chain::{Chain, Gains, Matrix};
+use super::chain::{Chain, Gains, Step};
 use super::transition::growth;
 
 /// A linear loop with the bounds of what disturbs it.
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub(super) chain: Chain,
-    /// Gains of sample 0, 1, ...; the last ones are held.
-    gains: Vec<Gains>,
-    /// M_0, M_1, ... of these.
-    steps: Vec<Matrix>,
+    /// Sample 0, 1, ...; the last one stays.
+    steps: Vec<Step>,
+    /// Where the input that acts is kept; none for u itself.
+    pub(super) acting: Option<usize>,
+    /// Of each state its power of time in units of u.
+    powers: Vec<i32>,
     /// Bounds of |x_j| at the start.
     pub(super) x0: Vec<f64>,
     /// Bounds of the error of each measured state.
@@ -78,25 +80,39 @@ pub(super) struct Fading {
 
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
-    pub(super) fn new(chain: Chain, gains: Vec<Gains>) -> Self {
-        let steps = gains.iter().map(|gains| chain.step(gains)).collect();
+    pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
+        let steps = gains.iter().map(|gains| chain.closed(gains)).collect();
+        let acting = (chain.delay > 0).then_some(chain.n);
+        let kept = vec![0; chain.delay];
+        Self::of(chain, steps, acting, &kept)
+    }
+
+    /// The loop of a chain and a controller that keeps states of these powers of time.
+    pub(super) fn of(chain: Chain, steps: Vec<Step>, acting: Option<usize>, kept: &[i32]) -> Self {
         let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.n]);
-        Self { chain, gains, steps, x0, noise, actuator: 0.0 }
+        let own = (0..chain.n).map(|j| i32::try_from(chain.n - j).unwrap_or(i32::MAX));
+        let powers = own.chain(kept.iter().copied()).collect();
+        Self { chain, steps, acting, powers, x0, noise, actuator: 0.0 }
     }
 
-    /// Gains of sample `k`.
-    pub(super) fn gains(&self, k: usize) -> &Gains {
-        &self.gains[k.min(self.gains.len() - 1)]
+    /// Length of the state.
+    pub(super) fn size(&self) -> usize {
+        self.powers.len()
     }
 
-    /// M_k.
-    fn step(&self, k: usize) -> &Matrix {
+    /// Sample `k`.
+    pub(super) fn step(&self, k: usize) -> &Step {
         &self.steps[k.min(self.steps.len() - 1)]
+    }
+
+    /// The bounds of the causes.
+    fn limits(&self) -> impl Iterator<Item = f64> {
+        self.noise.iter().copied().chain([self.actuator])
     }
 
     /// x_i, from 1, at a sample.
     pub(super) fn state(&self, i: usize) -> Output {
-        let mut row = vec![0.0; self.chain.size()];
+        let mut row = vec![0.0; self.size()];
         row[i - 1] = 1.0;
         Output { row, direct: 0.0 }
     }
@@ -105,8 +121,8 @@ impl Sampled {
     fn row(&self, output: &Output, at: usize) -> Vec<f64> {
         let mut row = output.row.clone();
         if output.direct != 0.0 {
-            let gains = &self.gains(at).values;
-            row.iter_mut().zip(gains).for_each(|(sum, gain)| *sum += output.direct * gain);
+            let u = &self.step(at).u.of_state;
+            row.iter_mut().zip(u).for_each(|(sum, (gain, _))| *sum += output.direct * gain);
         }
         row
     }
@@ -114,17 +130,18 @@ impl Sampled {
     /// The scaling of s at sample `k` in which all states are alike: x_j in units of u times a power
     /// of the time scale of the gains.
     fn units(&self, k: usize) -> Vec<f64> {
-        let n = self.chain.n;
-        let power = |j: usize| i32::try_from(n - j).unwrap_or(i32::MAX);
-        let gains = &self.gains(k).values;
-        let pace = gains
-            .iter()
-            .enumerate()
-            .map(|(j, gain)| (gain * self.chain.gain).abs().powf(1.0 / f64::from(power(j))));
+        let gain = self.chain.gain.abs();
+        let row = self.step(k).u.of_state.iter().zip(&self.powers);
+        let pace = row
+            .filter(|(_, power)| **power > 0)
+            .map(|((value, _), power)| (value * gain).abs().powf(1.0 / f64::from(*power)));
         let time = 1.0 / pace.fold(1.0 / (1e6 * self.chain.shares[1]), f64::max);
         let time = time.max(self.chain.shares[1]);
-        let state = (0..n).map(|j| 1.0 / (time.powi(power(j)) * self.chain.gain.abs()));
-        state.chain(std::iter::repeat_n(1.0, self.chain.delay)).collect()
+        let state = |power: &i32| match power {
+            0 => 1.0,
+            power => 1.0 / (time.powi(*power) * gain),
+        };
+        self.powers.iter().map(state).collect()
     }
 
     /// The bound of the transitions up to sample `at`, where what the output sees counts alike at
@@ -139,13 +156,13 @@ impl Sampled {
                 let seen = seen.max(f64::MIN_POSITIVE * 1e30);
                 scales[k].iter_mut().for_each(|d| *d *= seen);
                 if k > 0 {
-                    self.step(k - 1).after(&row, &mut before);
+                    self.step(k - 1).matrix.after(&row, &mut before);
                     std::mem::swap(&mut row, &mut before);
                 }
             }
         }
-        let growth = growth(at, &|k| self.step(k).clone(), &|k| scales[k].clone())?;
-        let errors = (0..at).map(|k| self.step(k).error_norm(&scales[k + 1], &scales[k]));
+        let growth = growth(at, &|k| self.step(k).matrix.clone(), &|k| scales[k].clone())?;
+        let errors = (0..at).map(|k| self.step(k).matrix.error_norm(&scales[k + 1], &scales[k]));
         Some(Fading { errors: errors.collect(), scales, growth })
     }
 
@@ -161,35 +178,41 @@ impl Sampled {
         let mut off = 0.0;
         let mut rounding = 0.0;
         if output.direct != 0.0 {
-            let own = self.gains(at);
-            self.add(&mut bound, output.direct.abs(), at);
-            let errors = own.errors.iter().zip(&own.values);
+            let u = &self.step(at).u;
+            let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
+            self.add(&mut bound, &seen);
             let unit = 4.0 * f64::EPSILON;
-            let errors = errors.map(|(error, gain)| error + unit * gain.abs());
+            let errors = u.of_state.iter().map(|(gain, error)| error + unit * gain.abs());
             if let Some(fading) = fading {
                 let scale = &fading.scales[at];
                 off += output.direct.abs() * errors.zip(scale).map(|(e, d)| e / d).sum::<f64>();
             }
-            rounding += output.direct.abs() * self.off(own);
+            let inexact = u.of_cause.iter().zip(self.limits()).map(|((_, error), w)| error * w);
+            rounding += output.direct.abs() * inexact.sum::<f64>();
         }
-        let column = self.chain.column();
         let mut before = Vec::new();
+        let mut seen = Vec::new();
         for k in (0..at).rev() {
-            let seen: f64 = row.iter().zip(&column).map(|(p, (b, _))| p * b).sum();
-            self.add(&mut bound, seen.abs(), k);
+            let step = self.step(k);
+            let by = |column: &Vec<(f64, f64)>| -> f64 {
+                row.iter().zip(column).map(|(p, (b, _))| p * b).sum()
+            };
+            seen.clear();
+            seen.extend(step.columns.iter().map(by));
+            self.add(&mut bound, &seen);
             if let Some(fading) = fading {
                 let scale = &fading.scales[k + 1];
-                let reach = column.iter().zip(scale);
-                let reach = reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
-                let inexact: f64 = row.iter().zip(&column).map(|(p, (_, e))| (p * e).abs()).sum();
-                let own = self.gains(k);
-                let all = own.values.iter().zip(&own.errors).zip(&self.noise);
-                let all: f64 = all.map(|((gain, error), v)| (gain.abs() + error) * v).sum();
-                rounding += (off * fading.growth * reach + inexact) * (all + self.actuator);
-                rounding += seen.abs() * self.off(own);
+                for (column, limit) in step.columns.iter().zip(self.limits()) {
+                    let reach = column.iter().zip(scale);
+                    let reach =
+                        reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
+                    let inexact: f64 =
+                        row.iter().zip(column).map(|(p, (_, e))| (p * e).abs()).sum();
+                    rounding += (off * fading.growth * reach + inexact) * limit;
+                }
                 off += fading.errors[k] * size(&row, k + 1);
             }
-            self.step(k).after(&row, &mut before);
+            step.matrix.after(&row, &mut before);
             std::mem::swap(&mut row, &mut before);
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
@@ -203,18 +226,12 @@ impl Sampled {
         bound
     }
 
-    /// What acts at sample `k` adds, where u_k is seen with a weight.
-    fn add(&self, bound: &mut Bound, weight: f64, k: usize) {
-        let gains = &self.gains(k).values;
-        for ((sum, gain), v) in bound.noise.iter_mut().zip(gains).zip(&self.noise) {
-            *sum += weight * gain.abs() * v;
+    /// What the causes of one sample add, by how much of each is seen.
+    fn add(&self, bound: &mut Bound, seen: &[f64]) {
+        let parts = bound.noise.iter_mut().chain([&mut bound.actuator]);
+        for ((sum, seen), limit) in parts.zip(seen).zip(self.limits()) {
+            *sum += seen.abs() * limit;
         }
-        bound.actuator += weight * self.actuator;
-    }
-
-    /// What the errors of the gains make of the errors of the measurement.
-    fn off(&self, gains: &Gains) -> f64 {
-        gains.errors.iter().zip(&self.noise).map(|(error, v)| error * v).sum()
     }
 
     /// The signals that attain [`Self::bound`].
@@ -225,20 +242,18 @@ impl Sampled {
         let mut signals =
             Signals { x0: Vec::new(), noise: vec![Vec::new(); count], actuator: vec![0.0; count] };
         let mut row = self.row(output, at);
-        let column = self.chain.column();
         let mut before = Vec::new();
         for k in (0..count).rev() {
-            let seen = if k == at {
-                output.direct
-            } else {
-                row.iter().zip(&column).map(|(p, (b, _))| p * b).sum()
+            let step = self.step(k);
+            let seen = |l: usize| match k == at {
+                true => output.direct * step.u.of_cause[l].0,
+                false => row.iter().zip(&step.columns[l]).map(|(p, (b, _))| p * b).sum(),
             };
-            let gains = &self.gains(k).values;
-            let noise = gains.iter().zip(&self.noise).map(|(gain, v)| sign(seen * gain) * v);
+            let noise = self.noise.iter().enumerate().map(|(l, v)| sign(seen(l)) * v);
             signals.noise[k] = noise.collect();
-            signals.actuator[k] = sign(seen) * self.actuator;
+            signals.actuator[k] = sign(seen(self.noise.len())) * self.actuator;
             if k < at {
-                self.step(k).after(&row, &mut before);
+                step.matrix.after(&row, &mut before);
                 std::mem::swap(&mut row, &mut before);
             }
         }

@@ -73,6 +73,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         (promises.u_step.is_some(), "u_step"),
         (promises.delay.is_some(), "delay"),
         (request.spec.0.gives("sample_time"), "sample_time"),
+        (spec.sampled().is_some(), "clock"),
     ];
     let Some((_, asked)) = disturbed.iter().find(|(given, _)| *given) else { return Ok(None) };
     let Some(period) = spec.promises.sample_time.as_ref().and_then(to_f64) else {

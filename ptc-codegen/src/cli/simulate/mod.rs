@@ -92,6 +92,8 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
             // A sample period is given, and eps does not follow from it.
             Parameter::Eps => "--eps VALUE".to_owned(),
             Parameter::Gain(_) => "--gains or --poles".to_owned(),
+            Parameter::Samples => "--tau VALUE".to_owned(),
+            Parameter::SampleTime => "--sample-time VALUE".to_owned(),
             _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
             _ => format!("--param {name}=VALUE"),
         };

@@ -24,6 +24,7 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// # Errors
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
+    crate::needs_time(spec, "a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let Some(plant) = plant else {
         found.push(Diagnostic {

@@ -1,0 +1,280 @@
+//! A controller in samples as rows: what its program makes of one sample is linear in what it keeps
+//! and in what is measured, and rounding is charged to each of these by itself.
+//!
+//! Counts are known numbers, so that every test of the program is decided but those of clipping and
+//! of finite values, which are taken as passed.
+
+use std::collections::BTreeMap;
+
+use super::chain::{Chain, Near, Row, Step, centre};
+use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
+use crate::code::{Code, Expr, Operator, Place, Shape, Statement, Test};
+use crate::expression::range::Range;
+use crate::spec::{Precision, Sampled, Spec};
+
+/// What a name holds at one sample.
+#[derive(Clone, Debug)]
+enum Held {
+    Count(u32),
+    /// The same at every state.
+    Known(Rounded),
+    /// A sum over what is kept and what is measured.
+    Linear(Vec<Rounded>),
+}
+
+/// The samples 0..=`last` of the loop of a controller, where the input that acts is kept, and the
+/// powers of time of what it keeps; none where a value is not enclosed.
+pub(super) fn steps(
+    spec: &Spec,
+    sampled: &Sampled,
+    chain: &Chain,
+    last: usize,
+) -> Option<(Vec<Step>, Option<usize>, Vec<i32>)> {
+    let code = crate::samples::controller(spec, sampled, Vec::new());
+    let kept: Vec<_> = kept(&code).collect();
+    let acting = format!("u{}", sampled.delay);
+    let acting = kept.iter().position(|name| *name == acting).map(|at| chain.n + at);
+    let power = |name: &&str| {
+        let state = name.strip_prefix('x').and_then(|name| name.strip_suffix("_hat"));
+        let j: Option<i32> = state.and_then(|j| j.parse().ok());
+        let n = i32::try_from(chain.n).unwrap_or(i32::MAX);
+        j.map_or(0, |j| n + 1 - j)
+    };
+    let powers = kept.iter().map(power).collect();
+    let mut seen = false;
+    let mut steps = Vec::with_capacity(last + 1);
+    for k in 0..=last {
+        let mut sample = Sample::new(&code, &kept, sampled.measured, k, seen)?;
+        sample.block(&code.init)?;
+        sample.block(&code.function("step")?.body)?;
+        let [given] = code.function("step")?.results.as_slice() else { return None };
+        let u = sample.real(given.values.first()?)?;
+        let u = sample.row(&u, chain.n, true)?;
+        let rows: Option<Vec<_>> = kept
+            .iter()
+            .map(|name| match sample.fields.get(*name)? {
+                Held::Linear(sum) => sample.row(&Held::Linear(sum.clone()), chain.n, false),
+                Held::Known(_) | Held::Count(_) => None,
+            })
+            .collect();
+        steps.push(chain.step(&u, &rows?, acting));
+        seen = true;
+    }
+    Some((steps, acting, powers))
+}
+
+/// The numbers that the controller changes from sample to sample.
+fn kept(code: &Code) -> impl Iterator<Item = &str> {
+    let body = code.function("step").map(|step| step.body.as_slice()).unwrap_or_default();
+    body.iter().filter_map(|statement| match statement {
+        Statement::Set(Place::Field(name), Expr::Local(_) | Expr::Field(_)) => Some(name.as_str()),
+        _ => None,
+    })
+}
+
+/// One call of `step`.
+struct Sample<'a> {
+    precision: Precision,
+    /// Numbers of what is kept and measured.
+    terms: usize,
+    kept: usize,
+    fields: BTreeMap<&'a str, Held>,
+    locals: BTreeMap<&'a str, Held>,
+    measured: Vec<Held>,
+}
+
+impl<'a> Sample<'a> {
+    fn new(
+        code: &'a Code,
+        kept: &[&'a str],
+        measured: usize,
+        k: usize,
+        seen: bool,
+    ) -> Option<Self> {
+        let (precision, terms) = (code.precision, kept.len() + measured);
+        let nothing = Rounded::of(Range::from(0.0));
+        let unit = |at: usize, error: f64| {
+            let mut sum = vec![nothing; terms];
+            sum[at] = Rounded { exact: Range::from(1.0), error };
+            Held::Linear(sum)
+        };
+        let mut locals = BTreeMap::new();
+        locals.insert("k", Held::Count(u32::try_from(k).ok()?));
+        // A measurement is rounded as it is handed over.
+        let rounding = unit_roundoff(precision);
+        let measured = (0..measured).map(|j| unit(kept.len() + j, rounding)).collect();
+        let mut fields = BTreeMap::new();
+        for (at, name) in kept.iter().enumerate() {
+            fields.insert(*name, unit(at, 0.0));
+        }
+        fields.insert("seen", Held::Count(u32::from(seen)));
+        Some(Self { precision, terms, kept: kept.len(), fields, locals, measured })
+    }
+
+    /// A value over the states x_1..x_n and what is kept, and over the causes.
+    fn row(&self, value: &Held, n: usize, acts: bool) -> Option<Row> {
+        let Held::Linear(sum) = value else { return None };
+        let near: Vec<Near> = sum.iter().map(|term| centre(term.exact, term.error)).collect();
+        if near.iter().any(|(value, error)| !(value.is_finite() && error.is_finite())) {
+            return None;
+        }
+        let measured = |j: usize| near.get(self.kept + j).copied().unwrap_or((0.0, 0.0));
+        let of_state = (0..n).map(measured).chain(near[..self.kept].iter().copied()).collect();
+        let actuator = if acts { 1.0 } else { 0.0 };
+        let of_cause = (0..n).map(measured).chain([(actuator, 0.0)]).collect();
+        Some(Row { of_state, of_cause })
+    }
+
+    fn block(&mut self, statements: &'a [Statement]) -> Option<()> {
+        for statement in statements {
+            match statement {
+                Statement::Let(name, shape, value) => {
+                    let value = match shape {
+                        Shape::Count => Held::Count(self.count(value)?),
+                        _ => self.real(value)?,
+                    };
+                    self.locals.insert(name, value);
+                }
+                Statement::Set(Place::Local(name), value) => {
+                    let value = self.real(value)?;
+                    self.locals.insert(name, value);
+                }
+                // What is kept from sample to sample, and what `init` leaves of it, is given.
+                Statement::Set(Place::Field(name), value) => {
+                    let given = matches!(value, Expr::Count(_) | Expr::Number(_));
+                    if !(given && self.fields.contains_key(name.as_str())) {
+                        let value = match value {
+                            Expr::Count(count) => Held::Count(*count),
+                            value => self.real(value)?,
+                        };
+                        self.fields.insert(name, value);
+                    }
+                }
+                Statement::If(test, yes, no) => {
+                    let block = if self.test(test)? { yes } else { no };
+                    self.block(block)?;
+                }
+                Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Whether a test holds; what depends on the states is a limit of u, which is not reached.
+    fn test(&self, test: &Test) -> Option<bool> {
+        match test {
+            Test::CountLess(a, b) => Some(self.count(a)? < self.count(b)?),
+            Test::CountEqual(a, b) => Some(self.count(a)? == self.count(b)?),
+            Test::Less(a, b) | Test::AtMost(a, b) => match (self.real(a)?, self.real(b)?) {
+                (Held::Known(a), Held::Known(b)) => {
+                    let (a, b) = (a.emitted(), b.emitted());
+                    match () {
+                        () if a.is_below(b) => Some(true),
+                        () if b.is_below(a) => Some(false),
+                        // Both are the same number.
+                        () => Some(matches!(test, Test::AtMost(..))),
+                    }
+                }
+                _ => Some(false),
+            },
+            Test::Finite(_) => Some(true),
+            Test::All(tests) => {
+                tests.iter().try_fold(true, |all, test| Some(all && self.test(test)?))
+            }
+        }
+    }
+
+    fn count(&self, value: &Expr) -> Option<u32> {
+        match value {
+            Expr::Count(count) => Some(*count),
+            Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
+            Expr::CountLeft(a, b) => Some(self.count(a)?.saturating_sub(self.count(b)?)),
+            Expr::CountHalf(a) => Some(self.count(a)? / 2),
+            name => match self.held(name)? {
+                Held::Count(count) => Some(*count),
+                _ => None,
+            },
+        }
+    }
+
+    fn held(&self, name: &Expr) -> Option<&Held> {
+        match name {
+            Expr::Local(name) => self.locals.get(name.as_str()),
+            Expr::Field(name) => self.fields.get(name.as_str()),
+            Expr::Element(_, index) => self.measured.get(*index),
+            _ => None,
+        }
+    }
+
+    fn real(&self, value: &Expr) -> Option<Held> {
+        let unit = unit_roundoff(self.precision);
+        match value {
+            Expr::Number(exact) => Some(Held::Known(Rounded::number(exact, self.precision))),
+            Expr::Neg(a) => Some(match self.real(a)? {
+                Held::Known(a) => Held::Known(negative(a)),
+                Held::Linear(sum) => Held::Linear(sum.into_iter().map(negative).collect()),
+                Held::Count(_) => return None,
+            }),
+            Expr::Binary(operator, a, b) => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                match operator {
+                    Operator::Add => self.sum(a, b, unit),
+                    Operator::Sub => match b {
+                        Held::Known(b) => self.sum(a, Held::Known(negative(b)), unit),
+                        Held::Linear(b) => {
+                            let b = b.into_iter().map(negative).collect();
+                            self.sum(a, Held::Linear(b), unit)
+                        }
+                        Held::Count(_) => None,
+                    },
+                    Operator::Mul => match (a, b) {
+                        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, unit))),
+                        (Held::Known(k), Held::Linear(sum))
+                        | (Held::Linear(sum), Held::Known(k)) => {
+                            let each = sum.into_iter().map(|term| product(k, term, unit));
+                            Some(Held::Linear(each.collect()))
+                        }
+                        _ => None,
+                    },
+                    Operator::Div => match (a, b) {
+                        (Held::Known(a), Held::Known(b)) => quotient(a, b, unit).map(Held::Known),
+                        (Held::Linear(sum), Held::Known(k)) => {
+                            let each = sum.into_iter().map(|term| quotient(term, k, unit));
+                            each.collect::<Option<Vec<_>>>().map(Held::Linear)
+                        }
+                        _ => None,
+                    },
+                }
+            }
+            Expr::Real(a) => {
+                let exact = Range::from(f64::from(self.count(a)?));
+                let error =
+                    if self.precision == Precision::F64 { 0.0 } else { unit * exact.high() };
+                Some(Held::Known(Rounded { exact, error }))
+            }
+            Expr::Choose(test, a, b) => self.real(if self.test(test)? { a } else { b }),
+            // A limit of u that is left to run time is not reached.
+            Expr::Parameter(_) => Some(Held::Known(Rounded::of(Range::from(f64::INFINITY)))),
+            name => self.held(name).cloned(),
+        }
+    }
+
+    fn sum(&self, a: Held, b: Held, unit: f64) -> Option<Held> {
+        match (a, b) {
+            (Held::Known(a), Held::Known(b)) => Some(Held::Known(sum(a, b, unit))),
+            (Held::Linear(a), Held::Linear(b)) => {
+                let each = a.into_iter().zip(b).map(|(a, b)| sum(a, b, unit));
+                Some(Held::Linear(each.collect()))
+            }
+            // A constant that is not 0 is no part of a linear loop.
+            (Held::Linear(a), Held::Known(k)) | (Held::Known(k), Held::Linear(a)) => {
+                (k.exact == Range::from(0.0) && a.len() == self.terms).then_some(Held::Linear(a))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn negative(a: Rounded) -> Rounded {
+    Rounded { exact: -a.exact, ..a }
+}
