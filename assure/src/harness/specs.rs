@@ -55,6 +55,9 @@ impl Values<'_> {
             Parameter::Rate(i) => self.rates[i - 1],
             Parameter::Gain(i) => self.k[i - 1],
             Parameter::Named(name) => panic!("{name} belongs to no family"),
+            Parameter::Samples | Parameter::SampleTime | Parameter::Deadbeat => {
+                panic!("{parameter:?} belongs to a clock in samples")
+            }
         }
     }
 

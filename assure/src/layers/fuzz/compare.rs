@@ -338,7 +338,12 @@ fn is_usual(spec: &Spec, record: &Record) -> bool {
                 within(value, 0.1, 4.0)
             }
             Parameter::Gain(_) => within(value, 1e-3, 1e3),
-            Parameter::StartTime | Parameter::Eps | Parameter::UMax => true,
+            Parameter::StartTime
+            | Parameter::Eps
+            | Parameter::UMax
+            | Parameter::Samples
+            | Parameter::SampleTime
+            | Parameter::Deadbeat => true,
         }
     });
     parameters && record.x.iter().chain(&record.x0).all(|x| !x.is_finite() || within(*x, 1e-3, 1e3))
