@@ -66,7 +66,6 @@ struct Expressions;
 #[doc = include_str!("../docs/time.md")]
 struct Time;
 
-/// Its sibling.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/samples.md")]
 struct Samples;
@@ -95,17 +94,17 @@ pub use error::Error;
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
 /// | `what` | what is generated | `controller`, or `associated`: the infinite-time system on which pi0 is designed | `controller` |
-/// | `clock` | what a call takes: time, or the number of the sample | `time` or `samples`: at rest exactly at sample N, see `docs/samples.md` | `time` |
+/// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
 /// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]` | run time |
 /// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]` | |
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
 /// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
-/// | `f` | known constant of the plant xn' = f + g u, cancelled; with `clock = samples` | a finite number | 0 |
+/// | `f` | known constant of the plant, cancelled; with `clock = samples` | a finite number | 0 |
 /// | `tau` | prescribed settling time in s | a number > 0 | run time |
 /// | `t0` | start time in s | a finite number | run time |
-/// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time; 0 with `clock = samples` |
+/// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
 /// | `u_max` | bound of \|u\| | a number > 0; `inf` leaves the clipping out | run time |
 /// | `after` | what follows the deadline | `hold`: the gains stay; `zero`: u = 0; `extern`: `step` takes a closure of x and t | `hold` |
 /// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
@@ -114,15 +113,15 @@ pub use error::Error;
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | an integer 0..=16 | |
-/// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least n + `delay` | from the poles; run time with gains at run time |
-/// | `measured` | measured states, an observer estimates the others; with `clock = samples` | `[x1]`, or `[x1, x2]` and so on without a gap | all |
-/// | `disturbance` | what adds to u unknown: estimated and cancelled; with `clock = samples` | `none` or `constant` | `none` |
-/// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each estimated state, complex ones in pairs | must be given with an observer |
-/// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of the samples |
-/// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | deadbeat; held after the end with `noise` or `sensor_step` |
+/// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | from the poles |
+/// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
+/// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
+/// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |
+/// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all |
+/// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
-/// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `envelope` | none |
+/// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope` | none |
 ///
 /// Every other name in an expression is a parameter: a field of the parameters, or fixed by
 /// `params.a = 1`, or bounded by `params.a = [0.5, 2]`.
