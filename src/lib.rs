@@ -61,6 +61,15 @@ struct Readme;
 #[doc = include_str!("../docs/expressions.md")]
 struct Expressions;
 
+/// And that of the pages on the two clocks.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/time.md")]
+struct Time;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/samples.md")]
+struct Samples;
+
 #[cfg(all(feature = "std", not(feature = "libm")))]
 extern crate std;
 

@@ -17,10 +17,20 @@ const VERIFY: &str = include_str!("../../docs/verify.md");
 
 const DESIGN: &str = include_str!("../../docs/design.md");
 
+const TIME: &str = include_str!("../../docs/time.md");
+
+const SAMPLES: &str = include_str!("../../docs/samples.md");
+
+/// The design of the README's example, which docs/samples.md uses too.
+const ENCODER: &str = include_str!("../../examples/encoder.toml");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 16] = [
+const PAGES: [(&str, &str); 19] = [
+    ("time.md", TIME),
+    ("samples.md", SAMPLES),
+    ("theory/samples.md", include_str!("../../docs/theory/samples.md")),
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("engines.md", include_str!("../../docs/engines.md")),
@@ -38,11 +48,6 @@ const PAGES: [(&str, &str); 16] = [
     ("checks/loop.md", include_str!("../../docs/checks/loop.md")),
     ("checks/envelope.md", include_str!("../../docs/checks/envelope.md")),
 ];
-
-/// The blocks of the README in `language`.
-fn blocks(language: &str) -> Vec<String> {
-    blocks_of(README, language)
-}
 
 /// The blocks of a page in `language`, without the indentation of the list they stand in.
 fn blocks_of(page: &str, language: &str) -> Vec<String> {
@@ -70,7 +75,7 @@ fn blocks_of(page: &str, language: &str) -> Vec<String> {
     found
 }
 
-/// Runs a command of the README in `folder`, with the binary in place of `cargo run`.
+/// Runs a command of a page in `folder`, with the binary in place of `cargo run`.
 fn shell(command: &str, folder: &Path) -> String {
     let binary = format!("'{}'", env!("CARGO_BIN_EXE_ptc-codegen"));
     let command = command.replace("cargo run --release -p ptc-codegen --", &binary);
@@ -81,9 +86,9 @@ fn shell(command: &str, folder: &Path) -> String {
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-/// The commands of the README that start with `start`.
-fn commands(start: &str) -> Vec<String> {
-    let blocks = blocks("sh");
+/// The commands of a page that start with `start`.
+fn commands(page: &str, start: &str) -> Vec<String> {
+    let blocks = blocks_of(page, "sh");
     let lines = blocks.iter().flat_map(|block| block.lines());
     lines.filter(|line| line.starts_with(start)).map(ToOwned::to_owned).collect()
 }
@@ -97,27 +102,47 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// Runs the commands of a page in `folder`, and its program, which prints what the page shows.
+fn walk(page: &str, folder: &Path) {
+    for command in commands(page, "cargo run --release -p ptc-codegen") {
+        shell(&command, folder);
+    }
+    let [main] = &blocks_of(page, "c")[..] else { panic!("one program in C") };
+    fs::write(folder.join("main.c"), main).expect("writable");
+    let [compile] = &commands(page, "cc ")[..] else { panic!("one compilation") };
+    let strict = "cc -Wall -Wextra -Wpedantic -Wconversion -Werror ";
+    let found = shell(&compile.replacen("cc ", strict, 1), folder);
+    let [expected] = &blocks_of(page, "text")[..] else { panic!("one output") };
+    assert_eq!(&found, expected);
+}
+
 #[test]
 fn from_plant_to_firmware() {
     let folder = folder("readme");
-    let emitted = commands("cargo run --release -p ptc-codegen");
-    assert_eq!(emitted.len(), 4, "the first command, that of the stage, two with a design");
-    let [design] = &blocks("toml")[..] else { panic!("one design") };
-    fs::write(folder.join("roll.toml"), design).expect("writable");
-    for command in &emitted {
-        shell(command, &folder);
+    assert_eq!(blocks_of(README, "toml"), [ENCODER]);
+    fs::create_dir(folder.join("examples")).expect("writable");
+    fs::write(folder.join("examples/encoder.toml"), ENCODER).expect("writable");
+    walk(README, &folder);
+    for file in ["pitch.toml", "out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c"] {
+        assert!(folder.join(file).is_file(), "{file}");
     }
-    assert!(folder.join("pitch.toml").is_file());
-    for file in ["ptc_exp3.h", "ptc_exp3.c", "stage.h", "stage.c", "roll.h", "roll.c"] {
-        assert!(folder.join("out").join(file).is_file(), "{file}");
-    }
-    let [main] = &blocks("c")[..] else { panic!("one program in C") };
-    fs::write(folder.join("main.c"), main).expect("writable");
-    let [compile] = &commands("cc ")[..] else { panic!("one compilation") };
-    let strict = "cc -Wall -Wextra -Wpedantic -Wconversion -Werror ";
-    let found = shell(&compile.replacen("cc ", strict, 1), &folder);
-    let [expected] = &blocks("text")[..] else { panic!("one output") };
-    assert_eq!(&found, expected);
+}
+
+#[test]
+fn a_controller_in_continuous_time() {
+    walk(TIME, &folder("time"));
+}
+
+/// The timer interrupt needs a board: it is compiled, and not run.
+#[test]
+fn a_timer_interrupt() {
+    let folder = folder("samples");
+    fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
+    let emit = "ptc-codegen emit encoder.toml --disturbance constant --lang c -o out";
+    printed(emit, &folder);
+    let [program] = &blocks_of(SAMPLES, "c")[..] else { panic!("one program") };
+    fs::write(folder.join("board.c"), program).expect("writable");
+    shell("cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iout -c board.c", &folder);
 }
 
 /// What `line` prints in `folder`; a refused design is no failure.
@@ -140,6 +165,7 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
     let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
+    fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }

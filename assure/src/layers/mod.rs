@@ -19,6 +19,7 @@ mod python;
 mod report;
 mod rules;
 mod rust;
+mod samples;
 mod seeded;
 mod selftest;
 mod st;
@@ -34,6 +35,7 @@ pub const LAYERS: &[Layer] = &[
     rules::LAYER,
     eva::LAYER,
     selftest::LAYER,
+    samples::LAYER,
     cost::LAYER,
     rust::LAYER,
     miri::LAYER,

@@ -1,0 +1,94 @@
+//! The controller in samples in the loop with the exact chain, in long arithmetic.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use anyhow::{Result, ensure};
+
+use super::command::generator;
+use crate::context::{Context, workspace};
+use crate::harness::runtime;
+use crate::layer::{Finding, Layer, Table};
+use crate::tool::PYTHON;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "samples",
+    claim: "Emitted C with a clock in samples, in the loop with the exact chain in 120 digits, is at \
+            rest at sample N: orders 1 to 4, delays, observers, unknown forces. The figures of \
+            README.md and docs/samples.md are those of this machine.",
+    tools: &[PYTHON],
+    run,
+};
+
+const README: &str = include_str!("../../../README.md");
+
+const PAGE: &str = include_str!("../../../docs/samples.md");
+
+fn run(context: &Context) -> Result<Finding> {
+    let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3"])?;
+    let command = generator()?;
+    let mut finding = Finding::default();
+    for (what, page) in [("rest", PAGE), ("stage", PAGE), ("table", README)] {
+        let output = measured(&python, &command, &[what])?;
+        let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+        if !output.status.success() {
+            finding.failures.push(format!("more is left than claimed:\n{printed}"));
+        }
+        finding.failures.extend(missing(&printed, page).map(|row| format!("{what} gives {row}")));
+        if what == "rest" {
+            finding.tables.push(rest(&printed));
+        }
+    }
+    let wrong = measured(&python, &command, &["rest", "--gain", "1.000001"])?;
+    let left = String::from_utf8_lossy(&wrong.stdout).lines().next().map(str::to_owned);
+    finding
+        .seed("a plant with an input gain off by 1e-6", left.filter(|_| !wrong.status.success()));
+    let loops: usize =
+        finding.tables[0].rows.iter().filter_map(|row| row[1].parse::<usize>().ok()).sum();
+    finding.summary = format!("{loops} loops end at rest, as far as doubles go");
+    Ok(finding)
+}
+
+/// What the script prints; 1 says that more is left than is claimed.
+fn measured(python: &Path, command: &Path, words: &[&str]) -> Result<Output> {
+    let (what, options) = words.split_at(1);
+    let output = Command::new(python)
+        .arg(workspace().join("tools/samples.py"))
+        .args(what)
+        .arg(command)
+        .args(options)
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .output()?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    ensure!(errors.is_empty(), "{words:?}: {errors}");
+    Ok(output)
+}
+
+/// The printed rows that `page` does not show.
+fn missing<'a>(printed: &'a str, page: &'a str) -> impl Iterator<Item = &'a str> {
+    printed.lines().filter(|row| !page.lines().any(|line| line.trim() == *row))
+}
+
+fn rest(printed: &str) -> Table {
+    let cells = |row: &str| row.trim_matches(['|', ' ']).split(" | ").map(str::to_owned).collect();
+    Table {
+        title: "What is left of the state at sample N".to_owned(),
+        head: vec!["loops", "number", "in parts of the largest state"],
+        rows: printed.lines().map(cells).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_that_the_page_does_not_show_is_found() {
+        let row = PAGE.lines().find(|line| line.starts_with("| observer, N = 20 |"));
+        let row = row.expect("a row of `rest`");
+        assert_eq!(missing(row, PAGE).next(), None);
+        let other = row.replace("20 | 18", "20 | 17");
+        assert_eq!(missing(&other, PAGE).collect::<Vec<_>>(), [other.as_str()]);
+        assert_eq!(rest(row).rows[0][1], "18");
+    }
+}
