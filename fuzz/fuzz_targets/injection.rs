@@ -5,7 +5,7 @@
 
 #[path = "../../tests/support/command.rs"]
 mod command;
-#[path = "../../tests/support/inert.rs"]
+#[path = "../../assure/src/harness/inert.rs"]
 mod inert;
 
 use libfuzzer_sys::fuzz_target;
