@@ -12,6 +12,7 @@ mod text;
 use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::internal::fault;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::{Family, Mapping};
 use ptc_codegen::spec::{Fixed, KeyInfo, MAX_ORDER, Node, Parameter, Spec, Value};
@@ -223,7 +224,7 @@ fn bell(table: Vec<Vec<Poly>>) -> Forms {
 
 /// BB_n and b_n from the B_{i,j} up to n.
 fn matrix(sheet: &mut Sheet, mut table: Vec<Vec<Poly>>) {
-    let mut last = table.pop().unwrap_or_default();
+    let mut last = table.pop().unwrap_or_else(|| fault("Bell polynomials without a row"));
     let n = table.len();
     last.truncate(n);
     table.iter_mut().for_each(|row| row.resize(n, Poly::zero()));
