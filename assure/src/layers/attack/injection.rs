@@ -39,7 +39,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
         finding.failures.extend(found.map(|what| format!("{what}: {name:?} with {text:?}")));
     }
     let text = format!("# <b>\n{DESIGN}");
-    let [raw, lost] = [("&lt;b&gt;", "<b></b>"), ("&lt;b&gt;", "")]
+    let [raw, lost] = [("&#60;b&#62;", "<b></b>"), ("&#60;b&#62;", "")]
         .map(|(from, to)| page("raw.toml", &text).map(|page| page.replace(from, to)));
     finding.seed("a page with a tag of the design", differs(&plain, &raw?, &text));
     finding.seed("a page that leaves a text out", differs(&plain, &lost?, &text));
