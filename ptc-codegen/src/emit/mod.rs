@@ -4,6 +4,7 @@
 //! holds structure and API text, never arithmetic.
 
 mod acsl;
+mod apart;
 mod c;
 mod cpp;
 mod declared;
@@ -205,6 +206,19 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
     (target.refuse)(controller, &mut found);
     found.finish(Some(()))?;
     Ok((target.files)(controller))
+}
+
+/// Notes a name whose class is called as one of the `others`, or as a value of its methods: T, E, K1,
+/// K2, ...
+fn refuse_class(spec: &Spec, others: &[&str], found: &mut Diagnostics) {
+    let (name, class) = (spec.name(), spec.type_name());
+    let digits = class.strip_prefix('K').filter(|digits| !digits.is_empty());
+    let is_gain = digits.is_some_and(|d| d.bytes().all(|b| b.is_ascii_digit()));
+    if is_gain || matches!(class.as_str(), "T" | "E") || others.contains(&class.as_str()) {
+        let message = format!("the class of {name} would be {class}, which is another thing there");
+        let help = format!("give it another name, for example {name}_1");
+        found.push("reserved-name", "name", None, message, help);
+    }
 }
 
 /// The names that the user gave, or that were made for him, each by its key.

@@ -4,7 +4,9 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
+use super::{
+    Controller, Declared, File, Language, Target, declared, header, refuse_class, text_of, tidy,
+};
 use crate::program::Input;
 use crate::spec::{After, Guard, Precision, Spec, type_name};
 
@@ -17,7 +19,7 @@ pub(super) const TARGET: Target = Target {
         WORDS.split_whitespace().any(|one| one == word)
             || CLASSES.split_whitespace().any(|one| one == type_name(word))
     },
-    refuse: |_, _| {},
+    refuse: |controller, found| refuse_class(controller.spec(), &[], found),
     files,
 };
 
