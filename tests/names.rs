@@ -5,12 +5,12 @@ mod support;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
 use ptc_codegen::diagnostic::Place;
-use ptc_codegen::emit::Language;
+use ptc_codegen::emit::{File, Language};
+use ptc_codegen::generate;
 use ptc_codegen::request::{Entry, Spec, read};
 use ptc_codegen::syntax::parse;
 use support::{STRICT, c_compiler, folder, in_pairs, rustc, write};
@@ -116,33 +116,42 @@ fn a_name_that_is_taken_compiles() {
     assert!(refused.is_empty(), "{}", refused.join("\n"));
 }
 
-/// Emitted files whose identifiers are tried as names: loops, an iteration, functions and a state
-/// of the user's, and a gain of the input.
-const SOURCES: [&str; 7] = [
-    "rust/ptc_exp_sum2.rs",
-    "rust/ptc_power2_by_root.rs",
-    "rust/ptc_tanh3_extern.rs",
-    "rust/ptc_own_law1_latched.rs",
-    "python/ptc_exp_sum2.py",
-    "python/ptc_tanh3_extern.py",
-    "python/ptc_own_law1_latched.py",
+/// Designs whose own identifiers are tried as names: loops, an iteration, functions and a state of
+/// the user's, a gain of the input, and the infinite-time system.
+const DESIGNS: [&[(&str, &str)]; 6] = [
+    &[("n", "9"), ("mu", "exp_sum")],
+    &[("n", "2"), ("mu", "power(m=0.2)"), ("u_max", "3"), ("guard", "result")],
+    &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "extern")],
+    &[("n", "2"), ("mu", "tan"), ("pi0", "-20*xi1 - 9*xi2*x1_0"), ("g", "2 + cos(x1)")],
+    &[("n", "2"), ("mu", "tau*b*t/(1 + b*t)"), ("precision", "f32")],
+    &[("n", "2"), ("mu", "power"), ("what", "associated")],
 ];
 
-/// The identifiers in the code of the emitted files, and those of the same type name.
-fn identifiers() -> BTreeSet<String> {
-    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("generated");
+/// The identifiers in the code of emitted files, and those of the same type name.
+fn identifiers(files: &[File]) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    for source in SOURCES {
-        let text = fs::read_to_string(generated.join(source)).expect("an emitted file");
-        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-        for word in code.flat_map(|l| l.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))) {
-            if word.starts_with(|c: char| c.is_ascii_alphabetic()) {
-                found.insert(word.to_owned());
-                found.insert(word.to_lowercase());
+    for file in files {
+        // Every second part of a Python module is a text of several lines.
+        for line in file.text.split("\"\"\"").step_by(2).flat_map(str::lines) {
+            let is_comment =
+                ["//", "/*", "*", "#"].iter().any(|comment| line.trim_start().starts_with(comment));
+            let code = if is_comment { "" } else { line.split("/*").next().unwrap_or(line) };
+            for word in code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+                let is_own = word.to_lowercase().replace('_', "").contains("plainname");
+                if word.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_own {
+                    found.insert(word.to_owned());
+                    found.insert(word.to_lowercase());
+                }
             }
         }
     }
     found
+}
+
+/// The design under a name.
+fn called(design: &[(&str, &str)], name: &str) -> Option<Spec> {
+    let fixed = [("name", name), ("allow", "membership,growth,sampling")];
+    spec_of(&[design, &fixed].concat())
 }
 
 /// Compiles every module, and finds a name of the module that one of its functions hides.
@@ -176,35 +185,85 @@ for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
 "#;
 
 #[test]
-fn internal_identifiers_as_names_compile_in_rust_and_python() {
+fn internal_identifiers_as_names_compile() {
     let folder = folder("names_internal");
-    let mut library = String::new();
-    let mut taken = [0, 0];
-    for name in identifiers() {
-        let mapping = format!("tau*{name}*t/(1 + {name}*t)");
-        let by_name = spec_of(&[("n", "2"), ("mu", "exp_sum"), ("name", &name)]);
-        let by_parameter = spec_of(&[("n", "2"), ("mu", &mapping), ("name", "host")]);
-        for (index, spec) in [by_name, by_parameter].into_iter().enumerate() {
-            let Some(spec) = spec else { continue };
-            taken[index] += 1;
-            let module = format!("{}_{name}", ["controller", "parameter"][index]);
-            if let Ok(files) = ptc_codegen::generate(&spec, Language::Rust) {
-                fs::write(folder.join(format!("{module}.rs")), &files[0].text).expect("a file");
-                writeln!(library, "#[path = \"{module}.rs\"]\npub mod {module};").expect("text");
-            }
-            if let Ok(files) = ptc_codegen::generate(&spec, Language::Python) {
-                fs::write(folder.join(format!("{module}.py")), &files[0].text).expect("a file");
+    let (mut modules, mut headers) = (String::new(), String::new());
+    let (mut sources, mut taken, mut refused) = (Vec::new(), [0, 0], BTreeSet::new());
+    let put = |name: String, text: &str| {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(&path, text).expect("a file");
+        path
+    };
+    let languages = [Language::C, Language::Cpp, Language::Rust, Language::Python];
+    for (index, design) in DESIGNS.iter().enumerate() {
+        let plain = called(design, "plain_name").expect("a design");
+        for language in languages {
+            let own = identifiers(&generate(&plain, language).expect("files"));
+            assert!(own.len() > 30, "{} identifiers", own.len());
+            for name in own {
+                let mapping = format!("tau*{name}*t/(1 + {name}*t)");
+                let by_parameter = spec_of(&[("n", "2"), ("mu", &mapping), ("name", "host")]);
+                let given = [called(design, &name), by_parameter.filter(|_| index == 0)];
+                if given[0].is_none() {
+                    refused.insert(name.clone());
+                }
+                for (kind, spec) in given.into_iter().enumerate() {
+                    let Some(spec) = spec else { continue };
+                    taken[kind] += 1;
+                    let module = format!("{}_{index}_{name}", ["controller", "parameter"][kind]);
+                    for file in generate(&spec, language).unwrap_or_default() {
+                        let extension = file.name.rsplit_once('.').map_or("", |(_, end)| end);
+                        let path = match language {
+                            Language::C => format!("{module}/{}", file.name),
+                            _ => format!("{module}.{extension}"),
+                        };
+                        let path = put(path, &file.text);
+                        match extension {
+                            "rs" => {
+                                let line =
+                                    format!("#[path = \"{module}.rs\"]\npub mod {module};\n");
+                                modules.push_str(&line);
+                            }
+                            "hpp" => {
+                                // Each in a space of its own, as if it were alone.
+                                let guard = file.name.replace('.', "_").to_uppercase();
+                                write!(
+                                    headers,
+                                    "#undef PTC_STATUS_HPP\n#undef {guard}\nnamespace {module} {{\n\
+                                     #include \"{module}.hpp\"\n}}\n"
+                                )
+                                .expect("text");
+                            }
+                            "c" => sources.push(path),
+                            _ => {}
+                        }
+                    }
+                }
             }
         }
     }
-    assert!(taken.iter().all(|count| *count > 30), "{taken:?} names are taken");
-    fs::write(folder.join("lib.rs"), format!("#![allow(non_snake_case)]\n{library}"))
-        .expect("a file");
+    println!("{taken:?} names are taken, refused are {refused:?}");
+    assert!(taken[0] > 400 && taken[1] > 30, "{taken:?} names are taken");
+    // Words of the languages, of their libraries and of the statuses.
+    assert!(refused.len() < 110, "{refused:?}");
+    put("lib.rs".to_owned(), &format!("#![allow(non_snake_case)]\n{modules}"));
+    let headers = format!("#include <array>\n#include <cmath>\n#include <limits>\n{headers}");
+    let headers = put("all.hpp".to_owned(), &headers);
     let mut rust = rustc();
     rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);
     rust.arg(folder.join("lib.rs")).arg("-o").arg(folder.join("named.rmeta"));
-    let output = rust.output().expect("a compiler");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let mut c = c_compiler();
+    c.args(STRICT).arg("-fsyntax-only").args(&sources);
+    let mut cpp = cpp_compiler();
+    cpp.args(STRICT_CPP).args(["-fsyntax-only", "-x", "c++"]).arg(headers);
+    for mut compiler in [c, cpp, rust] {
+        let output = compiler.output().expect("a compiler");
+        let told = String::from_utf8_lossy(&output.stderr);
+        let errors: Vec<_> = told.lines().filter(|line| line.contains("error")).collect();
+        let shown = errors[..errors.len().min(20)].join("\n");
+        assert!(output.status.success(), "{shown}");
+    }
     let output = Command::new("python3").args(["-c", PYTHON]).arg(&folder).output();
     let output = output.expect("python3");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

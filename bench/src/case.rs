@@ -113,6 +113,9 @@ impl Case {
                 Parameter::M => 1.5,
                 Parameter::Rate(i) => [0.75, 1.75][i % 2],
                 Parameter::Named(_) => 1.0,
+                Parameter::Samples => 1000.0,
+                Parameter::SampleTime => 1e-3,
+                Parameter::Deadbeat => 0.0,
                 Parameter::Gain(i) => [2.5, 4.75, 1.25, 3.5][i % 4],
             };
             let field = parameter.key();

@@ -5,7 +5,7 @@
 
 #[path = "../../tests/support/command.rs"]
 mod command;
-#[path = "../../tests/support/inert.rs"]
+#[path = "../../assure/src/harness/inert.rs"]
 mod inert;
 
 use libfuzzer_sys::fuzz_target;
@@ -37,9 +37,7 @@ fuzz_target!(|bytes: &[u8]| {
         for (own, plain) in own.iter().zip(&plain) {
             assert_eq!(inert::breach(own), None);
             if inert::is_of_a_tool(own) {
-                let [own, plain] = [(own, &*given.name()), (plain, "plain_design")]
-                    .map(|(file, name)| inert::frame(file, name));
-                assert_eq!(own, plain);
+                assert_eq!(*own, inert::renamed(plain, "plain_design", &given.name()));
             }
         }
     }

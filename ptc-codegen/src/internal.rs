@@ -47,7 +47,7 @@ impl From<Internal> for Diagnostic {
 }
 
 /// Ends the work that [`guarded`] does. It is for what no input may cause.
-pub(crate) fn fault(what: impl Into<String>) -> ! {
+pub fn fault(what: impl Into<String>) -> ! {
     resume_unwind(Box::new(Internal(what.into())))
 }
 

@@ -6,6 +6,8 @@ pub mod command;
 pub mod cost;
 pub mod cpp;
 pub mod goldens;
+pub mod inert;
+pub mod injection;
 pub mod machine;
 pub mod program;
 pub mod random;

@@ -6,6 +6,7 @@ use super::statement::{Head, Statement, Word};
 use super::value::shorten;
 use super::{LISTED, SYNTAX, TABLES, canonical};
 use crate::diagnostic::{Diagnostic, Place, near_miss};
+use crate::keys::KeyInfo;
 use crate::request::Entry;
 
 /// What has been read so far.
@@ -89,7 +90,9 @@ impl<'a> Reader<'a> {
             Head::Pair(value) => {
                 let key_range = range(&statement.words);
                 let Some(key) = self.pair(&statement.words) else { return };
-                if TABLES.contains(&key.as_str()) {
+                // `disturbance` is a key of the controller too, and a table of what is verified.
+                let own = KeyInfo::find(&key).is_some_and(|info| info.table().is_none());
+                if TABLES.contains(&key.as_str()) && !own {
                     let message = format!("`{key}` is {}, not a table", value.described());
                     let help = format!(
                         "write `[{key}]` on a line of its own, and under it one `name = value` a line"

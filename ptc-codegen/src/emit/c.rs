@@ -3,6 +3,7 @@
 use askama::Template;
 
 use super::acsl::{self, Contracts};
+use super::apart::apart;
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
 use super::{Controller, Declared, File, Language, Target, declared, eva, header, text_of, tidy};
@@ -62,6 +63,7 @@ fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
         .into_iter()
         .map(|(name, text)| File { name, text: tidy(&text_of(text)) })
         .chain(proof)
+        .map(|file| apart(file, &name))
         .collect()
 }
 
@@ -188,7 +190,6 @@ impl Syntax for C<'_> {
         }
     }
 
-    /// All names in it are reserved, so that none hides a controller's type.
     fn rows_function(&self, weights: usize) -> Vec<String> {
         let (name, real, tail) = (&self.name, self.real, weights - 1);
         let lines = [

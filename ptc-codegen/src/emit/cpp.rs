@@ -4,7 +4,9 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
+use super::{
+    Controller, Declared, File, Language, Target, declared, header, refuse_class, text_of, tidy,
+};
 use crate::controller::plan::Routine;
 use crate::expression::Function;
 use crate::parameter::Precision;
@@ -17,7 +19,7 @@ pub(super) const TARGET: Target = Target {
     about: "one header, C++17 and constexpr",
     comment: ("/* ", " */"),
     is_word: |word| WORDS.split_whitespace().any(|one| one == word),
-    refuse: |_, _, _| {},
+    refuse: |spec, _, found| refuse_class(spec, &CLASSES, found),
     files,
 };
 
@@ -27,6 +29,9 @@ const WORDS: &str = "
     co_return co_yield decltype dynamic_cast mutable noexcept not_eq or_eq reinterpret_cast requires
     static_assert static_cast std thread_local wchar_t xor_eq
 ";
+
+/// The header's own types: those beside the class, and those in it.
+const CLASSES: [&str; 6] = ["Control", "Gains", "Params", "Rate", "State", "Status"];
 
 fn files(controller: &Controller<'_>) -> Vec<File> {
     let spec = controller.spec();

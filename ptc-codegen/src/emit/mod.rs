@@ -4,6 +4,7 @@
 //! holds structure and API text, never arithmetic.
 
 mod acsl;
+mod apart;
 mod c;
 mod code;
 mod cpp;
@@ -171,7 +172,20 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     let target = language.target();
     accepts(target, controller.spec(), Some(controller.program))?;
-    Ok((target.files)(controller))
+    named_apart(language, controller.spec(), (target.files)(controller))
+}
+
+/// `files`, unless a word that is only known once they are printed has two meanings in them.
+fn named_apart(
+    language: Language,
+    spec: &Spec,
+    files: Vec<File>,
+) -> Result<Vec<File>, Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    if language == Language::StructuredText {
+        st::names_itself(spec, &files, &mut found);
+    }
+    found.finish(Some(files))
 }
 
 /// Whether a language can express the controller of `spec`: by the names in it, and by its program,
@@ -202,7 +216,7 @@ pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Ve
     let Some(controller) = sampled::program(report, language) else {
         fault("a controller without samples")
     };
-    Ok(match language {
+    let files = match language {
         Language::C => code::c(&controller),
         Language::Rust => vec![code::rust(&controller)],
         Language::Cpp => vec![code::cpp(&controller)],
@@ -210,7 +224,8 @@ pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Ve
         Language::Python => vec![code::python(&controller)],
         Language::StructuredText => vec![code::st(&controller)],
         Language::Fmu2 | Language::Fmu3 => fault("an FMU refuses a clock in samples"),
-    })
+    };
+    named_apart(language, &report.spec, files)
 }
 
 /// The items of the Rust file of a controller in samples on the types of the facade crate `ptc`.
@@ -218,6 +233,19 @@ pub fn emit_sampled_items(report: &Report) -> String {
     match sampled::program(report, Language::Rust) {
         Some(controller) => code::rust_items(&controller),
         None => fault("a controller without samples"),
+    }
+}
+
+/// Notes a name whose class is called as one of the `others`, or as a value of its methods: T, E, K1,
+/// K2, ...
+fn refuse_class(spec: &Spec, others: &[&str], found: &mut Diagnostics) {
+    let (name, class) = (spec.name(), spec.type_name());
+    let digits = class.strip_prefix('K').filter(|digits| !digits.is_empty());
+    let is_gain = digits.is_some_and(|d| d.bytes().all(|b| b.is_ascii_digit()));
+    if is_gain || matches!(class.as_str(), "T" | "E") || others.contains(&class.as_str()) {
+        let message = format!("the class of {name} would be {class}, which is another thing there");
+        let help = format!("give it another name, for example {name}_1");
+        found.push("reserved-name", "name", None, message, help);
     }
 }
 

@@ -4,7 +4,9 @@ use askama::Template;
 
 use super::frame::Frame;
 use super::print::{self, RootText, Syntax};
-use super::{Controller, Declared, File, Language, Target, declared, header, text_of, tidy};
+use super::{
+    Controller, Declared, File, Language, Target, declared, header, refuse_class, text_of, tidy,
+};
 use crate::parameter::{Precision, type_name};
 use crate::program::Input;
 use crate::request::{After, Guard, Spec};
@@ -18,7 +20,7 @@ pub(super) const TARGET: Target = Target {
         WORDS.split_whitespace().any(|one| one == word)
             || CLASSES.split_whitespace().any(|one| one == type_name(word))
     },
-    refuse: |_, _, _| {},
+    refuse: |spec, _, found| refuse_class(spec, &[], found),
     files,
 };
 

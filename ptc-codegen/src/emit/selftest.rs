@@ -2,6 +2,7 @@
 
 use askama::Template;
 
+use super::apart::apart;
 use super::frame::Frame;
 use super::{Controller, File, Language, c, declared, text_of, tidy};
 use crate::parameter::Precision;
@@ -72,7 +73,7 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
         (format!("{name}_selftest.c"), source.render()),
     ]
     .into_iter()
-    .map(|(name, text)| File { name, text: tidy(&text_of(text)) })
+    .map(|(file, text)| apart(File { name: file, text: tidy(&text_of(text)) }, &name))
     .collect()
 }
 

@@ -93,6 +93,30 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
     }
 }
 
+/// Refuses a name that a variable of the function block has too.
+pub(super) fn names_itself(spec: &Spec, files: &[File], found: &mut Diagnostics) {
+    let name = spec.name();
+    if files.iter().any(|file| occurrences(&file.text, &name) > 1) {
+        found.push(
+            "reserved-name",
+            "name",
+            None,
+            format!("the function block has a variable {name}, which st reads as its own name"),
+            format!("give it another name, for example {name}_1"),
+        );
+    }
+}
+
+/// How often code outside of comments has `name`, in capitals or not.
+fn occurrences(text: &str, name: &str) -> usize {
+    let code = text.split("(*").map(|part| part.split_once("*)").map_or(part, |(_, code)| code));
+    let words = |code: &str| {
+        let words = code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+        words.filter(|word| word.eq_ignore_ascii_case(name)).count()
+    };
+    code.map(words).sum()
+}
+
 /// The key whose expression calls `function`; that of the mapping where it comes from its inverse.
 fn key_of(spec: &Spec, function: Function) -> &'static str {
     let calls = |e: &Expression| e.any(&|e| matches!(e, Expression::Call(f, _) if *f == function));

@@ -18,20 +18,10 @@ const DECLARED: &str = "NULL NAN INFINITY HUGE_VAL";
 /// Functions of C's `math.h`, each of which also exists with the suffixes `f` and `l`.
 const FUNCTIONS: &str = "
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp10 exp2
-    expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb isinf isnan j0 j1 jn
+    expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb isfinite isinf isnan j0 j1 jn
     ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter
     nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn signbit significand sin
     sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn
-";
-
-/// What the emitted functions call their parameters and values; a number may follow each, as in
-/// `x1` or `c2_1`.
-const LOCALS: &str = "
-    a after b built c context correction cot_rate cot_rate_squared deadline eps f gain gains half_tau hold_from
-    input_gain inv_T inv_T_squared inv_angle_rate inv_r1 inv_tau inv_w minus_tau angle_rate k K late law m margin mean_period none
-    one_plus_E one_plus_y2 p params past pi0 q r rate rates row round sec self slope slowest status t t0
-    target target_rate tau th_cot_th tolerance t_kappa two_tau u u_max unit v w x xi xi_dot y y_high y_low y_next y_size
-    y_squared E T
 ";
 
 /// Headers of C and modules of Python, for which a controller's own files would be taken.
@@ -44,8 +34,8 @@ const FILES: &str = "
 /// What the names of all statuses begin with.
 const STATUS: &str = "PTC_";
 
-/// Types that stand beside the controller's own in an emitted Rust file.
-const TYPES: [&str; 5] = ["Control", "Controller", "Error", "Result", "Status"];
+/// Types that stand beside the controller's own in an emitted Rust file, and a trait it uses.
+const TYPES: [&str; 6] = ["Control", "Controller", "Error", "FnOnce", "Result", "Status"];
 
 /// Whether `word` is a keyword, or a name that C's headers declare as a macro.
 pub(super) fn is_word(word: &str) -> bool {
@@ -63,17 +53,12 @@ pub(crate) fn is_reserved(word: &str) -> bool {
 pub(crate) fn reason(word: &str) -> Option<&'static str> {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);
-    let unnumbered = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
     let reasons = [
         (word.starts_with('_'), "C reserves names that begin with an underscore"),
         (word.ends_with("_t"), "POSIX reserves names that end in _t"),
         (is_word(word), "it is a word of C, C++ or Rust, or what all controllers share"),
         (among(FUNCTIONS, word) || among(FUNCTIONS, stem), "it is a function of C's math.h"),
         (among(FILES, word), "its files would take the place of a header or module of that name"),
-        (
-            among(LOCALS, word) || among(LOCALS, unnumbered),
-            "the emitted functions call a value of their own so",
-        ),
         (
             TYPES.contains(&super::type_name(word).as_str()),
             "its type would have the name of another one in Rust",
@@ -99,11 +84,8 @@ mod tests {
             "size_t",
             "status",
             "Error",
+            "fn_once",
             "self",
-            "x1",
-            "c2_1",
-            "t",
-            "inv_T",
             "stdint",
             "math",
             "PTC_STATUS_DEFINED",
@@ -111,7 +93,10 @@ mod tests {
         ] {
             assert!(is_reserved(word), "{word}");
         }
-        for word in ["roll", "ptc_exp3", "stage", "x_f", "Roll2", "state", "shelf", "level"] {
+        for word in [
+            "roll", "ptc_exp3", "stage", "x_f", "Roll2", "state", "shelf", "level", "x1", "t",
+            "inv_T", "gains",
+        ] {
             assert!(!is_reserved(word), "{word}");
         }
     }

@@ -22,14 +22,18 @@ pub struct Interpreter<'a> {
 impl<'a> Interpreter<'a> {
     /// An interpreter for `program`; `input` gives each input, already in the program's precision.
     pub fn new(program: &'a Program, input: &'a dyn Fn(Input) -> f64) -> Self {
-        Self {
-            program,
-            input,
-            law: None,
-            machine: Machine::new(program, &[]),
-            known: vec![false; program.values.len()],
-            decisions: BTreeSet::new(),
-        }
+        Self::on(program, Machine::new(program, &[]), input)
+    }
+
+    /// The same on a machine of `program` that has computed nothing yet: for many inputs it is made
+    /// once and copied.
+    pub(crate) fn on(
+        program: &'a Program,
+        machine: Machine,
+        input: &'a dyn Fn(Input) -> f64,
+    ) -> Self {
+        let known = vec![false; program.values.len()];
+        Self { program, input, law: None, machine, known, decisions: BTreeSet::new() }
     }
 
     /// The ways that the emitted code took so far where it has a branch: which operand is the

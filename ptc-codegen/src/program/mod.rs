@@ -178,11 +178,18 @@ impl Hash for Op {
 impl Op {
     /// The values it uses.
     pub fn operands(&self) -> Vec<Value> {
+        let mut all = Vec::new();
+        self.each_operand(|operand| all.push(operand));
+        all
+    }
+
+    /// Gives its operands one by one.
+    fn each_operand(&self, mut give: impl FnMut(Value)) {
         match self {
-            Self::Number(_) | Self::Input(_) | Self::Unknown => Vec::new(),
-            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => vec![*a],
-            Self::Law(arguments) => arguments.clone(),
-            Self::Rows { tail, weights } => [tail.as_slice(), weights].concat(),
+            Self::Number(_) | Self::Input(_) | Self::Unknown => {}
+            Self::Neg(a) | Self::Power(a, _) | Self::Call(_, a) | Self::Element(a, _) => give(*a),
+            Self::Law(arguments) => arguments.iter().copied().for_each(give),
+            Self::Rows { tail, weights } => tail.iter().chain(weights).copied().for_each(give),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -190,8 +197,8 @@ impl Op {
             | Self::Quotient(a, b)
             | Self::Max(a, b)
             | Self::Min(a, b)
-            | Self::Pow(a, b) => vec![*a, *b],
-            Self::Root(root) => root.operands().to_vec(),
+            | Self::Pow(a, b) => [*a, *b].into_iter().for_each(give),
+            Self::Root(root) => root.operands().into_iter().for_each(give),
         }
     }
 
@@ -307,9 +314,7 @@ impl Program {
         }
         for index in (0..self.values.len()).rev() {
             if wanted[index] {
-                for operand in self.values[index].op.operands() {
-                    wanted[operand.0] = true;
-                }
+                self.values[index].op.each_operand(|operand| wanted[operand.0] = true);
             }
         }
         (0..self.values.len()).filter(|i| wanted[*i]).map(Value).collect()

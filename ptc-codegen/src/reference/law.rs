@@ -2,7 +2,7 @@
 
 use astro_float_num::BigFloat;
 
-use super::long::{Arithmetic, below};
+use super::long::{Arithmetic, below, raised};
 use crate::expression::{Expression, Function, Variable};
 use crate::parameter::Parameter;
 
@@ -87,7 +87,7 @@ impl Arithmetic {
             Some(k) => {
                 let one = self.integer(1);
                 let power =
-                    (0..k.unsigned_abs()).fold(one.clone(), |p, _| self.mul(&p, &base.value));
+                    raised(one.clone(), &base.value, k.unsigned_abs(), |a, b| self.mul(a, b));
                 if k < 0 { self.div(&one, &power) } else { power }
             }
             None => self.power(&base.value, &exponent.value),

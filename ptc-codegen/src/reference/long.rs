@@ -181,6 +181,26 @@ impl Arithmetic {
     }
 }
 
+/// base^exponent by squaring.
+pub(super) fn raised<T: Clone>(
+    one: T,
+    base: &T,
+    exponent: u32,
+    product: impl Fn(&T, &T) -> T,
+) -> T {
+    let (mut power, mut square, mut rest) = (one, base.clone(), exponent);
+    while rest > 0 {
+        if rest % 2 == 1 {
+            power = product(&power, &square);
+        }
+        rest /= 2;
+        if rest > 0 {
+            square = product(&square, &square);
+        }
+    }
+    power
+}
+
 /// A double in at least `bits` bits; NaN and infinities stay.
 pub(super) fn double(value: f64, bits: usize) -> BigFloat {
     if !value.is_subnormal() {

@@ -1,5 +1,7 @@
 //! The time mapping by its definition: stretched time, r_k and the matrix of Bell polynomials.
 
+use std::collections::BTreeSet;
+
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, below, is_finite};
@@ -14,6 +16,27 @@ use crate::request::Spec;
 const ROUNDS: usize = 200;
 /// Most doublings of stretched time in search of the root.
 const DOUBLINGS: i32 = 8192;
+
+/// The mapping of a controller, as it is defined.
+pub(super) struct Mapping {
+    expression: Expression,
+    subject: Subject,
+    n: usize,
+    /// Those it depends on.
+    pub(super) parameters: BTreeSet<Parameter>,
+}
+
+impl Mapping {
+    pub(super) fn new(spec: &Spec) -> Self {
+        let (subject, expression) = match &spec.time_mapping {
+            TimeMapping::Family { family, rates } => (Subject::Mu, definition(*family, *rates)),
+            TimeMapping::Custom(custom) => (custom.subject, custom.given.clone()),
+        };
+        let mut parameters = expression.parameters();
+        parameters.insert(Parameter::Tau);
+        Self { expression, subject, n: spec.n, parameters }
+    }
+}
 
 /// The mapping at one time.
 pub(super) struct Point {
@@ -55,30 +78,27 @@ fn definition(family: Family, rates: usize) -> Expression {
 }
 
 impl Arithmetic {
-    /// The mapping of `spec` at time-to-go `to_go`, 0 < `to_go` <= tau.
+    /// The mapping at time-to-go `to_go`, 0 < `to_go` <= tau.
     pub(super) fn point(
         &mut self,
-        spec: &Spec,
+        mapping: &Mapping,
         to_go: &BigFloat,
         parameter: &dyn Fn(Parameter) -> f64,
     ) -> Option<Point> {
-        let (subject, mapping) = match &spec.time_mapping {
-            TimeMapping::Family { family, rates } => (Subject::Mu, definition(*family, *rates)),
-            TimeMapping::Custom(custom) => (custom.subject, custom.given.clone()),
-        };
-        let (stretched, mu) = if subject == Subject::Mu {
-            let stretched = self.root(&mapping, to_go, parameter)?;
-            let mu = self.around(&mapping, Variable::SinceStart, &stretched, spec.n, parameter);
+        let Mapping { expression, subject, n, .. } = mapping;
+        let (stretched, mu) = if *subject == Subject::Mu {
+            let stretched = self.root(expression, to_go, parameter)?;
+            let mu = self.around(expression, Variable::SinceStart, &stretched, *n, parameter);
             (stretched, mu)
         } else {
             let elapsed = self.sub(&self.double(parameter(Parameter::Tau)), to_go);
-            let mut kappa = self.around(&mapping, Variable::Elapsed, &elapsed, spec.n, parameter);
+            let mut kappa = self.around(expression, Variable::Elapsed, &elapsed, *n, parameter);
             let stretched = std::mem::replace(&mut kappa[0], self.integer(0));
             (stretched, self.reverted(&kappa))
         };
         // r_k = mu^(k) = k! times the Taylor coefficient.
         let mut factorial = self.integer(1);
-        let mut r = Vec::with_capacity(spec.n);
+        let mut r = Vec::with_capacity(*n);
         for (k, coefficient) in (1i64..).zip(&mu[1..]) {
             factorial = self.mul(&factorial, &self.integer(k));
             r.push(self.mul(&factorial, coefficient));

@@ -12,6 +12,9 @@ mod mapping;
 mod series;
 pub mod tolerance;
 
+use std::collections::VecDeque;
+use std::rc::Rc;
+
 use astro_float_num::BigFloat;
 
 use crate::code;
@@ -20,7 +23,7 @@ use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::request::{After, Feedback, Spec};
 use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
-use mapping::Point;
+use mapping::{Mapping, Point};
 
 /// Bits of the first of the precisions, each of which has twice those of the one before.
 const FIRST_BITS: usize = 192;
@@ -166,37 +169,108 @@ impl Outcome {
 
 /// What a call of the controller of `spec` should give; `None` where more digits than any decide.
 pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
-    let parameter = |p| value_of(spec, p, call.parameter);
-    if spec.run_time_parameters().any(|p| !admitted(spec, p, &parameter)) {
-        return Some(Outcome::refused(Status::Param));
-    }
-    let [tau, start, eps] = [Parameter::Tau, Parameter::StartTime, Parameter::Eps].map(parameter);
-    let finite = call.t.is_finite() && call.x.iter().all(|x| x.is_finite());
-    if !finite || call.t < start {
-        return Some(Outcome::refused(Status::Input));
-    }
-    // Exact: no sum of three doubles needs more bits than this.
-    let exact = Arithmetic::new(4352)?;
-    let deadline = exact.add(&exact.double(start), &exact.double(tau));
-    let to_go = exact.sub(&deadline, &exact.double(call.t));
-    let over = !to_go.is_positive() || to_go.is_zero();
-    let tracking = below(&exact.double(eps), &to_go);
-    let held = if tracking { to_go.clone() } else { exact.double(eps) };
-    let time_to_go = nearest(&to_go);
-    if over && spec.after != After::Hold {
-        let u = if spec.after == After::Extern { call.after } else { 0.0 };
-        return Some(clipped(
-            spec,
-            Outcome { status: Status::After, u, control: None, time_to_go },
-            &parameter,
-        ));
-    }
-    let control = agreed(spec, call, &held, &parameter)?;
-    let status = if tracking { Status::Ok } else { Status::Hold };
-    let u = control.u();
-    let outcome = Outcome { status, u, control: Some(control), time_to_go };
-    Some(clipped(spec, outcome, &parameter))
+    Reference::new(spec)?.evaluate(call)
 }
+
+/// The definition of one controller. What calls have in common is computed once: the constants of
+/// each precision, and the mapping at the last few times.
+pub struct Reference<'a> {
+    spec: &'a Spec,
+    mapping: Mapping,
+    /// Exact for every sum of three doubles.
+    exact: Arithmetic,
+    /// By the doublings of [`FIRST_BITS`].
+    precisions: Vec<Kept>,
+}
+
+impl<'a> Reference<'a> {
+    /// The definition of the controller of `spec`; `None` where there is no memory for it.
+    pub fn new(spec: &'a Spec) -> Option<Self> {
+        Some(Self {
+            spec,
+            mapping: Mapping::new(spec),
+            exact: Arithmetic::new(4352)?,
+            precisions: Vec::new(),
+        })
+    }
+
+    /// What a call should give; `None` where more digits than any decide.
+    pub fn evaluate(&mut self, call: &Call<'_>) -> Option<Outcome> {
+        let (spec, exact) = (self.spec, &self.exact);
+        let parameter = |p| value_of(spec, p, call.parameter);
+        if spec.run_time_parameters().any(|p| !admitted(spec, p, &parameter)) {
+            return Some(Outcome::refused(Status::Param));
+        }
+        let [tau, start, eps] =
+            [Parameter::Tau, Parameter::StartTime, Parameter::Eps].map(parameter);
+        let finite = call.t.is_finite() && call.x.iter().all(|x| x.is_finite());
+        if !finite || call.t < start {
+            return Some(Outcome::refused(Status::Input));
+        }
+        let deadline = exact.add(&exact.double(start), &exact.double(tau));
+        let to_go = exact.sub(&deadline, &exact.double(call.t));
+        let over = !to_go.is_positive() || to_go.is_zero();
+        let tracking = below(&exact.double(eps), &to_go);
+        let held = if tracking { to_go.clone() } else { exact.double(eps) };
+        let time_to_go = nearest(&to_go);
+        if over && spec.after != After::Hold {
+            let u = if spec.after == After::Extern { call.after } else { 0.0 };
+            return Some(clipped(
+                spec,
+                Outcome { status: Status::After, u, control: None, time_to_go },
+                &parameter,
+            ));
+        }
+        let control = self.agreed(call, &held, &parameter)?;
+        let status = if tracking { Status::Ok } else { Status::Hold };
+        let u = control.u();
+        let outcome = Outcome { status, u, control: Some(control), time_to_go };
+        Some(clipped(spec, outcome, &parameter))
+    }
+
+    /// u at two precisions that agree.
+    fn agreed(
+        &mut self,
+        call: &Call<'_>,
+        to_go: &BigFloat,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<Control> {
+        let mut last: Option<Term> = None;
+        let bits = std::iter::successors(Some(FIRST_BITS), |bits| Some(2 * bits));
+        for (index, bits) in bits.take_while(|bits| *bits <= MAX_BITS).enumerate() {
+            if self.precisions.len() == index {
+                self.precisions.push(Kept::new(bits)?);
+            }
+            let kept = &mut self.precisions[index];
+            let next = kept.control((self.spec, &self.mapping), call, to_go, parameter);
+            let arithmetic = &kept.arithmetic;
+            if let (Some(last), Some(next)) = (&last, &next) {
+                let off = arithmetic.sub(&last.value, &next.value).abs();
+                let allowed = arithmetic.mul(&next.size, &arithmetic.two_to(-AGREED));
+                let same = is_finite(&next.value) && !below(&allowed, &off);
+                // A division by 0 stays one with any number of digits.
+                let without = !is_finite(&next.value) && !is_finite(&last.value);
+                if same || without {
+                    return Some(Control { value: next.value.clone(), scale: next.size.clone() });
+                }
+            }
+            last = next;
+        }
+        None
+    }
+}
+
+/// Times at which the mapping is kept: those of a call and of the start, and the calls before.
+const POINTS: usize = 4;
+
+/// One precision, with the mapping at the last times.
+struct Kept {
+    arithmetic: Arithmetic,
+    points: VecDeque<(At, Option<Rc<Point>>)>,
+}
+
+/// What the mapping depends on: time-to-go, and the bits of its parameters.
+type At = (BigFloat, Vec<u64>);
 
 /// The value of a parameter: as it is fixed, rounded, or as the call gives it.
 fn value_of(spec: &Spec, parameter: Parameter, given: &dyn Fn(Parameter) -> f64) -> f64 {
@@ -240,53 +314,64 @@ fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) 
     }
 }
 
-/// u at two precisions that agree.
-fn agreed(
-    spec: &Spec,
-    call: &Call<'_>,
-    to_go: &BigFloat,
-    parameter: &dyn Fn(Parameter) -> f64,
-) -> Option<Control> {
-    let mut last: Option<Term> = None;
-    let mut bits = FIRST_BITS;
-    while bits <= MAX_BITS {
-        let mut arithmetic = Arithmetic::new(bits)?;
-        let next = arithmetic.control(spec, call, to_go, parameter);
-        if let (Some(last), Some(next)) = (&last, &next) {
-            let off = arithmetic.sub(&last.value, &next.value).abs();
-            let allowed = arithmetic.mul(&next.size, &arithmetic.two_to(-AGREED));
-            let same = is_finite(&next.value) && !below(&allowed, &off);
-            // A division by 0 stays one with any number of digits.
-            let without = !is_finite(&next.value) && !is_finite(&last.value);
-            if same || without {
-                return Some(Control { value: next.value.clone(), scale: next.size.clone() });
-            }
-        }
-        last = next;
-        bits *= 2;
+impl Kept {
+    fn new(bits: usize) -> Option<Self> {
+        Some(Self { arithmetic: Arithmetic::new(bits)?, points: VecDeque::new() })
     }
-    None
+
+    /// u at time-to-go `to_go`.
+    fn control(
+        &mut self,
+        reference: (&Spec, &Mapping),
+        call: &Call<'_>,
+        to_go: &BigFloat,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<Term> {
+        let (spec, mapping) = reference;
+        let to_go = self.arithmetic.add(to_go, &self.arithmetic.integer(0));
+        let point = self.point(mapping, &to_go, parameter)?;
+        let at_start = if call.x0.is_empty() {
+            point.clone()
+        } else {
+            let tau = self.arithmetic.double(parameter(Parameter::Tau));
+            self.point(mapping, &tau, parameter)?
+        };
+        self.arithmetic.control(spec, call, &to_go, [&point, &at_start], parameter)
+    }
+
+    /// The mapping at time-to-go `to_go`.
+    fn point(
+        &mut self,
+        mapping: &Mapping,
+        to_go: &BigFloat,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<Rc<Point>> {
+        let values = mapping.parameters.iter().map(|p| parameter(*p).to_bits());
+        let at = (to_go.clone(), values.collect());
+        if let Some((_, point)) = self.points.iter().find(|(other, _)| *other == at) {
+            return point.clone();
+        }
+        let point = self.arithmetic.point(mapping, to_go, parameter).map(Rc::new);
+        self.points.truncate(POINTS - 1);
+        self.points.push_front((at, point.clone()));
+        point
+    }
 }
 
 impl Arithmetic {
-    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x).
+    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), with the mapping at the time of
+    /// the call and, where a state is latched, at the start.
     fn control(
         &mut self,
         spec: &Spec,
         call: &Call<'_>,
         to_go: &BigFloat,
+        [point, at_start]: [&Point; 2],
         parameter: &dyn Fn(Parameter) -> f64,
     ) -> Option<Term> {
         let n = spec.n;
-        let point = self.point(spec, &self.add(to_go, &self.integer(0)), parameter)?;
-        let xi = self.stretched_state(&point, call.x);
-        let starts = if call.x0.is_empty() {
-            Vec::new()
-        } else {
-            let tau = self.double(parameter(Parameter::Tau));
-            let start = self.point(spec, &tau, parameter)?;
-            self.stretched_state(&start, call.x0)
-        };
+        let xi = self.stretched_state(point, call.x);
+        let starts = self.stretched_state(at_start, call.x0);
         let start = self.double(parameter(Parameter::StartTime));
         let stretched = Term {
             value: self.add(&point.stretched, &start),
@@ -355,4 +440,51 @@ impl Arithmetic {
 fn linear(n: usize) -> Expression {
     let term = |i| Expression::from(Parameter::Gain(i)).mul(Variable::Xi(i).into());
     (1..=n).map(term).reduce(Expression::add).unwrap_or(Expression::integer(0)).neg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Place;
+    use crate::request::{Entry, read};
+    use crate::syntax::parse;
+
+    /// Whatever was asked before, in whatever order: the mapping is kept by all that it depends on.
+    #[test]
+    fn calls_do_not_change_one_another() {
+        let keys = [("n", "2"), ("mu", "tau*b*t/(1 + b*t)"), ("pi0", "-b*xi1*x1_0 - xi2")];
+        let entry = |(key, text): (&str, &str)| {
+            let value = parse(key, text, &mut |_| Place(0)).expect(text);
+            Entry { key: key.to_owned(), place: Place(0), value }
+        };
+        let spec = read(&keys.map(entry)).expect("a spec");
+        let mut kept = Reference::new(&spec).expect("memory");
+        let mut seen = Vec::new();
+        for index in 0..120 {
+            // Time-to-go is 0.5 or 0.25 for every tau and b.
+            let [tau, to_go] = [[1.0, 2.0, 4.0][index % 3], [0.5, 0.25][index / 3 % 2]];
+            let b = [0.5, 0.75, 1.5, 3.0, 7.0][index / 6 % 5];
+            let parameter = |p: Parameter| match p.spelling().as_str() {
+                "tau" => tau,
+                "t0" => 0.0,
+                "b" => b,
+                "eps" => 0.125,
+                _ => f64::INFINITY,
+            };
+            let (x0, x) = ([1.0 + tau, 0.5], [0.75, if index < 60 { 1.0 } else { -2.0 }]);
+            let t = tau - to_go;
+            let call = Call { parameter: &parameter, x0: &x0, t, x: &x, law: None, after: 0.0 };
+            let [own, alone] = [kept.evaluate(&call), evaluate(&spec, &call)].map(|outcome| {
+                let outcome = outcome.expect("enough digits");
+                let scale = outcome.control.map(|control| control.scale().to_bits());
+                (outcome.status, outcome.u.to_bits(), scale)
+            });
+            assert_eq!(own, alone, "call {index}");
+            seen.push(own.1);
+        }
+        seen.sort_unstable();
+        seen.dedup();
+        assert!(seen.len() > 50, "{} values of u", seen.len());
+        assert!(kept.precisions.iter().all(|kept| kept.points.len() == POINTS));
+    }
 }

@@ -2,7 +2,7 @@
 
 use astro_float_num::BigFloat;
 
-use super::long::{Arithmetic, is_finite};
+use super::long::{Arithmetic, is_finite, raised};
 use crate::expression::{Expression, Function, Variable};
 use crate::parameter::Parameter;
 
@@ -97,7 +97,7 @@ impl Arithmetic {
 
     fn whole_power(&self, a: &Series, k: i32) -> Series {
         let one = self.constant(self.integer(1), a.len());
-        let power = (0..k.unsigned_abs()).fold(one.clone(), |power, _| self.product(&power, a));
+        let power = raised(one.clone(), a, k.unsigned_abs(), |a, b| self.product(a, b));
         if k < 0 { self.quotient(&one, &power) } else { power }
     }
 
@@ -300,6 +300,21 @@ mod tests {
                 );
                 derivative = derivative.derivative(Variable::SinceStart);
                 factorial *= k as f64 + 1.0;
+            }
+        }
+    }
+
+    #[test]
+    fn great_powers_take_no_longer_than_their_digits() {
+        let mut arithmetic = Arithmetic::new(256).expect("memory");
+        let base = [1.0 + 1e-8, 0.5, -0.25].map(|c| arithmetic.double(c)).to_vec();
+        for exponent in [1, 2, 3, 7, 100_000_000, -100_000_000] {
+            let constant = arithmetic.integer(i64::from(exponent));
+            let wanted = arithmetic.constant_power(&base, &constant);
+            let got = arithmetic.whole_power(&base, exponent);
+            for (got, wanted) in got.iter().zip(&wanted) {
+                let (got, wanted) = (nearest(got), nearest(wanted));
+                assert!((got - wanted).abs() <= 1e-14 * wanted.abs(), "{exponent}: {got} {wanted}");
             }
         }
     }

@@ -153,7 +153,10 @@ impl Builder<'_> {
         let left = samples.clone().count_left(Expr::local("elapsed"));
         body.push(Statement::Let("left".to_owned(), count, left));
         for i in 1..=self.remembered() {
-            let about = format!("input of {i} samples ago");
+            let about = match i {
+                1 => "input of the last sample".to_owned(),
+                i => format!("input of {i} samples ago"),
+            };
             self.remember(&format!("u{i}"), &about);
         }
         if self.sampled.observes() {
@@ -627,6 +630,12 @@ impl Builder<'_> {
                     finite.push(Test::Finite(Expr::local(name.clone())));
                 }
             }
+        }
+        // Below this the gains of the observer do not exist.
+        if self.fields.iter().any(|field| field.name == "hold_o") {
+            let order = self.sampled.observer.as_ref().map_or(0, |observer| observer.poles.len());
+            let least = integer(i64::try_from(order).unwrap_or(0));
+            finite.push(Test::AtMost(Expr::Number(least), Expr::local("hold_o")));
         }
         if !finite.is_empty() {
             body.push(Statement::Require(Test::All(finite), Status::Param));

@@ -1,5 +1,6 @@
 //! The calls of a self-test: every status, and time-to-go down to the last digits.
 
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use super::maker::{Maker, state};
@@ -7,8 +8,9 @@ use super::parameters::Chosen;
 use super::{CANDIDATES, Call, Draw, Session, Unreachable};
 use crate::controller::Controller;
 use crate::parameter::Parameter;
+use crate::program::machine::Machine;
 use crate::program::number::settle;
-use crate::reference::Status;
+use crate::reference::{Reference, Status};
 use crate::request::Guard;
 
 /// Time-to-go as parts of tau, down to what is promised.
@@ -18,9 +20,14 @@ const APPROACH: [f64; 10] = [1.0, 0.75, 0.4, 0.1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10,
 /// With them come the branches of the program that none of the calls takes.
 pub(super) fn sessions(
     controller: &Controller<'_>,
+    machine: &Machine,
     chosen: &Chosen<'_>,
 ) -> (Vec<Session>, Vec<Unreachable>) {
-    let mut maker = Maker { controller, chosen, taken: BTreeSet::new() };
+    let mut armed = controller.spec().clone();
+    armed.fixed.remove(&Parameter::StartTime);
+    let Some(reference) = Reference::new(&armed) else { return (Vec::new(), Vec::new()) };
+    let reference = RefCell::new(reference);
+    let mut maker = Maker { controller, machine, chosen, reference, taken: BTreeSet::new() };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
     sessions.extend(maker.bounded());
     sessions.extend(maker.out_of_range());

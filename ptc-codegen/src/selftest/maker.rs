@@ -1,6 +1,7 @@
 //! What the sessions of a self-test are made from: parameters, times and states, and what the
 //! definition says of them.
 
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use super::parameters::Chosen;
@@ -9,14 +10,19 @@ use super::{Call, Session, greatest, own_law, own_rest};
 use crate::controller::{Controller, checked_fields};
 use crate::parameter::{Parameter, Precision};
 use crate::program::interpret::Decision;
+use crate::program::machine::Machine;
 use crate::program::number::settle;
-use crate::reference::{self, Status, evaluate, tolerance};
+use crate::reference::{self, Reference, Status, tolerance};
 use crate::request::{After, Spec};
 
 /// What the sessions are made from.
 pub(super) struct Maker<'a> {
     pub(super) controller: &'a Controller<'a>,
+    /// A machine of its program that has computed nothing yet.
+    pub(super) machine: &'a Machine,
     pub(super) chosen: &'a Chosen<'a>,
+    /// The definition, with t0 as it is armed, whatever the parameter is.
+    pub(super) reference: RefCell<Reference<'a>>,
     /// The branches that were taken so far.
     pub(super) taken: BTreeSet<Decision>,
 }
@@ -54,9 +60,7 @@ impl<'a> Maker<'a> {
         t: f64,
         x: &[f64],
     ) -> Option<reference::Outcome> {
-        // Armed again, t0 is what `arm` was given, whatever the parameter is.
-        let mut spec = self.spec().clone();
-        spec.fixed.remove(&Parameter::StartTime);
+        let spec = self.spec();
         let law = own_law(spec.n);
         let call = reference::Call {
             parameter: &|p| self.parameter(session, p),
@@ -66,7 +70,7 @@ impl<'a> Maker<'a> {
             law: Some(&law),
             after: settle(own_rest(t, x), spec.precision),
         };
-        evaluate(&spec, &call)
+        self.reference.borrow_mut().evaluate(&call)
     }
 
     /// The call, with what it must give.
@@ -144,9 +148,9 @@ impl<'a> Maker<'a> {
         let start = self.parameter(session, Parameter::StartTime);
         let deadline =
             settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);
-        let (controller, x0) = (self.controller, session.x0.as_slice());
+        let (controller, machine, x0) = (self.controller, self.machine, session.x0.as_slice());
         let parameters = &session.parameters;
-        let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
+        let trial = Trial { controller, machine, parameters, x0, start, t: start, x: &zeros };
         let [fields, armed] = checked_fields(controller.program);
         let excess = trial.first_excess(&fields).or_else(|| trial.first_excess(&armed));
         deadline.is_finite() && excess.is_none()
@@ -154,8 +158,8 @@ impl<'a> Maker<'a> {
 
     pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {
         let start = self.parameter(session, Parameter::StartTime);
-        let (controller, x0) = (self.controller, session.x0.as_slice());
-        Trial { controller, parameters: &session.parameters, x0, start, t, x }.run()
+        let (controller, machine, x0) = (self.controller, self.machine, session.x0.as_slice());
+        Trial { controller, machine, parameters: &session.parameters, x0, start, t, x }.run()
     }
 
     /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a

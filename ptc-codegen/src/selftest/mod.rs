@@ -16,6 +16,7 @@ mod trial;
 use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
+use crate::program::machine::Machine;
 use crate::reference::Status;
 use crate::request::{Spec, What};
 
@@ -91,7 +92,8 @@ impl SelfTest {
             ));
         }
         let chosen = parameters::Chosen::new(controller);
-        let (sessions, never) = calls::sessions(controller, &chosen);
+        let machine = Machine::new(controller.program, &[]);
+        let (sessions, never) = calls::sessions(controller, &machine, &chosen);
         if sessions.first().is_none_or(|session| session.calls.is_empty()) {
             return Err(refusal(
                 "selftest",
@@ -99,7 +101,7 @@ impl SelfTest {
                 "fix the parameters of the mapping to values with which it is one, or test it by hand",
             ));
         }
-        let overflow = overflow::find(controller, &chosen);
+        let overflow = overflow::find(controller, &machine, &chosen);
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
         let mut refused_states =

@@ -6,6 +6,7 @@ use super::trial::Trial;
 use super::{Draw, Unreachable, greatest};
 use crate::controller::{Controller, checked_fields};
 use crate::parameter::{Domain, Parameter, Precision};
+use crate::program::machine::Machine;
 use crate::program::number::settle;
 use crate::program::{Op, Program, Value};
 use crate::request::Spec;
@@ -23,7 +24,7 @@ pub(super) struct Found {
 }
 
 /// Looks for the sets.
-pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
+pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chosen<'_>) -> Found {
     let (spec, program) = (controller.spec(), controller.program);
     let mut draw = Draw(1);
     let [fields, armed] = checked_fields(program);
@@ -33,7 +34,8 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
     let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
     for round in 0..if usual.is_empty() { 0 } else { TRIALS } {
         let set = extreme(spec, chosen, &usual, round, &mut draw);
-        let trial = Trial { controller, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+        let trial =
+            Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
         if let Some(index) = trial.first_excess(&fields) {
             first[index].get_or_insert(set);
         }
@@ -50,7 +52,7 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
             }),
         }
     }
-    found.parameters.extend(beyond(controller, chosen, &fields));
+    found.parameters.extend(beyond(controller, machine, chosen, &fields));
     // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
     let keeps_tau = spec.run_time_parameters().any(|p| p == Parameter::Tau);
     if !keeps_tau {
@@ -69,7 +71,8 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
     for round in 0..if armed.is_empty() { 0 } else { TRIALS } {
         let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
         let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
-        let trial = Trial { controller, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
+        let trial =
+            Trial { controller, machine, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
         if let Some(index) = trial.first_excess(&armed) {
             first[index].get_or_insert((start, x0));
         }
@@ -89,6 +92,7 @@ pub(super) fn find(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Found {
 /// A start and a tau whose sum overflows where nothing else does.
 fn beyond(
     controller: &Controller<'_>,
+    machine: &Machine,
     chosen: &Chosen<'_>,
     fields: &[(Value, String)],
 ) -> Option<Vec<f64>> {
@@ -100,7 +104,8 @@ fn beyond(
     }
     let start = greatest(spec);
     let zeros = vec![0.0; spec.n];
-    let trial = Trial { controller, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+    let trial =
+        Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
     let tau = chosen.legal(Parameter::Tau, start);
     let overflows = !settle(start + tau, spec.precision).is_finite();
     (overflows && trial.first_excess(fields).is_none()).then_some(set)

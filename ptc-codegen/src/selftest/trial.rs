@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::controller::Controller;
 use crate::parameter::Parameter;
 use crate::program::interpret::{Decision, Interpreter};
+use crate::program::machine::Machine;
 use crate::program::{Input, Program, Value};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
@@ -12,6 +13,8 @@ use crate::request::{Guard, Spec};
 /// The inputs of a trial.
 pub(super) struct Trial<'a> {
     pub(super) controller: &'a Controller<'a>,
+    /// A machine of its program that has computed nothing yet.
+    pub(super) machine: &'a Machine,
     /// Run-time parameters in the order of the struct.
     pub(super) parameters: &'a [f64],
     pub(super) x0: &'a [f64],
@@ -59,7 +62,7 @@ impl Trial<'_> {
     /// The first of some values that is not finite, by its index.
     pub(super) fn first_excess(&self, values: &[(Value, String)]) -> Option<usize> {
         let input = |input| self.input(input, &[]);
-        let mut interpreter = Interpreter::new(self.program(), &input);
+        let mut interpreter = Interpreter::on(self.program(), self.machine.clone(), &input);
         let wanted: Vec<_> = values.iter().map(|(value, _)| *value).collect();
         interpreter.values(&wanted).into_iter().position(|number| !number.is_finite())
     }
@@ -72,7 +75,7 @@ impl Trial<'_> {
         };
         let input = |input| self.input(input, &[]);
         let program = self.program();
-        let mut step = Interpreter::new(program, &input).with_law(&law);
+        let mut step = Interpreter::on(program, self.machine.clone(), &input).with_law(&law);
         let limits = program.limits;
         let over = limits.past.is_some_and(|past| step.value(past) >= 0.0);
         let mut u = step.value(program.step);
@@ -94,7 +97,7 @@ impl Trial<'_> {
         let axis = program.axis.map(|axis| {
             let gains = step.values(&program.gains);
             let input = |input| self.input(input, &gains);
-            let mut own = Interpreter::new(program, &input);
+            let mut own = Interpreter::on(program, self.machine.clone(), &input);
             status(own.value(axis))
         });
         Seen { step: (status(u), u), axis, decisions: step.decisions().clone() }

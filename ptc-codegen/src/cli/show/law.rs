@@ -1,6 +1,7 @@
 //! `show law`: the linear law with the gains as they are computed.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
+use ptc_codegen::internal::fault;
 use ptc_codegen::law::{Form, Law};
 
 use super::sheet::{Block, Forms, Sheet};
@@ -34,7 +35,7 @@ pub(super) fn write(sheet: &mut Sheet, law: &Law, r: &[Poly], fix: impl Fn(&Poly
 /// K_i = k_i rate^-(n+1-i).
 fn scaled_gains(law: &Law) -> Vec<Poly> {
     // The rate of a mapping is a single term, so it has an inverse.
-    let inverse = law.rate.inverse().unwrap_or_default();
+    let inverse = law.rate.inverse().unwrap_or_else(|| fault("the rate has no inverse"));
     let power = |i: usize| inverse.pow(u32::try_from(law.n + 1 - i).unwrap_or(u32::MAX));
     (1..=law.n).map(|i| Poly::symbol(Symbol::indexed(Kind::Gain, i)).times(&power(i))).collect()
 }

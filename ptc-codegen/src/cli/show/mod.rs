@@ -14,6 +14,7 @@ use num_traits::ToPrimitive;
 use ptc_codegen::algebra::Poly;
 use ptc_codegen::diagnostic::Diagnostic;
 use ptc_codegen::family::Family;
+use ptc_codegen::internal::fault;
 use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::Mapping;
@@ -98,6 +99,9 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
         return flags.finish(None, vec![only_abstract()]);
     }
     let spec = flags.read()?;
+    if let Err(found) = spec.needs_time("show") {
+        return flags.finish(None, found);
+    }
     match (spec.family(), spec.ring()) {
         (Some(family), Some(ring)) => Ok(Asked::Family(Box::new(spec), family, ring)),
         _ => flags.finish(None, vec![only_family()]),
@@ -230,7 +234,7 @@ fn bell(table: Vec<Vec<Poly>>) -> Forms {
 
 /// BB_n and b_n from the B_{i,j} up to n.
 fn matrix(sheet: &mut Sheet, mut table: Vec<Vec<Poly>>) {
-    let mut last = table.pop().unwrap_or_default();
+    let mut last = table.pop().unwrap_or_else(|| fault("Bell polynomials without a row"));
     let n = table.len();
     last.truncate(n);
     table.iter_mut().for_each(|row| row.resize(n, Poly::zero()));

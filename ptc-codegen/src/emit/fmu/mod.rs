@@ -6,6 +6,7 @@ mod variables;
 
 use askama::Template;
 
+use super::apart::apart;
 use super::c;
 use super::example::Example;
 use super::frame::{Frame, Requirement, literal, parameter_text};
@@ -60,7 +61,7 @@ pub(super) const TARGET_3: Target = Target {
     name: "fmu3",
     about: "one after FMI 3.0",
     comment: ("/* ", " */"),
-    is_word: |word| matches!(word, "time" | "u" | "time_to_go" | "status"),
+    is_word,
     refuse,
     files: |controller| files(controller, Version::Three),
 };
@@ -72,6 +73,11 @@ fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
         found.push("unsupported", "clock", None, message, help);
     }
     stands_alone(spec, "an FMU", found);
+}
+
+/// The names of outputs, and those of the types in the source of the interface.
+fn is_word(word: &str) -> bool {
+    matches!(word, "time" | "u" | "time_to_go" | "status" | "State" | "Instance")
 }
 
 /// The files of the FMU of a controller, by their paths in it, without a binary.
@@ -183,7 +189,10 @@ fn with_token(
             .render(),
         ),
     };
-    vec![file("modelDescription.xml", xml), file(&format!("sources/{name}_fmu.c"), source)]
+    vec![
+        file("modelDescription.xml", xml),
+        apart(file(&format!("sources/{name}_fmu.c"), source), &name),
+    ]
 }
 
 fn file(name: &str, text: askama::Result<String>) -> File {

@@ -7,6 +7,7 @@ mod templates;
 
 use askama::Template;
 
+use super::apart::apart;
 use super::{Controller, File, Language, c, rust, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -85,12 +86,16 @@ impl Project {
 
     /// The files of the project of a controller, by their paths in it.
     pub(crate) fn files(self, controller: &Controller<'_>) -> Vec<File> {
-        match self {
+        let files = match self {
             Self::CortexM => cortex_m(controller),
             Self::RustEmbedded => rust_embedded(controller),
             Self::Cmake => cmake(controller),
             Self::Arduino => arduino(controller),
-        }
+        };
+        let name = controller.spec().name();
+        let is_c = |file: &File| [".c", ".h", ".ino"].iter().any(|end| file.name.ends_with(end));
+        let settled = |file| if is_c(&file) { apart(file, &name) } else { file };
+        files.into_iter().map(settled).collect()
     }
 }
 

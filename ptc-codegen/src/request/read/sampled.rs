@@ -9,7 +9,7 @@ use crate::algebra::{BigInt, BigRational, integer};
 use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Observer, Sampled, Spec, What};
-use crate::syntax::{Node, Value, constant, real};
+use crate::syntax::{Value, constant, real};
 
 /// Most samples of delay that a controller keeps.
 const MAX_KEPT: usize = 4;
@@ -64,7 +64,7 @@ impl Reader<'_> {
             None => integer(1),
             Some(gain) => gain.number().cloned().unwrap_or_else(|| {
                 let place = self.keys.get("g").map(|node| node.place);
-                let message = "g is no number".to_owned();
+                let message = "g is not a number".to_owned();
                 let help = "a clock in samples takes a constant input gain";
                 self.wrong("g", place, message, help.to_owned());
                 integer(1)
@@ -213,7 +213,7 @@ impl Reader<'_> {
         if names == sequence && (1..=n).contains(&count) {
             return count;
         }
-        let message = format!("measured = {} is no x1, ..., x_m", shown(&node.value));
+        let message = format!("measured = {} is not x1, ..., x_m", shown(&node.value));
         let help = format!("name the measured states from x1 on without a gap, at most x{n}");
         self.wrong("measured", Some(node.place), message, help);
         n
@@ -247,7 +247,8 @@ impl Reader<'_> {
                 }
             }
             _ => {
-                let message = format!("deadbeat = {} is no count to go", shown(&node.value));
+                let message =
+                    format!("deadbeat = {} is not a number of samples to go", shown(&node.value));
                 let help = format!("give an integer of at least {order}, the order of the loop");
                 self.wrong("deadbeat", Some(node.place), message, help);
             }
@@ -271,7 +272,8 @@ impl Reader<'_> {
             }
             return None;
         };
-        let (samples, eps) = (self.observer_samples(spec, estimates), self.observer_eps(spec));
+        let (samples, eps) =
+            (self.observer_samples(spec, estimates), self.observer_eps(spec, estimates));
         let Some(node) = self.keys.get("observer_poles").copied() else {
             let message = "`observer_poles` is missing".to_owned();
             let help = format!("give {estimates} poles, one for each state that is estimated");
@@ -309,18 +311,21 @@ impl Reader<'_> {
         }
     }
 
-    fn observer_eps(&mut self, _spec: &Spec) -> Option<Fixed> {
+    fn observer_eps(&mut self, spec: &Spec, estimates: usize) -> Option<Fixed> {
         let node = self.keys.get("observer_eps").copied()?;
-        self.positive_node("observer_eps", node)
-    }
-
-    fn positive_node(&mut self, key: &str, node: &Node) -> Option<Fixed> {
-        let value = super::finite_positive(node);
-        if value.is_none() {
-            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
-            self.wrong(key, Some(node.place), message, "give a time in s".to_owned());
+        let Some(value) = super::finite_positive(node) else {
+            let message = format!("observer_eps = {} is no finite number > 0", shown(&node.value));
+            self.wrong("observer_eps", Some(node.place), message, "give a time in s".to_owned());
+            return None;
+        };
+        let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
+        let least = h.map(|h| BigRational::from_integer(BigInt::from(estimates)) * h);
+        if let Some(least) = least.filter(|least| value.number().is_some_and(|eps| eps < least)) {
+            let message = format!("observer_eps = {value} is less than {estimates} samples");
+            let help = format!("with less than {} its gains do not exist", constant::text(&least));
+            self.wrong("observer_eps", Some(node.place), message, help);
         }
-        value
+        Some(value)
     }
 }
 

@@ -43,8 +43,8 @@ const TEXT: Syntax = Syntax {
 };
 
 /// What is wrong with the file; nothing where every comment and every text ends where its template
-/// says. Files of build tools are compared instead, by [`frame`].
-pub(crate) fn breach(file: &File) -> Option<String> {
+/// says. Files of build tools are compared instead, by [`renamed`].
+pub fn breach(file: &File) -> Option<String> {
     let odd = |c: char| !(c == '\n' || c == '\t' || c == ' ' || c.is_ascii_graphic());
     if let Some(c) = file.text.chars().find(|c| odd(*c)) {
         return Some(format!("{}: the character {c:?}", file.name));
@@ -137,14 +137,14 @@ fn scan_xml(text: &str) -> Option<String> {
     (open || (entity && !text.contains(';'))).then(|| "no end".to_owned())
 }
 
-/// A file of a build tool without the controller's name, which alone tells it from another.
-pub(crate) fn frame(file: &File, name: &str) -> File {
-    let plain = |text: &str| text.replace(name, "NAME");
-    File { name: plain(&file.name), text: plain(&file.text) }
+/// A file of a build tool, for a controller of another name.
+pub fn renamed(file: &File, from: &str, to: &str) -> File {
+    let other = |text: &str| text.replace(from, to);
+    File { name: other(&file.name), text: other(&file.text) }
 }
 
 /// Whether a build tool reads the file.
-pub(crate) fn is_of_a_tool(file: &File) -> bool {
+pub fn is_of_a_tool(file: &File) -> bool {
     let extensions = [".txt", ".in", ".ld", ".x", ".toml", "Makefile", "build.rs"];
     extensions.iter().any(|extension| file.name.ends_with(extension))
 }

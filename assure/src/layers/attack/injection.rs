@@ -1,0 +1,100 @@
+//! Odd texts in designs: in every emitted file, and in the page of a report.
+
+use std::fs;
+
+use anyhow::{Context as _, Result};
+use ptc_codegen::emit::File;
+use roxmltree::{Document, Node, ParsingOptions};
+
+use super::world::{DESIGN, World};
+use crate::harness::inert::breach;
+use crate::harness::injection::{ODD, examine, of};
+use crate::harness::random::Random;
+use crate::layer::Finding;
+
+/// What a report is made of here: one run of the plant of the design.
+const REPORT: [&str; 7] = ["--x0=1", "--plant=d=0", "--at=0,0.5", "-o", "run.csv", "--report", "-"];
+
+pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
+    let mut random = Random(world.seed);
+    let [legal, pages] = if world.brief { [20, 20] } else { [1000, 1000] };
+    let tally = examine(&mut random, legal);
+    finding.failures.extend(tally.breaches);
+    let file = File { name: "a.c".to_owned(), text: "/* mu */ system(0); */\n".to_owned() };
+    finding.seed("a text that ends the comment around it", breach(&file));
+
+    let folder = world.folder("pages")?;
+    let page = |name: &str, text: &str| -> Result<String> {
+        fs::write(folder.join(name), text)?;
+        let arguments = [&["simulate", name][..], &REPORT].concat();
+        let end = world.run(&folder, &arguments)?;
+        fs::remove_file(folder.join(name))?;
+        anyhow::ensure!(end.status.success(), "{name}: {}", String::from_utf8_lossy(&end.stderr));
+        String::from_utf8(end.stdout).context("a page of UTF-8")
+    };
+    let plain = page("plain.toml", DESIGN)?;
+    for _ in 0..pages {
+        let (name, text) = (name(&mut random), commented(&mut random));
+        let found = differs(&plain, &page(&name, &text)?, &text);
+        finding.failures.extend(found.map(|what| format!("{what}: {name:?} with {text:?}")));
+    }
+    let text = format!("# <b>\n{DESIGN}");
+    let [raw, lost] = [("&#60;b&#62;", "<b></b>"), ("&#60;b&#62;", "")]
+        .map(|(from, to)| page("raw.toml", &text).map(|page| page.replace(from, to)));
+    finding.seed("a page with a tag of the design", differs(&plain, &raw?, &text));
+    finding.seed("a page that leaves a text out", differs(&plain, &lost?, &text));
+    Ok(format!(
+        "{} designs with odd texts and {} files of them, of which none is read as code; {pages} \
+         reports with the elements of a plain design's",
+        tally.legal, tally.files
+    ))
+}
+
+/// The name of a file with something odd in it that a file system takes.
+fn name(random: &mut Random) -> String {
+    let odd: String = of(random, &ODD).replace(['/', '\0'], "");
+    format!("a{odd}b.toml")
+}
+
+/// The design with odd comments.
+fn commented(random: &mut Random) -> String {
+    let mut text = String::new();
+    for line in DESIGN.lines() {
+        text += line;
+        if random.below(3) == 0 {
+            // A comment of a design has one line, and no control character.
+            let odd = [of(random, &ODD), of(random, &ODD)].concat();
+            text += " # ";
+            text.extend(odd.chars().filter(|c| !c.is_control()));
+        }
+        text += "\n";
+    }
+    text
+}
+
+/// How a page differs from that of a plain design in what is no text, or in the text of the design.
+fn differs(plain: &str, page: &str, design: &str) -> Option<String> {
+    let options = || ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let parse = |page| Document::parse_with_options(page, options());
+    let (plain, page) = match (parse(plain), parse(page)) {
+        (Ok(plain), Ok(page)) => (plain, page),
+        (plain, page) => return plain.err().or(page.err()).map(|wrong| wrong.to_string()),
+    };
+    // Elements and comments with the names of their attributes, in their order.
+    let shape = |page: &Document<'_>| -> Vec<String> {
+        let parts = page.descendants().filter(|node| !node.is_text());
+        let shown = |node: Node<'_, '_>| {
+            let attributes: Vec<_> = node.attributes().map(|own| own.name().to_owned()).collect();
+            format!("{:?} {} {attributes:?}", node.node_type(), node.tag_name().name())
+        };
+        parts.map(shown).collect()
+    };
+    let mut texts = page.descendants().filter(|node| node.tag_name().name() == "pre");
+    match () {
+        () if shape(&plain) != shape(&page) => Some("other elements".to_owned()),
+        () if !texts.any(|node| node.text() == Some(design)) => {
+            Some("the design is not quoted as it is".to_owned())
+        }
+        () => None,
+    }
+}
