@@ -31,7 +31,7 @@ fn read(keys: &[(&str, &str)]) -> Result<Spec, String> {
     let entry = |(key, text): &(&str, &str)| Entry {
         key: (*key).to_owned(),
         place: Place(0),
-        value: request::parse(key, text, &mut |_| Place(0)).expect("a value"),
+        value: ptc_codegen::syntax::parse(key, text, &mut |_| Place(0)).expect("a value"),
     };
     let entries: Vec<_> = keys.iter().map(entry).collect();
     request::read(&entries).map_err(|found| {

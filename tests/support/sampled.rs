@@ -208,7 +208,7 @@ fn c_parameters(design: &Design) -> String {
     each.collect()
 }
 
-pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Vec<String> {
+pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
     let mut text = String::new();
     let mut main = C_MAIN.to_owned();
     for (i, design) in designs.iter().enumerate() {
@@ -257,10 +257,10 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Vec<String> {
     let objects = sources.iter().map(|source| source.with_extension("o"));
     let program = folder.join("in_c");
     run(c_compiler().arg(folder.join("main.c")).args(objects).arg("-o").arg(&program).arg("-lm"));
-    answers(&mut Command::new(program), folder)
+    Some(answers(&mut Command::new(program), folder))
 }
 
-pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Vec<String> {
+pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
     let mut text = String::new();
     let mut main = C_MAIN.to_owned();
     for (i, design) in designs.iter().enumerate() {
@@ -299,7 +299,7 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Vec<String> {
     }
     let flags = ["-std=c++17", "-O1", "-ffp-contract=off"];
     run(cpp_compiler().args(flags).arg(&source).arg("-o").arg(&program));
-    answers(&mut Command::new(program), folder)
+    Some(answers(&mut Command::new(program), folder))
 }
 
 const RUST_MAIN: &str = r#"
@@ -345,7 +345,7 @@ fn main() {
 }
 "#;
 
-pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Vec<String> {
+pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
     let mut text = RUST_MAIN.to_owned();
     let mut all = String::new();
     for (i, design) in designs.iter().enumerate() {
@@ -398,7 +398,7 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Vec<String> {
         let options = ["--check", "--edition=2024", "--config-path"];
         run(Command::new("rustfmt").args(options).arg(folder).args(files));
     }
-    answers(&mut Command::new(program), folder)
+    Some(answers(&mut Command::new(program), folder))
 }
 
 const PYTHON: &str = r#"

@@ -34,6 +34,19 @@ pub enum Status {
 }
 
 impl Status {
+    /// Its name in the languages that begin it with a capital.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "Ok",
+            Self::Hold => "Hold",
+            Self::Saturated => "Saturated",
+            Self::After => "After",
+            Self::Param => "Param",
+            Self::Input => "Input",
+            Self::Range => "Range",
+        }
+    }
+
     /// Its number in the languages without names for it: negative where the call failed.
     pub fn number(self) -> i32 {
         match self {

@@ -1,7 +1,10 @@
 //! What the printers of languages share whose calls end where a test fails.
 
+use std::collections::BTreeMap;
+
 use super::text::{Lines, Text};
 use crate::code::{Expr, Outcomes, Place, Shape, Statement, Status, Test};
+use crate::internal::fault;
 
 /// The words around a test and its two blocks.
 pub(super) struct Branch {
@@ -156,6 +159,25 @@ fn close(out: &mut Lines, end: &str) {
     match end {
         "" => out.leave(),
         end => out.close(end),
+    }
+}
+
+/// The local values of statements, each of one shape.
+pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
+    for statement in statements {
+        match statement {
+            Statement::Let(name, shape, _) | Statement::Variable(name, shape) => {
+                let known = *locals.entry(name.clone()).or_insert(*shape);
+                if known != *shape {
+                    fault(format!("{name} is a count and a number"));
+                }
+            }
+            Statement::If(_, yes, no) => {
+                declared(yes, locals);
+                declared(no, locals);
+            }
+            _ => {}
+        }
     }
 }
 

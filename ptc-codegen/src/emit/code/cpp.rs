@@ -236,14 +236,6 @@ impl Cpp<'_> {
     }
 }
 
-fn word(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "Status::Ok",
-        Status::Hold => "Status::Hold",
-        Status::Saturated => "Status::Saturated",
-        Status::After => "Status::After",
-        Status::Param => "Status::Param",
-        Status::Input => "Status::Input",
-        Status::Range => "Status::Range",
-    }
+fn word(status: Status) -> String {
+    format!("Status::{}", status.name())
 }

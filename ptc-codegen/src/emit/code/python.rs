@@ -187,7 +187,8 @@ impl Python<'_> {
         let real = if code.precision == Precision::F32 { "float32" } else { "float64" };
         self.out.line(format!("_R = np.{real}\n_WRAP = 0xFFFFFFFF\nArray = NDArray[np.{real}]\n"));
         self.out.line(format!("\n{}", include_str!("../../../templates/status.py.txt")));
-        self.out.line(format!("\n{CONTROL}").replace("REAL", real));
+        let control = include_str!("../../../templates/control.py.txt").replace("REAL", real);
+        self.out.line(format!("\n{control}"));
         self.out.line("\n@dataclass(frozen=True)");
         self.out.open("class Params:");
         self.out.line("\"\"\"Run-time parameters.\"\"\"\n");
@@ -196,7 +197,7 @@ impl Python<'_> {
             self.out.line(format!("{name}: {kind}\n\"\"\"{}\"\"\"", parameter.about));
         }
         self.out.leave();
-        self.out.line(format!("\n\n{NUMBERS}\n"));
+        self.out.line(format!("\n\n{}", include_str!("../../../templates/numbers.py.txt")));
         self.class(&kind);
         self.out.text()
     }
@@ -305,33 +306,6 @@ fn annotation(shape: Shape) -> &'static str {
     }
 }
 
-fn word(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "OK",
-        Status::Hold => "HOLD",
-        Status::Saturated => "SATURATED",
-        Status::After => "AFTER",
-        Status::Param => "PARAM",
-        Status::Input => "INPUT",
-        Status::Range => "RANGE",
-    }
+fn word(status: Status) -> String {
+    status.name().to_uppercase()
 }
-
-const CONTROL: &str = "\
-class Control(NamedTuple):
-    \"\"\"What a step gives.\"\"\"
-
-    u: np.REAL
-    \"\"\"Input of the plant.\"\"\"
-    status: Status
-    \"\"\"Its Status.\"\"\"
-";
-
-const NUMBERS: &str = "\
-def _numbers(given: ArrayLike, length: int, name: str) -> Array:
-    \"\"\"The numbers of a sequence of this length.\"\"\"
-    numbers = np.asarray(given, dtype=_R)
-    if numbers.shape != (length,):
-        raise ValueError(f\"{name} has shape {numbers.shape}; legal: ({length},)\")
-    return numbers
-";

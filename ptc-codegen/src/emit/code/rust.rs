@@ -120,7 +120,7 @@ impl Block for Rust<'_> {
         let line = self.unless("!", test, "\n    && ", " {");
         let line = if line.contains('\n') { line.replace(") {", ")\n{") } else { line };
         self.out.open(line);
-        self.out.line(format!("return Err({}Error::{});", self.runtime, name(status)));
+        self.out.line(format!("return Err({}Error::{});", self.runtime, status.name()));
         self.out.close("}");
     }
 }
@@ -271,7 +271,7 @@ impl Rust<'_> {
             return;
         }
         let runtime = self.runtime;
-        let word = |status: Status| format!("{runtime}Status::{}", name(status));
+        let word = |status: Status| format!("{runtime}Status::{}", status.name());
         match &function.status {
             Outcomes::One(status) => {
                 self.out.line(format!("let status = {};", word(*status)));
@@ -319,16 +319,4 @@ const ALLOWED: &str = "\
 /// Text as rustdoc, which takes brackets for links.
 fn doc(text: &str) -> String {
     text.replace('[', "\\[").replace(']', "\\]")
-}
-
-fn name(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "Ok",
-        Status::Hold => "Hold",
-        Status::Saturated => "Saturated",
-        Status::After => "After",
-        Status::Param => "Param",
-        Status::Input => "Input",
-        Status::Range => "Range",
-    }
 }

@@ -1,8 +1,9 @@
 //! Short lines: parts of a long value get names of their own. Each operation stays what it is, in the
 //! order it has, so that no bit changes.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::block::declared;
 use crate::code::{Code, Expr, Operator, Outcomes, Shape, Statement, Test};
 use crate::parameter::Precision;
 use crate::program::number;
@@ -40,9 +41,9 @@ struct Short {
 
 impl Short {
     fn new(precision: Precision, body: &[Statement]) -> Self {
-        let mut used = BTreeSet::new();
-        names(body, &mut used);
-        Self { precision, used, count: 0 }
+        let mut locals = BTreeMap::new();
+        declared(body, &mut locals);
+        Self { precision, used: locals.into_keys().collect(), count: 0 }
     }
 
     fn block(&mut self, statements: Vec<Statement>) -> Vec<Statement> {
@@ -150,21 +151,6 @@ impl Short {
             }
             Expr::CountSub(a, b) | Expr::CountLeft(a, b) => self.width(a) + self.width(b) + 20,
             Expr::Choose(_, a, b) => self.width(a) + self.width(b) + 20,
-        }
-    }
-}
-
-fn names(statements: &[Statement], used: &mut BTreeSet<String>) {
-    for statement in statements {
-        match statement {
-            Statement::Let(name, ..) | Statement::Variable(name, _) => {
-                used.insert(name.clone());
-            }
-            Statement::If(_, yes, no) => {
-                names(yes, used);
-                names(no, used);
-            }
-            _ => {}
         }
     }
 }

@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Branch};
+use super::block::{Block, Branch, declared};
 use super::text::{Level, Lines, Text, length};
-use crate::code::{Code, Function, Shape, Statement, Status, Test};
+use crate::code::{Code, Function, Shape, Status, Test};
 use crate::emit::{File, st};
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -158,7 +158,7 @@ impl StructuredText<'_> {
         let code = self.code;
         let name = &code.name;
         self.out.line("(*");
-        for line in code.head.iter().map(String::as_str).chain(["", USE]) {
+        for line in code.head.iter().map(String::as_str).chain(["", USE.trim_end()]) {
             let line = line.replace("(*", "( *").replace("*)", "* )");
             self.out
                 .line(line.split('\n').map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n"));
@@ -282,23 +282,8 @@ impl StructuredText<'_> {
     }
 }
 
-/// The local values of statements, each of one shape.
-fn declared(statements: &[Statement], locals: &mut BTreeMap<String, Shape>) {
-    for statement in statements {
-        match statement {
-            Statement::Let(name, shape, _) | Statement::Variable(name, shape) => {
-                if locals.insert(name.clone(), *shape).is_some_and(|known| known != *shape) {
-                    fault(format!("{name} is a count and a number"));
-                }
-            }
-            Statement::If(_, yes, no) => {
-                declared(yes, locals);
-                declared(no, locals);
-            }
-            _ => {}
-        }
-    }
-}
+/// How the function block is used.
+const USE: &str = include_str!("../../../templates/sampled.st.txt");
 
 const TICKS: &str = "\
 IF b <= a THEN
@@ -313,17 +298,3 @@ IF b < a THEN
 ELSE
     RESULT := UDINT#0;
 END_IF;";
-
-const USE: &str = "\
-Call it with init once, which takes params and starts at tick 0; with arm to start again at
-tick k; then with neither, once for each tick k. One call does one of these.
-
-status; on a negative one u is 0 and nothing has changed; u is 0 after init and arm too:
-   0  tracking, or init or arm done
-   1  hold: time-to-go held at eps, the deadline is near or over, u is valid
-   2  saturated: u clipped to u_max; wins over 1 and 3
-   3  after: the deadline is over, u is 0
-  -1  a parameter outside its domain, or coefficients that overflow; arm without init
-  -2  a measurement is not finite, or no init before
-  -3  u not finite
-Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number.";
