@@ -108,11 +108,13 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         [] => String::new(),
         absent => format!("; without {}, not given", absent.join(", ")),
     };
-    let start = match spec.fixed.get(&Parameter::StartTime) {
-        Some(start) => start.to_string(),
-        None => "0 (left to run time)".to_owned(),
+    let start = match (spec.sampled(), spec.fixed.get(&Parameter::StartTime)) {
+        (Some(own), _) if own.disturbance => "d = 0 (its bound is not given)".to_owned(),
+        (Some(_), _) => "at any tick".to_owned(),
+        (None, Some(start)) => format!("t0 = {start}"),
+        (None, None) => "t0 = 0 (left to run time)".to_owned(),
     };
-    format!("the chain of integrators over {samples} samples, f = 0, t0 = {start}{absent}")
+    format!("the chain of integrators over {samples} samples, f = 0, {start}{absent}")
 }
 
 /// Where the worst case of a state comes from.
