@@ -248,7 +248,9 @@ fn internal_identifiers_as_names_compile() {
     // Words of the languages, of their libraries and of the statuses.
     assert!(refused.len() < 110, "{refused:?}");
     put("lib.rs".to_owned(), &format!("#![allow(non_snake_case)]\n{modules}"));
-    let headers = format!("#include <array>\n#include <cmath>\n#include <limits>\n{headers}");
+    let headers = format!(
+        "#include <array>\n#include <cmath>\n#include <cstddef>\n#include <cstdint>\n#include <limits>\n{headers}"
+    );
     let headers = put("all.hpp".to_owned(), &headers);
     let mut rust = rustc();
     rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);

@@ -94,7 +94,7 @@ const DESIGNS: [Keys; 12] = [
         ("delay", "1"),
         ("measured", "x1"),
         ("observer_poles", "-4,-5,-6"),
-        ("observer_eps", "0.01"),
+        ("observer_eps", "0.05"),
         ("eps", "0.02"),
         ("u_max", "1e3"),
     ],

@@ -576,12 +576,14 @@ impl Builder<'_> {
     fn parameters(&self) -> Vec<Variable> {
         let mut variables: Vec<Variable> = Vec::new();
         for parameter in self.spec.run_time_parameters() {
-            let about = format!(
-                "{} [{}], {}",
-                parameter.meaning(),
-                parameter.unit_for(self.spec.n + self.sampled.delay),
-                parameter.domain().text()
-            );
+            let domain = match parameter {
+                Parameter::Samples => {
+                    format!("at least {}", self.sampled.least_samples(self.spec.n))
+                }
+                parameter => parameter.domain().text().to_owned(),
+            };
+            let unit = parameter.unit_for(self.spec.n + self.sampled.delay);
+            let about = format!("{} [{unit}], {domain}", parameter.meaning());
             let shape = match parameter {
                 Parameter::Samples => Shape::Count,
                 Parameter::Gain(_) => Shape::Reals(self.spec.n + self.sampled.delay),

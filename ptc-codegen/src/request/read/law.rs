@@ -100,7 +100,11 @@ impl Reader<'_> {
         if let Some(n) = n
             && items.len() != n
         {
-            let message = format!("{} poles for order n = {n}", items.len());
+            let wanted = match key {
+                "observer_poles" => format!("{n} values that are estimated"),
+                _ => format!("order n = {n}"),
+            };
+            let message = format!("{} poles for {wanted}", items.len());
             let help =
                 format!("give {n} poles; a complex one counts with its conjugate: -1+2i, -1-2i");
             self.wrong(key, Some(node.place), message, help);

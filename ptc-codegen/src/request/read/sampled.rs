@@ -160,16 +160,8 @@ impl Reader<'_> {
             }
             spec.fixed.insert(Parameter::SampleTime, h);
         }
-        let eps = self.keys.get("eps").copied();
-        let zero = || Fixed::from(0);
         // 0, which a clock in time has no meaning for, is the default.
-        spec.fixed.entry(Parameter::Eps).or_insert_with(zero);
-        if let (Some(node), Some(tau)) = (eps, &tau)
-            && spec.fixed[&Parameter::Eps].number().is_some_and(|eps| eps >= tau)
-        {
-            let message = format!("eps = {} is not below tau", shown(&node.value));
-            self.wrong("eps", Some(node.place), message, "give an eps well below tau".to_owned());
-        }
+        spec.fixed.entry(Parameter::Eps).or_insert_with(|| Fixed::from(0));
     }
 
     fn count_samples(&mut self, spec: &mut Spec, tau: &BigRational, h: &BigRational) {
