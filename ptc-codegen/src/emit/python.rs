@@ -33,7 +33,7 @@ const WORDS: &str = "
 
 /// The module's own classes and those that it imports: one of a controller would hide them.
 const CLASSES: &str = "
-    Array ArrayLike Callable Control Gains IntEnum NDArray NamedTuple Params Rate Sequence Status
+    Array ArrayLike Callable Control Gains IntEnum NDArray NamedTuple None Params Rate Sequence Status
 ";
 
 fn files(controller: &Controller<'_>) -> Vec<File> {

@@ -398,7 +398,7 @@ mod tests {
             ("x_2", Drift, ["`x_2` differs from `x2`", "write `x2`"]),
             ("x0", Drift, ["`x0` does not exist", "x1_0..xn_0"]),
             ("g", Drift, ["`g` is a key", "input gain"]),
-            ("f", Law, ["`f` is a key", "moves the plant"]),
+            ("f", Law, ["`f` is a key", "known constant of the plant"]),
         ] {
             let Found::Wrong { message, help } = find(name, subject, 3) else {
                 panic!("{name} is taken");
