@@ -213,7 +213,7 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
     let mut main = C_MAIN.to_owned();
     for (i, design) in designs.iter().enumerate() {
         let (name, real, m) = (&design.code.name, design.real(), design.measured());
-        write!(text, "#include \"{}\"\n", design.folder.join(format!("{name}.h")).display())
+        writeln!(text, "#include \"{}\"", design.folder.join(format!("{name}.h")).display())
             .expect("a string");
         let given: String = design
             .given()
@@ -387,7 +387,7 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
         .expect("a string");
         write!(all, "Box::new(D{i}(None)), ").expect("a string");
     }
-    write!(text, "fn designs() -> Vec<Box<dyn Design>> {{ vec![{all}] }}\n").expect("a string");
+    writeln!(text, "fn designs() -> Vec<Box<dyn Design>> {{ vec![{all}] }}").expect("a string");
     let (source, program) = (folder.join("main.rs"), folder.join("in_rust"));
     fs::write(&source, text).expect("Rust");
     run(rustc().arg(&source).arg("-o").arg(&program));
