@@ -70,6 +70,7 @@ impl Accepted {
         within(|| {
             report.accepted()?;
             if report.spec.sampled().is_some() {
+                in_range(&report.spec)?;
                 return Ok(Self { report, staged: None });
             }
             let law = Law::from(&report.spec, report.expanded.as_ref());
@@ -210,6 +211,24 @@ pub fn dump(spec: &Spec, expanded: Option<&Expanded>, name: &str) -> Option<Stri
         }
     });
     text
+}
+
+/// Refuses a controller in samples whose fixed values make a weight that its precision does not hold.
+fn in_range(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+    let sampled = spec.sampled().map(|sampled| samples::controller(spec, sampled, Vec::new()));
+    let mut found = Diagnostics::default();
+    if let Some(lost) = sampled.and_then(|code| code.out_of_range()) {
+        let precision = spec.precision.name();
+        let size = if lost.numer().bits() > lost.denom().bits() { "large" } else { "small" };
+        found.push(
+            "overflow",
+            "sample_time",
+            None,
+            format!("a weight of the law is too {size} for {precision} with the values that are fixed"),
+            "the weights hold the gains over powers of the sample period up to the order of the loop: take a longer period, a lower order, other units, or f64",
+        );
+    }
+    found.finish(Some(()))
 }
 
 /// The staged program, with all passes run. What the spec fixes must leave every coefficient finite.

@@ -369,6 +369,29 @@ fn a_call_that_fails_changes_nothing() {
 }
 
 #[test]
+fn weights_that_overflow_are_refused() {
+    let keys = [
+        ("n", "4"),
+        ("mu", "exp(a=1)"),
+        ("clock", "samples"),
+        ("tau", "1e-9"),
+        ("sample_time", "1e-11"),
+        ("poles", "-5,-6,-7,-8"),
+    ];
+    for (precision, refused) in [("f64", false), ("f32", true)] {
+        let mut keys = keys.to_vec();
+        keys.push(("precision", precision));
+        let spec = read(&keys).expect("a legal design");
+        let found = ptc_codegen::generate(&spec, ptc_codegen::emit::Language::C);
+        assert_eq!(found.is_err(), refused, "{precision}");
+        if let Err(found) = found {
+            assert_eq!(found[0].code, "overflow");
+            assert!(found[0].message.contains("too large for f32"), "{}", found[0].message);
+        }
+    }
+}
+
+#[test]
 fn mistakes_are_named() {
     let stage = [
         ("n", "2"),

@@ -3,7 +3,11 @@
 
 use std::collections::BTreeSet;
 
+use num_traits::Zero;
+
 use super::{Access, Code, Expr, Function, Outcomes, Place, Shape, Statement, Variable};
+use crate::algebra::BigRational;
+use crate::program::number;
 
 /// What the statements of one function have seen so far.
 struct Seen<'a> {
@@ -144,5 +148,42 @@ impl Seen<'_> {
             _ => return Ok(()),
         };
         if known { Ok(()) } else { Err(format!("{name} is used before it is known")) }
+    }
+}
+
+impl Code {
+    /// A number of the program that its precision does not hold: it is not 0 and rounds to 0, or to
+    /// infinity.
+    pub fn out_of_range(&self) -> Option<BigRational> {
+        let mut lost = None;
+        let mut look = |value: &Expr| {
+            if let Expr::Number(exact) = value {
+                let near = number::round(exact, self.precision);
+                if !near.is_finite() || (near == 0.0 && !exact.is_zero()) {
+                    lost.get_or_insert_with(|| exact.clone());
+                }
+            }
+        };
+        let bodies = self.functions.iter().map(|function| &function.body).chain([&self.init]);
+        bodies.for_each(|body| visit(body, &mut look));
+        let given = self.functions.iter().flat_map(|function| &function.results);
+        given.flat_map(|given| &given.values).for_each(|value| value.visit(&mut look));
+        lost
+    }
+}
+
+/// Calls `look` on every expression of the statements.
+fn visit(statements: &[Statement], look: &mut dyn FnMut(&Expr)) {
+    for statement in statements {
+        match statement {
+            Statement::Let(_, _, value) | Statement::Set(_, value) => value.visit(look),
+            Statement::Require(test, _) => test.visit(look),
+            Statement::If(test, yes, no) => {
+                test.visit(look);
+                visit(yes, look);
+                visit(no, look);
+            }
+            Statement::Variable(..) | Statement::Note(_) => {}
+        }
     }
 }
