@@ -195,8 +195,8 @@ impl Chain {
             sum += value * &share;
             share *= &self.h / BigInt::from(power);
         }
-        // What a double does not resolve beside 2^-2000 is nothing.
-        let grid = BigRational::from_integer(BigInt::one() << 2000);
+        // 1e-120 is nothing beside what is asked for.
+        let grid = BigRational::from_integer(BigInt::one() << 400);
         (sum * &grid).round() / grid
     }
 }
