@@ -251,7 +251,7 @@ fn an_interrupt_of_the_search_runs_no_scenario_again() {
 
 /// Starts a campaign and waits until some of its rows are kept.
 fn interrupted(folder: &Path, out: &str, signal: &str) {
-    let arguments = ["verify", "stage.toml", "--scenarios=4000", "--out", out];
+    let arguments = ["verify", "stage.toml", "--scenarios=20000", "--out", out];
     let mut child = command_in(folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
     let journal = folder.join(format!("{out}.chunks"));
     let began = Instant::now();
@@ -268,7 +268,7 @@ fn interrupted(folder: &Path, out: &str, signal: &str) {
 #[test]
 fn one_process_at_a_time_has_a_campaign() {
     let folder = stage("owned");
-    let arguments = ["verify", "stage.toml", "--scenarios=4000", "--out", "rows.parquet"];
+    let arguments = ["verify", "stage.toml", "--scenarios=20000", "--out", "rows.parquet"];
     let mut first = command_in(&folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
     let journal = folder.join("rows.parquet.chunks");
     while fs::metadata(&journal).map_or(0, |there| there.len()) < 1000 {
@@ -328,7 +328,7 @@ fn damage_is_told_by_name() {
     interrupted(&folder, "rows.parquet", "-KILL");
     let journal = folder.join("rows.parquet.chunks");
     let whole = fs::read(&journal).expect("rows");
-    let resume = ["verify", "stage.toml", "--scenarios=4000", "--out", "rows.parquet"];
+    let resume = ["verify", "stage.toml", "--scenarios=20000", "--out", "rows.parquet"];
     let small = ["verify", "stage.toml", "--out", "part.parquet"];
     assert_eq!(run_in(&folder, &small).0, Some(0));
     let part = fs::read(folder.join("part.parquet")).expect("rows");

@@ -100,6 +100,7 @@ fn cargo(target: &Path) -> Command {
 fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
     let excluded = ["--exclude", "ptc-bench", "--exclude", "ptc-assure"];
     let packages = empty(&target.join("package"));
+    forget_unpacked()?;
     succeed(
         cargo(target)
             .args(["package", "--quiet", "--workspace", "--allow-dirty"])
@@ -114,6 +115,29 @@ fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
     crates.sort();
     ensure!(crates.len() == 3, "ptc, ptc-codegen and ptc-macros are packaged: {crates:?}");
     Ok(crates)
+}
+
+/// Removes what cargo keeps unpacked of packages of this workspace. It takes a version for all that it
+/// will ever hold, and would build a later state of the same version from the earlier one.
+fn forget_unpacked() -> Result<()> {
+    let own = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let user = std::env::var_os("HOME").map(|home| Path::new(&home).join(".cargo"));
+    let Some(home) = own.or(user) else { return Ok(()) };
+    let Ok(registries) = fs::read_dir(home.join("registry/src")) else { return Ok(()) };
+    for registry in registries {
+        let registry = registry?;
+        // That of a folder has no name in front of its hash.
+        if !registry.file_name().to_string_lossy().starts_with('-') {
+            continue;
+        }
+        for name in ["ptc", "ptc-codegen", "ptc-macros"] {
+            let unpacked = registry.path().join(format!("{name}-{}", env!("CARGO_PKG_VERSION")));
+            if unpacked.is_dir() {
+                fs::remove_dir_all(unpacked)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The folder of an unpacked crate.
