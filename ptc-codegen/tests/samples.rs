@@ -415,7 +415,7 @@ fn mistakes_are_named() {
         ("g", "x1", "takes a constant input gain"),
         ("f", "x1", "f is the known constant"),
         ("t0", "1", "arm the controller at the tick"),
-        ("after", "extern", "no law of yours after the deadline"),
+        ("after", "extern", "no user-defined law after the deadline"),
         ("guard", "result", "has the guards full and none"),
         ("eps", "2", "not below tau"),
         ("clock", "ticks", "is not one of time, samples"),

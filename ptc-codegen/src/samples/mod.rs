@@ -4,12 +4,16 @@
 //! coordinates z = S x that is an Euler chain, and the rows that Theorem 1 gives for the mapping
 //! `exp` (`rows`) are exact in it with falling powers of time-to-go in place of powers:
 //! u = sum_j row_j z_j/((T - (j-1) h) ... (T - (m-1) h)). By duality the same rows give an observer
-//! (`observer`). [`controller()`] stages both into one imperative program.
+//! (`observer`). [`controller()`] stages both into one imperative program: `start` is its `init`,
+//! `feedback` and `estimates` are parts of its `step`.
 
 mod controller;
+mod estimates;
+mod feedback;
 mod matrix;
 mod observer;
 mod pair;
 mod rows;
+mod start;
 
 pub use controller::controller;

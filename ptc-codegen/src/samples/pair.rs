@@ -4,7 +4,8 @@
 use num_traits::{One, Zero};
 
 use super::matrix::Matrix;
-use crate::algebra::{BigInt, BigRational};
+use crate::algebra::BigRational;
+use crate::expansion::bell::factorials;
 
 /// What a held input does to the states from one sample to the next.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +15,7 @@ pub(super) struct Pair {
     /// Gamma.
     pub(super) gamma: Vec<BigRational>,
     /// The power p of each state: it stands here divided by h^p.
-    pub(super) powers: Vec<usize>,
+    pub(super) powers: Vec<i64>,
 }
 
 impl Pair {
@@ -24,7 +25,11 @@ impl Pair {
         let phi =
             Matrix::new(n, n, |i, j| if j >= i { inverse(j - i) } else { BigRational::zero() });
         let gamma = (0..n).map(|i| gain * inverse(n - i)).collect();
-        Self { phi, gamma, powers: (0..n).map(|j| n - j).collect() }
+        Self {
+            phi,
+            gamma,
+            powers: (1..=n).rev().map(|power| i64::try_from(power).unwrap_or(i64::MAX)).collect(),
+        }
     }
 
     /// Number of states.
@@ -99,8 +104,7 @@ impl Pair {
 
 /// k!.
 pub(super) fn factorial(k: usize) -> BigRational {
-    let product = (1..=k).fold(BigInt::one(), |product, i| product * BigInt::from(i));
-    BigRational::from_integer(product)
+    BigRational::from_integer(factorials(k).swap_remove(k))
 }
 
 /// The binomial coefficient of `n` over `k`.

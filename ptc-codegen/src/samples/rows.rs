@@ -1,40 +1,46 @@
-//! The rows of the law: what Theorem 1 makes of gains for the mapping `exp`.
+//! The rows of the law in samples: those that Theorem 1 gives for the mapping `exp`.
 //!
 //! The solutions of the loop are T^(p), with p = -lambda/a for each pole lambda and falling powers in
-//! place of powers, where prod (p - p_i) = p^(m) - (-1)^m sum_j row_j (-1)^(j-1) p^(j-1) in falling
-//! powers of p. Stirling numbers of the second kind bring the left side, whose coefficients are the
-//! gains over powers of a, to falling powers.
+//! place of powers. The indicial polynomials are the same as in continuous time, so are the rows.
 
 use std::ops::{Div, Mul};
 
-use num_traits::Zero;
-
-use super::pair::{binomial, factorial};
-use crate::algebra::{BigInt, BigRational};
+use super::pair::binomial;
+use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly};
 use crate::code::Expr;
+use crate::family::Family;
+use crate::internal::fault;
+use crate::law::{Form, Law};
+use crate::mapping::Mapping;
 
 /// row_1..row_m of the gains k_1..k_m and the rate a.
 pub(super) fn rows(gains: &[Expr], a: &Expr) -> Vec<Expr> {
     let m = gains.len();
-    // k_(i+1)/a^(m-i), and 1 for i = m, which are the coefficients of prod (p - p_i) but for signs.
-    let mut scaled = vec![Expr::integer(1); m + 1];
+    // K_i = k_i/a^(m+1-i).
+    let mut scaled = vec![Expr::integer(1); m];
     let mut power = Expr::integer(1);
     for i in (0..m).rev() {
         power = power.mul(a.clone());
         scaled[i] = gains[i].clone().div(power.clone());
     }
-    let row = |j: usize| {
-        let term = |i: usize| {
-            let signed =
-                if (i + j).is_multiple_of(2) { stirling(i, j - 1) } else { -stirling(i, j - 1) };
-            Expr::Number(signed).mul(scaled[i].clone())
-        };
-        Expr::sum((j - 1..=m).map(term))
+    let Form::Rows { rows, .. } = Law::new(m, &Mapping::of(Family::Exp, 0), None).form else {
+        fault("the law of `exp` has no rows")
     };
-    (1..=m).map(row).collect()
+    let row = |row: &Poly| {
+        let term = |(monomial, number): (&Monomial, &BigRational)| match monomial.factors() {
+            [] => Expr::Number(number.clone()),
+            [(gain, 1)] if gain.kind == Kind::ScaledGain => {
+                let gain = scaled[usize::from(gain.index) - 1].clone();
+                Expr::Number(number.clone()).mul(gain)
+            }
+            _ => fault("a row of `exp` is not linear in the gains"),
+        };
+        Expr::sum(row.terms().map(term))
+    };
+    rows.iter().map(row).collect()
 }
 
-/// The rows that stand in for row_j/((M-j+1)...(M-m+1)) at the end: E^m y = 0.
+/// Deadbeat, E^m y = 0, in place of row_j/((M-j+1)...(M-m+1)).
 pub(super) fn deadbeat(m: usize) -> Vec<BigRational> {
     (0..m).map(|j| -binomial(m, j)).collect()
 }
@@ -45,14 +51,4 @@ pub(super) fn deadbeat(m: usize) -> Vec<BigRational> {
 pub(super) fn deadbeat_from(m: usize, greatest: &BigRational) -> BigInt {
     let order = BigInt::from(m);
     (greatest.ceil().to_integer() + &order - BigInt::from(1)).max(order * 2)
-}
-
-/// The Stirling number of the second kind: partitions of `n` things into `k` sets.
-fn stirling(n: usize, k: usize) -> BigRational {
-    let term = |i: usize| {
-        let power = num_traits::pow(BigRational::from_integer(BigInt::from(i)), n);
-        let term = binomial(k, i) * power;
-        if (k - i).is_multiple_of(2) { term } else { -term }
-    };
-    (0..=k).map(term).fold(BigRational::zero(), |sum, term| sum + term) / factorial(k)
 }

@@ -94,7 +94,7 @@ fn back_edges(code: &[(File, Imports)], order: &[String]) -> Vec<String> {
     found
 }
 
-/// The files of the command that stand in a circle.
+/// The files of the command that are in a circle.
 fn in_circles(code: &[(File, Imports)]) -> BTreeSet<String> {
     let of_command = |(file, _): &(&File, &Imports)| file.name.starts_with("cli/");
     let own: Vec<_> = shipped(code).into_iter().filter(of_command).collect();
@@ -109,7 +109,7 @@ fn in_circles(code: &[(File, Imports)]) -> BTreeSet<String> {
         let to = imports.paths.iter().filter_map(holder).filter(|other| **other != file.name);
         edges.insert(file.name.clone(), to.cloned().collect());
     }
-    // What imports from nothing that is left stands in no circle, nor does what nothing left imports.
+    // What imports from nothing that is left is in no circle, nor does what nothing left imports.
     loop {
         let before = edges.len();
         let names: BTreeSet<_> = edges.keys().cloned().collect();

@@ -1,7 +1,7 @@
 //! One sample of the loop that runs: the chain under a zero-order hold, the gains and the delay.
 //!
 //! The state is s = (x_1, ..., x_n, w_1, ..., w_d): the plant's and the inputs that are on their way,
-//! the next one first; a controller in samples keeps states of its own instead. s_{k+1} = M_k s_k +
+//! the next one first; a controller in samples adds the states that it keeps. s_{k+1} = M_k s_k +
 //! sum_l b_{l,k} w_l, w the errors of the measurement and of the actuator.
 
 use super::rounded::{Rounded, unit_roundoff};

@@ -267,7 +267,7 @@ impl<'a> Sample<'a> {
                 let each = a.into_iter().zip(b).map(|(a, b)| sum(a, b, unit));
                 Some(Held::Linear(each.collect()))
             }
-            // A constant that is not 0 is no part of a linear loop.
+            // A nonzero constant makes the loop affine, which is not examined.
             (Held::Linear(a), Held::Known(k)) | (Held::Known(k), Held::Linear(a)) => {
                 (k.exact == Range::from(0.0) && a.len() == self.terms).then_some(Held::Linear(a))
             }

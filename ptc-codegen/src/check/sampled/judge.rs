@@ -120,7 +120,7 @@ impl<'a> Loop<'a> {
             return Ok(Sampled::new(chain, &rows));
         };
         if own.force != BigRational::default() {
-            return Err("the known f of the plant is no part of what it looks at".to_owned());
+            return Err("a loop with a known f is not examined".to_owned());
         }
         let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, self.samples)
             .ok_or("the emitted program is not enclosed")?;

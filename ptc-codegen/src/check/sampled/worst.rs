@@ -226,7 +226,7 @@ impl Sampled {
         bound
     }
 
-    /// What the causes of one sample add, by how much of each is seen.
+    /// Adds the causes of one sample, each weighted by how much of it the output sees.
     fn add(&self, bound: &mut Bound, seen: &[f64]) {
         let parts = bound.noise.iter_mut().chain([&mut bound.actuator]);
         for ((sum, seen), limit) in parts.zip(seen).zip(self.limits()) {

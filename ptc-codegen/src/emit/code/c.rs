@@ -1,6 +1,6 @@
 //! C99.
 
-use super::text::{Level, Lines, Text, bracketed, length};
+use super::text::{Level, Lines, Text, length};
 use crate::code::{Access, Code, Function, Outcomes, Place, Shape, Statement, Status, Variable};
 use crate::emit::File;
 use crate::parameter::Precision;
@@ -28,17 +28,6 @@ impl Text for C<'_> {
         self.code.precision
     }
 
-    fn literal(&self, digits: &str) -> String {
-        match self.code.precision {
-            Precision::F32 => format!("{digits}f"),
-            Precision::F64 => digits.to_owned(),
-        }
-    }
-
-    fn count(&self, count: u32) -> String {
-        format!("{count}U")
-    }
-
     fn field(&self, name: &str) -> String {
         format!("self->{name}")
     }
@@ -47,34 +36,14 @@ impl Text for C<'_> {
         format!("params->{name}")
     }
 
-    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Sum, format!("{a} - {b}"))
-    }
-
-    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
-    }
-
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} / 2U"))
-    }
-
     fn real(&self, count: &str) -> (Level, String) {
         let atom = count.bytes().all(|b| b.is_ascii_alphanumeric() || b"_->.".contains(&b));
         let count = if atom { count.to_owned() } else { format!("({count})") };
         (Level::Sign, format!("({}){count}", self.type_of(Shape::Real)))
     }
 
-    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
-        (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
-    }
-
     fn finite(&self, value: &str) -> String {
         format!("(isfinite({value}) != 0)")
-    }
-
-    fn and(&self) -> &'static str {
-        "&&"
     }
 }
 

@@ -1,7 +1,7 @@
 //! C++17: one header. All of it is `constexpr`, for it calls no function of a library.
 
 use super::block::{Block, Branch};
-use super::text::{Level, Lines, Text, bracketed, length};
+use super::text::{Level, Lines, Text, length};
 use crate::code::{Access, Code, Function, Shape, Status, Test, Variable};
 use crate::emit::File;
 use crate::parameter::{Precision, type_name};
@@ -30,17 +30,6 @@ impl Text for Cpp<'_> {
         self.code.precision
     }
 
-    fn literal(&self, digits: &str) -> String {
-        match self.code.precision {
-            Precision::F32 => format!("{digits}f"),
-            Precision::F64 => digits.to_owned(),
-        }
-    }
-
-    fn count(&self, count: u32) -> String {
-        format!("{count}U")
-    }
-
     fn field(&self, name: &str) -> String {
         format!("{name}_")
     }
@@ -49,32 +38,12 @@ impl Text for Cpp<'_> {
         format!("params.{name}")
     }
 
-    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Sum, format!("{a} - {b}"))
-    }
-
-    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
-    }
-
-    fn count_half(&self, count: &str) -> (Level, String) {
-        (Level::Product, format!("{count} / 2U"))
-    }
-
     fn real(&self, count: &str) -> (Level, String) {
         (Level::Atom, format!("static_cast<{}>({count})", self.real_type()))
     }
 
-    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
-        (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
-    }
-
     fn finite(&self, value: &str) -> String {
         format!("finite({value})")
-    }
-
-    fn and(&self) -> &'static str {
-        "&&"
     }
 }
 
@@ -179,7 +148,7 @@ impl Cpp<'_> {
         self.out.line("");
         self.out.open("private:");
         let limits = format!("std::numeric_limits<{}>", self.real_type());
-        self.out.line("/// std::isfinite is no constant in C++17.");
+        self.out.line("/// std::isfinite is not constexpr in C++17.");
         self.out.line(format!("static constexpr bool finite({} v) noexcept", self.real_type()));
         self.out.open("{");
         self.out.line(format!("return (v >= {limits}::lowest()) && (v <= ({limits}::max)());"));

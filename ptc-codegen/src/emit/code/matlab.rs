@@ -77,10 +77,6 @@ impl Text for Matlab<'_> {
     fn finite(&self, value: &str) -> String {
         format!("isfinite({value})")
     }
-
-    fn and(&self) -> &'static str {
-        "&&"
-    }
 }
 
 impl Block for Matlab<'_> {

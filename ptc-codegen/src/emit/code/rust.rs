@@ -32,6 +32,10 @@ impl Text for Rust<'_> {
         self.code.precision
     }
 
+    fn literal(&self, digits: &str) -> String {
+        digits.to_owned()
+    }
+
     fn count(&self, count: u32) -> String {
         count.to_string()
     }
@@ -68,10 +72,6 @@ impl Text for Rust<'_> {
 
     fn finite(&self, value: &str) -> String {
         format!("{value}.is_finite()")
-    }
-
-    fn and(&self) -> &'static str {
-        "&&"
     }
 }
 

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::block::declared;
-use crate::code::{Code, Expr, Operator, Outcomes, Shape, Statement, Test};
+use crate::code::{Code, Expr, Operator, Shape, Statement, Test};
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -20,15 +20,6 @@ pub(in crate::emit) fn short(mut code: Code) -> Code {
         let mut short = Short::new(precision, &body);
         short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
         function.body = short.block(body);
-        if let Outcomes::First(ways, _) = &mut function.status {
-            // What the same test has settled before is never reached.
-            let mut seen = Vec::new();
-            ways.retain(|(test, _)| {
-                let first = !seen.contains(test);
-                seen.push(test.clone());
-                first
-            });
-        }
     }
     code
 }

@@ -24,13 +24,18 @@ pub(in crate::emit) trait Text {
     /// Precision of the numbers.
     fn precision(&self) -> Precision;
 
-    /// A literal that is not negative.
+    /// A literal that is not negative. What has a default is as C and C++ write it.
     fn literal(&self, digits: &str) -> String {
-        digits.to_owned()
+        match self.precision() {
+            Precision::F32 => format!("{digits}f"),
+            Precision::F64 => digits.to_owned(),
+        }
     }
 
     /// A literal count.
-    fn count(&self, count: u32) -> String;
+    fn count(&self, count: u32) -> String {
+        format!("{count}U")
+    }
 
     /// A local value or an argument.
     fn local(&self, name: &str) -> String {
@@ -49,25 +54,35 @@ pub(in crate::emit) trait Text {
     }
 
     /// a - b of counts, modulo 2^32.
-    fn count_sub(&self, a: &str, b: &str) -> (Level, String);
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Sum, format!("{a} - {b}"))
+    }
 
     /// a - b of counts, 0 where b is greater.
-    fn count_left(&self, a: &str, b: &str) -> (Level, String);
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Choice, format!("({b} < {a}) ? ({a} - {b}) : 0U"))
+    }
 
     /// Half of a count, rounded down.
-    fn count_half(&self, count: &str) -> (Level, String);
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2U"))
+    }
 
     /// A count as a floating-point number.
     fn real(&self, count: &str) -> (Level, String);
 
     /// One of two values.
-    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String);
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
+    }
 
     /// Whether a number is finite.
     fn finite(&self, value: &str) -> String;
 
     /// What stands between tests that must all hold.
-    fn and(&self) -> &'static str;
+    fn and(&self) -> &'static str {
+        "&&"
+    }
 
     /// What stands between tests one of which must hold.
     fn or(&self) -> &'static str {
@@ -120,7 +135,7 @@ pub(in crate::emit) trait Text {
                     Operator::Mul => ("*", Level::Product, Level::Sign),
                     Operator::Div => ("/", Level::Product, Level::Sign),
                 };
-                // What binds tighter is in brackets too, but for products in a sum and signs in
+                // What binds tighter is in brackets too, except products in a sum and signs in
                 // front, so that no rule of precedence has to be known.
                 let text = format!("{} {sign} {}", self.within(a, level), self.within(b, right));
                 (level, text)

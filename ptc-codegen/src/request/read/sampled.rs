@@ -127,7 +127,7 @@ impl Reader<'_> {
         against(
             "after",
             spec.after == After::Extern,
-            "a clock in samples has no law of yours after the deadline",
+            "a clock in samples has no user-defined law after the deadline",
             "legal: hold, zero",
         );
         against(
@@ -220,7 +220,7 @@ impl Reader<'_> {
         match real(node).as_ref().and_then(Fixed::number) {
             Some(force) => force.clone(),
             None => {
-                let message = format!("f = {} is no finite number", shown(&node.value));
+                let message = format!("f = {} is not a finite number", shown(&node.value));
                 let help = "f is the known constant of xn' = f + g*u".to_owned();
                 self.wrong("f", Some(node.place), message, help);
                 BigRational::zero()
@@ -306,7 +306,8 @@ impl Reader<'_> {
     fn observer_eps(&mut self, spec: &Spec, estimates: usize) -> Option<Fixed> {
         let node = self.keys.get("observer_eps").copied()?;
         let Some(value) = super::finite_positive(node) else {
-            let message = format!("observer_eps = {} is no finite number > 0", shown(&node.value));
+            let message =
+                format!("observer_eps = {} is not a finite number > 0", shown(&node.value));
             self.wrong("observer_eps", Some(node.place), message, "give a time in s".to_owned());
             return None;
         };

@@ -1,0 +1,211 @@
+//! The observer: the estimates from what is measured, and the functions that give them.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use num_traits::ToPrimitive;
+
+use super::controller::Builder;
+use super::observer::Injection;
+use super::pair::Pair;
+use super::rows::{deadbeat_from, rows};
+use crate::algebra::{BigInt, BigRational, integer};
+use crate::code::{
+    Access, Expr, Function, Given, Outcomes, Place, Shape, Statement, Status, Test, Variable,
+};
+use crate::internal::fault;
+use crate::parameter::{Fixed, Parameter};
+
+/// A part of N_o at which the gains of the observer stay once it is through.
+const HELD_PART: i64 = 8;
+
+impl Builder<'_> {
+    /// What the observer estimates: x_m, ..., x_n, and the disturbance.
+    pub(super) fn estimated(&self) -> Vec<String> {
+        let states = self.sampled.measured..=self.spec.n;
+        let disturbance = self.sampled.disturbance.then(|| "d".to_owned());
+        states.map(|j| format!("x{j}")).chain(disturbance).collect()
+    }
+
+    /// The estimates from what is measured: predicted, then corrected.
+    pub(super) fn observe(&mut self, samples: &Expr) -> Vec<Statement> {
+        let (measured, real) = (self.sampled.measured, Shape::Real);
+        let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain);
+        let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
+        let (order, names) = (pair.order(), self.estimated());
+        let mut body = vec![Statement::Note("Predict.".to_owned())];
+        self.fields.push(Variable::new("seen", Shape::Count, "1 once y has been measured"));
+        self.values.push(("seen".to_owned(), Shape::Count, Expr::Count(0)));
+        for name in &names {
+            self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
+        }
+        let power = |j: usize| pair.powers[j];
+        let acting = Expr::field(format!("u{}", self.remembered()));
+        for i in 0..order {
+            let terms: Vec<_> = (0..order)
+                .filter(|j| *pair.phi.at(i, *j) != BigRational::default())
+                .map(|j| {
+                    let value = Expr::Number(pair.phi.at(i, j).clone())
+                        .mul(self.period(power(i) - power(j)));
+                    let name = format!("phi{}_{}", i + 1, j + 1);
+                    let state = Expr::field(format!("{}_hat", names[j]));
+                    self.keep(&name, "prediction from a state", value).mul(state)
+                })
+                .collect();
+            let value = Expr::Number(pair.gamma[i].clone()).mul(self.period(power(i)));
+            let gamma = self.keep(&format!("gamma{}", i + 1), "prediction from u", value);
+            let input = gamma.mul(acting.clone().add(self.force()));
+            body.push(Statement::Let(format!("p{}", i + 1), real, Expr::sum(terms).add(input)));
+        }
+        body.push(Statement::Note("Correct by what is measured.".to_owned()));
+        let y = Expr::Element("y".to_owned(), measured - 1);
+        let unseen = Test::CountEqual(Expr::field("seen"), Expr::Count(0));
+        let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
+        body.push(Statement::Variable("base".to_owned(), real));
+        body.push(Statement::Variable("miss".to_owned(), real));
+        body.push(Statement::If(
+            unseen,
+            vec![set("base", y.clone()), set("miss", Expr::integer(0))],
+            vec![set("base", Expr::local("p1")), set("miss", y.sub(Expr::local("p1")))],
+        ));
+        body.extend(self.injection(&pair, samples));
+        for j in 1..measured {
+            let value = Expr::Element("y".to_owned(), j - 1);
+            body.push(Statement::Let(format!("x{j}"), real, value));
+        }
+        for (i, name) in names.iter().enumerate() {
+            let base = if i == 0 { "base".to_owned() } else { format!("p{}", i + 1) };
+            let correction = Expr::local(format!("l{}", i + 1)).mul(Expr::local("miss"));
+            body.push(Statement::Let(name.clone(), real, Expr::local(base).add(correction)));
+        }
+        body
+    }
+
+    /// Whether what is measured is known to be inexact.
+    fn is_noisy(&self) -> bool {
+        let promises = &self.spec.promises;
+        let any = |bounds: &[Fixed]| {
+            bounds.iter().any(|b| b.number().is_some_and(|b| *b != BigRational::default()))
+        };
+        any(&promises.noise) || any(&promises.sensor_step)
+    }
+
+    /// The gains l1.. of the observer at this sample.
+    fn injection(&mut self, pair: &Pair, samples: &Expr) -> Vec<Statement> {
+        let order = pair.order();
+        let one = Expr::integer(1);
+        let Some(observer) = self.sampled.observer.as_ref() else {
+            fault("no poles of the observer")
+        };
+        let gains: Vec<_> = observer.gains.iter().cloned().map(Expr::Number).collect();
+        let law: Vec<_> = rows(&gains, &self.parameter(Parameter::A));
+        let law: Vec<_> = law.iter().filter_map(Expr::number).cloned().collect();
+        let switch = deadbeat_from(order, &observer.greatest);
+        let c: Vec<_> = (0..order).map(|j| integer(i64::from(j == 0))).collect();
+        let Some(injection) = Injection::new(pair, &c, &law, &switch) else {
+            fault("a chain is not observable")
+        };
+        let scale = |this: &Self, i: usize| this.period(pair.powers[i] - pair.powers[0]);
+        let real = Shape::Real;
+        let set = |i: usize, value| Statement::Set(Place::Local(format!("l{}", i + 1)), value);
+        let observer_eps = observer.eps.as_ref().and_then(Fixed::number);
+        let observer_samples = match self.sampled.observer_samples() {
+            Some(samples) => Expr::Count(samples),
+            // Half of the time for either: the controller has time to bring down what rounding
+            // leaves of the estimates.
+            None => samples.clone().count_half(),
+        };
+        // Where `init` sets N, it is a field by now.
+        let mut body = Vec::new();
+        let left = observer_samples.clone().count_left(Expr::local("elapsed"));
+        body.push(Statement::Let("left_o".to_owned(), Shape::Count, left));
+        let from = BigRational::from_integer(switch.clone());
+        let going = Expr::local("left_o").real();
+        let now = match (observer_eps, self.is_noisy()) {
+            (Some(eps), _) => {
+                let hold = Expr::Number(eps.clone()).div(self.parameter(Parameter::SampleTime));
+                let hold = self.keep("hold_o", "samples to go at which the observer is held", hold);
+                going.max(hold)
+            }
+            // Deadbeat for good would pass every quantum of a sensor on.
+            (None, true) => {
+                let part = observer_samples.real().div(Expr::integer(HELD_PART));
+                let held = part.max(Expr::Number(&from + integer(1)));
+                let over = Test::CountEqual(Expr::local("left_o"), Expr::Count(0));
+                Expr::choose(over, held, going)
+            }
+            (None, false) => going,
+        };
+        body.push(Statement::Let("o0".to_owned(), real, now));
+        for i in 0..order {
+            body.push(Statement::Variable(format!("l{}", i + 1), real));
+        }
+        let mut known = Vec::new();
+        for j in 0..order {
+            let below = Expr::local("o0").sub(Expr::integer(i64::try_from(j).unwrap_or(0)));
+            known.push(Statement::Let(format!("r{j}"), real, one.clone().div(below)));
+        }
+        for (i, (numbers, constant)) in injection.law.iter().enumerate() {
+            let unit = scale(self, i);
+            let mut sum = Expr::integer(0);
+            for (j, number) in numbers.iter().enumerate() {
+                let value = Expr::Number(number.clone()).mul(unit.clone());
+                let name = format!("q{}_{}", i + 1, j + 1);
+                let weight = self.keep(&name, "weight in the observer's gains", value);
+                sum = sum.add(weight).mul(Expr::local(format!("r{j}")));
+            }
+            known.push(set(i, sum.add(Expr::Number(constant.clone()).mul(unit))));
+        }
+        if observer_eps.is_some() {
+            body.extend(known);
+            return body;
+        }
+        let mut end = |below: usize| -> Vec<Statement> {
+            let value = |i: usize, this: &mut Self| {
+                let number = Expr::Number(injection.end[i][below].clone()).mul(scale(this, i));
+                this.keep(&format!("e{below}_{}", i + 1), "gain of the observer at its end", number)
+            };
+            (0..order).map(|i| set(i, value(i, self))).collect()
+        };
+        let mut ended = end(order - 1);
+        for below in (0..order - 1).rev() {
+            let at = switch.clone() - BigInt::from(below);
+            let at = Expr::Count(at.to_u32().unwrap_or(u32::MAX));
+            let here = end(below);
+            ended = vec![Statement::If(Test::CountEqual(Expr::local("left_o"), at), here, ended)];
+        }
+        body.push(Statement::If(Test::Less(Expr::Number(from), Expr::local("o0")), known, ended));
+        body
+    }
+
+    /// The functions that give the estimates.
+    pub(super) fn estimates(&self) -> Vec<Function> {
+        let give = |name: &'static str, about: &str, result: Given| Function {
+            name,
+            about: about.to_owned(),
+            access: Access::Read,
+            arguments: Vec::new(),
+            results: vec![result],
+            failures: Vec::new(),
+            body: Vec::new(),
+            status: Outcomes::One(Status::Ok),
+            guarded: self.guarded(),
+        };
+        let mut functions = Vec::new();
+        let known = self.sampled.measured;
+        let state = |j: usize| Expr::field(format!("x{j}_hat"));
+        let values: Vec<_> = (known..=self.spec.n).map(state).collect();
+        let xhat = Variable::new("xhat", Shape::Reals(values.len()), "estimates");
+        let about = match known {
+            1 => "The estimate of the state at the last sample.".to_owned(),
+            _ => format!("The estimates of x{known}, ... at the last sample."),
+        };
+        functions.push(give("estimate", &about, Given { variable: xhat, values }));
+        if self.sampled.disturbance {
+            let d = Variable::new("d", Shape::Real, "estimate");
+            let given = Given { variable: d, values: vec![Expr::field("d_hat")] };
+            let about = "The estimate of the constant that is added to u.";
+            functions.push(give("disturbance", about, given));
+        }
+        functions
+    }
+}

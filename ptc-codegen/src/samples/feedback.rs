@@ -1,0 +1,140 @@
+//! The law: v from the states and the inputs under way.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use super::controller::Builder;
+use super::pair::Pair;
+use super::rows::{deadbeat, deadbeat_from, rows};
+use crate::algebra::{BigRational, integer};
+use crate::code::{Expr, Place, Shape, Statement, Test};
+use crate::internal::fault;
+use crate::parameter::Parameter;
+
+impl Builder<'_> {
+    /// eps in samples; none for 0.
+    pub(super) fn hold(&self) -> Option<Expr> {
+        let eps = self.parameter(Parameter::Eps);
+        (!eps.is_zero()).then(|| eps.div(self.parameter(Parameter::SampleTime)))
+    }
+
+    /// The plant as the controller knows it, undelayed.
+    fn plant(&self) -> Pair {
+        Pair::chain(self.spec.n, &self.sampled.gain)
+    }
+
+    /// v, the input before it is clipped, from the states x1.. and the inputs under way.
+    pub(super) fn law(&mut self) -> Vec<Statement> {
+        let order = self.spec.n + self.sampled.delay;
+        let pair = self.plant().delayed(self.sampled.delay);
+        let Some((s, drift)) = pair.flat() else { fault("a chain is not controllable") };
+        let gains: Vec<_> = (1..=order).map(|i| self.parameter(Parameter::Gain(i))).collect();
+        let law = rows(&gains, &self.parameter(Parameter::A));
+        let offset = self.offset();
+        let mut statements = Vec::new();
+        // The inputs under way as they act, with what is added to them.
+        let inputs: Vec<Expr> = (0..order)
+            .map(|j| match j.checked_sub(self.spec.n) {
+                None => Expr::local(format!("x{}", j + 1)),
+                Some(i) => Expr::field(format!("u{}", i + 1)).add(offset.clone()),
+            })
+            .collect();
+        let weight = |this: &mut Self, name: String, number: Expr, j: usize| {
+            let value = number.mul(this.period(-pair.powers[j]));
+            this.keep(&name, "weight of a state in the law", value)
+        };
+        let exact = |value: &BigRational| Expr::Number(value.clone());
+        let combine = |this: &mut Self, name: &str, numbers: Vec<Expr>| {
+            let terms: Vec<_> = numbers
+                .into_iter()
+                .enumerate()
+                .filter(|(_, number)| !number.is_zero())
+                .map(|(j, number)| {
+                    weight(this, format!("{name}_{}", j + 1), number, j).mul(inputs[j].clone())
+                })
+                .collect();
+            Expr::sum(terms)
+        };
+        let mut known = vec![Statement::Note("The exact law in samples.".to_owned())];
+        for (i, row) in law.iter().enumerate() {
+            let numbers = (0..order).map(|j| row.clone().mul(exact(s.at(i, j)))).collect();
+            let name = format!("w{}", i + 1);
+            let value = combine(self, &name, numbers);
+            known.push(Statement::Let(format!("z{}", i + 1), Shape::Real, value));
+        }
+        // Deadbeat: the drift is in its gains.
+        let column = |factors: &[BigRational], j: usize| {
+            let products = factors.iter().enumerate().map(|(i, factor)| factor * s.at(i, j));
+            products.fold(BigRational::default(), |sum, product| sum + product)
+        };
+        let dead: Vec<_> = deadbeat(order).iter().zip(&drift).map(|(b, a)| b - a).collect();
+        let dead = (0..order).map(|j| Expr::Number(column(&dead, j))).collect();
+        let dead = combine(self, "b", dead);
+        let drifts: Vec<_> = drift.iter().map(|a| -a).collect();
+        let drifts = (0..order).map(|j| Expr::Number(column(&drifts, j))).collect();
+        let drifts = combine(self, "c", drifts);
+        let horner = (0..order).fold(Expr::integer(0), |sum, i| {
+            let z = Expr::local(format!("z{}", i + 1));
+            let now = Expr::local("m0");
+            let below = now.sub(Expr::integer(i64::try_from(i).unwrap_or(0)));
+            sum.add(z).div(below)
+        });
+        let v =
+            |value: Expr| Statement::Set(Place::Local("v".to_owned()), value.sub(offset.clone()));
+        known.push(v(horner.add(drifts)));
+        let mut now = Expr::local("left").real();
+        let hold = self.hold();
+        if let Some(hold) = &hold {
+            let hold = self.keep("hold", "samples to go at which the gains are held", hold.clone());
+            now = now.max(hold);
+        }
+        statements.push(Statement::Let("m0".to_owned(), Shape::Real, now));
+        statements.push(Statement::Variable("v".to_owned(), Shape::Real));
+        let from = self.deadbeat_from(order, hold.is_some());
+        let from = self.keep("deadbeat", "samples to go at which deadbeat takes over", from);
+        let test = Test::Less(from, Expr::local("m0"));
+        let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];
+        statements.push(Statement::If(test, known, end));
+        statements
+    }
+
+    /// Samples to go at which deadbeat takes over.
+    fn deadbeat_from(&self, order: usize, held: bool) -> Expr {
+        let whole = |i: usize| integer(i64::try_from(i).unwrap_or(0));
+        if held {
+            // Held gains need no end, but below this the law does not exist.
+            return Expr::Number(whole(order) - BigRational::new(1.into(), 2.into()));
+        }
+        if let Some(given) = self.fixed(Parameter::Deadbeat) {
+            return Expr::Number(given.clone());
+        }
+        match &self.sampled.greatest {
+            Some(greatest) => {
+                Expr::Number(BigRational::from_integer(deadbeat_from(order, greatest)))
+            }
+            None => {
+                // The exponents sum to k_m/a, and all but one of them are at least m - 1.
+                let square = integer(i64::try_from((order - 1) * (order - 1)).unwrap_or(0));
+                let sum = self.parameter(Parameter::Gain(order)).div(self.parameter(Parameter::A));
+                let last = integer(i64::try_from(order).unwrap_or(0));
+                let safe = sum.sub(Expr::Number(square)).add(Expr::Number(last.clone()));
+                let safe = safe.max(Expr::Number(last * integer(2)));
+                let given = Expr::Parameter(Parameter::Deadbeat.key().to_owned());
+                Expr::choose(Test::Less(Expr::integer(0), given.clone()), given, safe)
+            }
+        }
+    }
+
+    /// f in units of u.
+    pub(super) fn force(&self) -> Expr {
+        Expr::Number(&self.sampled.force / &self.sampled.gain)
+    }
+
+    /// What is added to u in the plant, known or estimated.
+    fn offset(&self) -> Expr {
+        let known = self.force();
+        match self.sampled.disturbance {
+            true => Expr::local("d").add(known),
+            false => known,
+        }
+    }
+}

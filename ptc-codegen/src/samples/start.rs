@@ -1,0 +1,88 @@
+//! The parameters, and `init`: their tests, the fields, and the tests of these.
+
+use super::controller::Builder;
+use crate::algebra::integer;
+use crate::code::{Expr, Place, Shape, Statement, Status, Test, Variable};
+use crate::parameter::Parameter;
+
+impl Builder<'_> {
+    /// The parameters left to run time.
+    pub(super) fn parameters(&self) -> Vec<Variable> {
+        let mut variables: Vec<Variable> = Vec::new();
+        for parameter in self.spec.run_time_parameters() {
+            let domain = match parameter {
+                Parameter::Samples => {
+                    format!("at least {}", self.sampled.least_samples(self.spec.n))
+                }
+                parameter => parameter.domain().text().to_owned(),
+            };
+            let unit = parameter.unit_for(self.spec.n + self.sampled.delay);
+            let about = format!("{} [{unit}], {domain}", parameter.meaning());
+            let shape = match parameter {
+                Parameter::Samples => Shape::Count,
+                Parameter::Gain(_) => Shape::Reals(self.spec.n + self.sampled.delay),
+                _ => Shape::Real,
+            };
+            if variables.last().is_none_or(|last| last.name != parameter.key()) {
+                variables.push(Variable::new(parameter.key(), shape, about));
+            }
+        }
+        variables
+    }
+
+    /// `init`: tests of the parameters, the fields, tests of these.
+    pub(super) fn init(&self) -> Vec<Statement> {
+        let mut tests: Vec<Test> = Vec::new();
+        let zero = Expr::integer(0);
+        for parameter in self.spec.run_time_parameters() {
+            let value = self.parameter(parameter);
+            match parameter {
+                Parameter::Samples => {
+                    let least = self.sampled.least_samples(self.spec.n);
+                    tests.push(Test::CountLess(Expr::Count(least - 1), value));
+                }
+                Parameter::SampleTime | Parameter::A => {
+                    tests.push(Test::Finite(value.clone()));
+                    tests.push(Test::Less(zero.clone(), value));
+                }
+                Parameter::UMax => tests.push(Test::Less(zero.clone(), value)),
+                Parameter::Deadbeat => {
+                    tests.push(Test::Finite(value.clone()));
+                    tests.push(Test::AtMost(zero.clone(), value));
+                }
+                _ => tests.push(Test::Finite(value)),
+            }
+        }
+        let mut body = Vec::new();
+        if !tests.is_empty() {
+            body.push(Statement::Require(Test::All(tests), Status::Param));
+        }
+        let mut finite = Vec::new();
+        for (name, shape, value) in &self.values {
+            if value.number().is_none() && !matches!(value, Expr::Count(_)) {
+                body.push(Statement::Let(name.clone(), *shape, value.local_fields()));
+                let given = matches!(value, Expr::Parameter(_));
+                if *shape == Shape::Real && !given {
+                    finite.push(Test::Finite(Expr::local(name.clone())));
+                }
+            }
+        }
+        // Below this the gains of the observer do not exist.
+        if self.fields.iter().any(|field| field.name == "hold_o") {
+            let order = self.sampled.observer.as_ref().map_or(0, |observer| observer.poles.len());
+            let least = integer(i64::try_from(order).unwrap_or(0));
+            finite.push(Test::AtMost(Expr::Number(least), Expr::local("hold_o")));
+        }
+        if !finite.is_empty() {
+            body.push(Statement::Require(Test::All(finite), Status::Param));
+        }
+        for (name, _, value) in &self.values {
+            let value = match value {
+                Expr::Number(_) | Expr::Count(_) => value.clone(),
+                _ => Expr::local(name.clone()),
+            };
+            body.push(Statement::Set(Place::Field(name.clone()), value));
+        }
+        body
+    }
+}
