@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 
 use num_traits::Zero;
 
-use super::{Access, Code, Expr, Function, Outcomes, Place, Shape, Statement, Variable};
+use super::{
+    Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Variable,
+};
 use crate::algebra::BigRational;
 use crate::program::number;
 
@@ -13,6 +15,7 @@ use crate::program::number;
 struct Seen<'a> {
     fields: BTreeSet<&'a str>,
     parameters: BTreeSet<&'a str>,
+    callbacks: BTreeSet<&'static str>,
     locals: BTreeSet<String>,
     may_change: bool,
     changed: bool,
@@ -24,99 +27,169 @@ impl Code {
     /// # Errors
     /// The first one that does not hold.
     pub fn check(&self) -> Result<(), String> {
-        let names = |variables: &'_ [Variable]| -> Vec<String> {
-            variables.iter().map(|v| v.name.clone()).collect()
-        };
-        for list in [names(&self.fields), names(&self.parameters)] {
-            let distinct: BTreeSet<_> = list.iter().collect();
-            if distinct.len() != list.len() {
+        for list in [&self.fields, &self.parameters, &self.gains] {
+            if names(list).len() != list.len() {
                 return Err("a name is given twice".to_owned());
             }
         }
-        let fields: BTreeSet<_> = self.fields.iter().map(|f| f.name.as_str()).collect();
-        let parameters: BTreeSet<_> = self.parameters.iter().map(|p| p.name.as_str()).collect();
         let mut seen = Seen {
-            fields: fields.clone(),
-            parameters,
+            fields: names(&self.fields),
+            parameters: names(&self.parameters),
+            callbacks: BTreeSet::new(),
             locals: BTreeSet::new(),
             may_change: true,
             changed: false,
         };
         seen.block(&self.init)?;
-        for function in &self.functions {
-            seen_by(function, &fields)?;
+        if let Some(start) = &self.start {
+            seen.expression(&start.time)?;
         }
-        Ok(())
+        self.functions.iter().try_for_each(|function| {
+            let seen = self.seen_by(function);
+            seen.map_err(|error| format!("{}: {error}", function.name))
+        })
+    }
+
+    fn seen_by(&self, function: &Function) -> Result<(), String> {
+        let fields = match function.owner {
+            Owner::Controller => &self.fields,
+            Owner::Gains => &self.gains,
+        };
+        let mut seen = Seen {
+            fields: names(fields),
+            parameters: BTreeSet::new(),
+            callbacks: function.callbacks.iter().map(|callback| callback.name).collect(),
+            locals: function.arguments.iter().map(|a| a.name.clone()).collect(),
+            may_change: function.access == Access::Change,
+            changed: false,
+        };
+        seen.block(&function.body)?;
+        let elements = |of: &Variable| of.shape.length().unwrap_or(1);
+        let given = function.results.iter().map(|result| match result.shape {
+            Shape::Gains => self.gains.iter().map(elements).sum(),
+            _ => elements(result),
+        });
+        seen.finish(&function.finish, given.sum(), function.owner)
+    }
+
+    /// A number of the program that its precision does not hold: it is not 0 and rounds to 0, or to
+    /// infinity.
+    pub fn out_of_range(&self) -> Option<BigRational> {
+        let mut lost = None;
+        self.visit(&mut |value: &Expr| {
+            if let Expr::Number(exact) = value {
+                let near = number::round(exact, self.precision);
+                if !near.is_finite() || (near == 0.0 && !exact.is_zero()) {
+                    lost.get_or_insert_with(|| exact.clone());
+                }
+            }
+        });
+        lost
     }
 }
 
-fn seen_by(function: &Function, fields: &BTreeSet<&str>) -> Result<(), String> {
-    let mut seen = Seen {
-        fields: fields.clone(),
-        parameters: BTreeSet::new(),
-        locals: function.arguments.iter().map(|a| a.name.clone()).collect(),
-        may_change: function.access == Access::Change,
-        changed: false,
-    };
-    let within = |error: String| format!("{}: {error}", function.name);
-    seen.block(&function.body).map_err(within)?;
-    for given in &function.results {
-        let wanted = if let Shape::Reals(length) = given.variable.shape { length } else { 1 };
-        if given.values.len() != wanted {
-            return Err(within(format!("{} is not given whole", given.variable.name)));
-        }
-    }
-    for value in function.results.iter().flat_map(|given| &given.values) {
-        seen.expression(value).map_err(within)?;
-    }
-    if let Outcomes::First(ways, _) = &function.status {
-        for (test, _) in ways {
-            seen.test(test).map_err(within)?;
-        }
-    }
-    Ok(())
+fn names(variables: &[Variable]) -> BTreeSet<&str> {
+    variables.iter().map(|variable| variable.name.as_str()).collect()
 }
 
 impl Seen<'_> {
     fn block(&mut self, statements: &[Statement]) -> Result<(), String> {
-        for statement in statements {
-            match statement {
-                Statement::Let(name, _, value) => {
-                    self.expression(value)?;
-                    self.define(name)?;
-                }
-                Statement::Variable(name, _) => self.define(name)?,
-                Statement::Set(Place::Local(name), value) => {
-                    self.expression(value)?;
-                    if !self.locals.contains(name) {
-                        return Err(format!("{name} is set before it is declared"));
-                    }
-                }
-                Statement::Set(Place::Field(name), value) => {
-                    self.expression(value)?;
-                    if !self.may_change || !self.fields.contains(name.as_str()) {
-                        return Err(format!("the field {name} cannot be set here"));
-                    }
-                    self.changed = true;
-                }
-                Statement::If(test, then, otherwise) => {
-                    self.test(test)?;
-                    let outer = self.locals.clone();
-                    self.block(then)?;
-                    self.locals.clone_from(&outer);
-                    self.block(otherwise)?;
-                    self.locals = outer;
-                }
-                Statement::Require(test, _) => {
-                    self.test(test)?;
-                    if self.changed {
-                        return Err("a call can fail after it has changed a field".to_owned());
-                    }
-                }
-                Statement::Note(_) => {}
+        statements.iter().try_for_each(|statement| self.statement(statement))
+    }
+
+    fn statement(&mut self, statement: &Statement) -> Result<(), String> {
+        match statement {
+            Statement::Let(name, _, value) => {
+                self.expression(value)?;
+                self.define(name)
             }
+            Statement::Variable(name, _) => self.define(name),
+            Statement::Set(Place::Local(name), value) => {
+                self.expression(value)?;
+                match self.locals.contains(name) {
+                    true => Ok(()),
+                    false => Err(format!("{name} is set before it is declared")),
+                }
+            }
+            Statement::Set(Place::Field(name), value) => {
+                self.expression(value)?;
+                if !self.may_change || !self.fields.contains(name.as_str()) {
+                    return Err(format!("the field {name} cannot be set here"));
+                }
+                self.changed = true;
+                Ok(())
+            }
+            Statement::If(test, then, otherwise) => {
+                self.test(test)?;
+                let outer = self.locals.clone();
+                self.block(then)?;
+                self.locals.clone_from(&outer);
+                self.block(otherwise)?;
+                self.locals = outer;
+                Ok(())
+            }
+            Statement::Require(test, _) => {
+                self.test(test)?;
+                self.may_fail()
+            }
+            Statement::Array(name, values) => {
+                values.iter().try_for_each(|value| self.expression(value))?;
+                self.define(name)
+            }
+            Statement::Rows { name, tail, weights } => {
+                tail.iter().chain(weights).try_for_each(|value| self.expression(value))?;
+                if tail.len() + 1 != weights.len() || tail.len() < 2 {
+                    return Err(format!("{name} has no rows to form"));
+                }
+                self.define(name)
+            }
+            Statement::Solve(solve) => self.solve(solve),
+            Statement::Note(_) => Ok(()),
         }
+    }
+
+    fn solve(&mut self, solve: &Solve) -> Result<(), String> {
+        for value in [&solve.start, &solve.low, &solve.high, &solve.tolerance] {
+            self.expression(value)?;
+        }
+        self.define(&solve.unknown)?;
+        for local in Solve::LOCALS {
+            self.define(&format!("{}_{local}", solve.unknown))?;
+        }
+        let outer = self.locals.clone();
+        self.block(&solve.body)?;
+        for value in [&solve.residual, &solve.next, &solve.size] {
+            self.expression(value)?;
+        }
+        self.locals = outer;
         Ok(())
+    }
+
+    fn finish(&self, finish: &Finish, elements: usize, owner: Owner) -> Result<(), String> {
+        match finish {
+            Finish::If(test, yes, no) => {
+                self.test(test)?;
+                self.finish(yes, elements, owner)?;
+                self.finish(no, elements, owner)
+            }
+            Finish::Give(values, ending) => {
+                if values.len() != elements {
+                    return Err("a result is not given whole".to_owned());
+                }
+                if *ending == Ending::OfGains && owner == Owner::Controller {
+                    return Err("the controller has no status".to_owned());
+                }
+                values.iter().try_for_each(|value| self.expression(value))
+            }
+            Finish::Fail(_) => self.may_fail(),
+        }
+    }
+
+    fn may_fail(&self) -> Result<(), String> {
+        match self.changed {
+            true => Err("a call can fail after it has changed a field".to_owned()),
+            false => Ok(()),
+        }
     }
 
     fn define(&mut self, name: &str) -> Result<(), String> {
@@ -141,49 +214,18 @@ impl Seen<'_> {
     fn known(&self, value: &Expr) -> Result<(), String> {
         let (known, name) = match value {
             Expr::Local(name) | Expr::Element(name, _) => (self.locals.contains(name), name),
-            Expr::Field(name) => (self.fields.contains(name.as_str()), name),
+            Expr::Field(name) | Expr::FieldElement(name, _) => {
+                (self.fields.contains(name.as_str()), name)
+            }
             Expr::Parameter(name) | Expr::ParameterElement(name, _) => {
                 (self.parameters.contains(name.as_str()), name)
+            }
+            Expr::Callback(callback, array, _) => {
+                let known = self.callbacks.contains(callback) && self.locals.contains(array);
+                (known, array)
             }
             _ => return Ok(()),
         };
         if known { Ok(()) } else { Err(format!("{name} is used before it is known")) }
-    }
-}
-
-impl Code {
-    /// A number of the program that its precision does not hold: it is not 0 and rounds to 0, or to
-    /// infinity.
-    pub fn out_of_range(&self) -> Option<BigRational> {
-        let mut lost = None;
-        let mut look = |value: &Expr| {
-            if let Expr::Number(exact) = value {
-                let near = number::round(exact, self.precision);
-                if !near.is_finite() || (near == 0.0 && !exact.is_zero()) {
-                    lost.get_or_insert_with(|| exact.clone());
-                }
-            }
-        };
-        let bodies = self.functions.iter().map(|function| &function.body).chain([&self.init]);
-        bodies.for_each(|body| visit(body, &mut look));
-        let given = self.functions.iter().flat_map(|function| &function.results);
-        given.flat_map(|given| &given.values).for_each(|value| value.visit(&mut look));
-        lost
-    }
-}
-
-/// Calls `look` on every expression of the statements.
-fn visit(statements: &[Statement], look: &mut dyn FnMut(&Expr)) {
-    for statement in statements {
-        match statement {
-            Statement::Let(_, _, value) | Statement::Set(_, value) => value.visit(look),
-            Statement::Require(test, _) => test.visit(look),
-            Statement::If(test, yes, no) => {
-                test.visit(look);
-                visit(yes, look);
-                visit(no, look);
-            }
-            Statement::Variable(..) | Statement::Note(_) => {}
-        }
     }
 }

@@ -6,6 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigRational, integer};
+use crate::expression::Function;
 
 /// An operation on two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +32,10 @@ pub enum Expr {
     Local(String),
     /// An element of an argument, from 0.
     Element(String, usize),
-    /// A field of the controller.
+    /// A field of what the function belongs to.
     Field(String),
+    /// An element of such a field, from 0.
+    FieldElement(String, usize),
     /// A parameter given to `init`.
     Parameter(String),
     /// An element of a parameter, from 0.
@@ -41,6 +44,14 @@ pub enum Expr {
     Neg(Box<Expr>),
     /// An operation on floating-point numbers.
     Binary(Operator, Box<Expr>, Box<Expr>),
+    /// a / b, and no number where b is 0 or no number.
+    Quotient(Box<Expr>, Box<Expr>),
+    /// A function of a number.
+    Call(Function, Box<Expr>),
+    /// a^b for a > 0.
+    Pow(Box<Expr>, Box<Expr>),
+    /// What a function of the user's gives for an array and a time.
+    Callback(&'static str, String, Box<Expr>),
     /// a - b of counts, modulo 2^32.
     CountSub(Box<Expr>, Box<Expr>),
     /// a - b of counts, 0 where b is greater.
@@ -66,6 +77,8 @@ pub enum Test {
     CountEqual(Expr, Expr),
     /// Neither infinite nor no number.
     Finite(Expr),
+    /// No number.
+    NotNumber(Expr),
     /// All of them; holds where there is none.
     All(Vec<Test>),
 }
@@ -99,7 +112,8 @@ impl Expr {
         self.number().is_some_and(Zero::is_zero)
     }
 
-    fn binary(operator: Operator, a: Self, b: Self) -> Self {
+    /// An operation as it stands.
+    pub fn binary(operator: Operator, a: Self, b: Self) -> Self {
         Self::Binary(operator, Box::new(a), Box::new(b))
     }
 
@@ -159,6 +173,9 @@ impl Expr {
             Self::Field(name) => Self::Local(name.clone()),
             Self::Neg(a) => Self::Neg(local(a)),
             Self::Real(a) => Self::Real(local(a)),
+            Self::Call(function, a) => Self::Call(*function, local(a)),
+            Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
+            Self::Pow(a, b) => Self::Pow(local(a), local(b)),
             Self::CountHalf(a) => Self::CountHalf(local(a)),
             Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
             Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
@@ -179,13 +196,21 @@ impl Expr {
     pub fn visit(&self, visit: &mut dyn FnMut(&Self)) {
         visit(self);
         match self {
-            Self::Neg(a) | Self::Real(a) | Self::CountHalf(a) => a.visit(visit),
+            Self::Neg(a)
+            | Self::Real(a)
+            | Self::CountHalf(a)
+            | Self::Call(_, a)
+            | Self::Callback(_, _, a) => a.visit(visit),
             Self::Choose(test, a, b) => {
                 test.visit(visit);
                 a.visit(visit);
                 b.visit(visit);
             }
-            Self::Binary(_, a, b) | Self::CountSub(a, b) | Self::CountLeft(a, b) => {
+            Self::Binary(_, a, b)
+            | Self::Quotient(a, b)
+            | Self::Pow(a, b)
+            | Self::CountSub(a, b)
+            | Self::CountLeft(a, b) => {
                 a.visit(visit);
                 b.visit(visit);
             }
@@ -290,6 +315,7 @@ impl Test {
             Self::CountLess(a, b) => Self::CountLess(a.local_fields(), b.local_fields()),
             Self::CountEqual(a, b) => Self::CountEqual(a.local_fields(), b.local_fields()),
             Self::Finite(a) => Self::Finite(a.local_fields()),
+            Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
             Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
         }
     }
@@ -304,7 +330,7 @@ impl Test {
                 a.visit(visit);
                 b.visit(visit);
             }
-            Self::Finite(a) => a.visit(visit),
+            Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
             Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
         }
     }

@@ -1,13 +1,15 @@
 //! The interpreter: whole controllers, in the operations and the precision of the emitted code.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::{
-    Access, Code, Expr, Given, Operator, Outcomes, Place, Shape, Statement, Status, Test, Variable,
+    Access, Code, Ending, Expr, Finish, Operator, Place, Shape, Solve, Statement, Status, Test,
+    Variable,
 };
 use crate::internal::fault;
 use crate::parameter::Precision;
-use crate::program::number;
+use crate::program::{Op, Value, apply, number, rows::rows};
 
 /// What a name holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,8 @@ pub type Argument<'a> = (&'a str, &'a [f64]);
 pub struct Instance<'a> {
     code: &'a Code,
     fields: BTreeMap<&'a str, Held>,
+    /// The status of gains; that of a controller is not asked for.
+    status: Status,
 }
 
 /// What a call gave: its status, and its results, none of them where it failed.
@@ -32,25 +36,29 @@ pub struct Instance<'a> {
 pub struct Outcome {
     /// Its status.
     pub status: Status,
-    /// Its results by name.
+    /// Its results by name; those of gains by the names in them.
     pub results: BTreeMap<String, Vec<f64>>,
 }
+
+/// A function of the user's: its name, and what it gives for an array and a time.
+pub type Called<'a> = (&'a str, &'a dyn Fn(&[f64], f64) -> f64);
 
 /// The names that one call knows.
 struct Frame<'a, 'b> {
     precision: Precision,
     fields: &'b mut BTreeMap<&'a str, Held>,
     parameters: BTreeMap<&'b str, Held>,
-    locals: BTreeMap<&'b str, Held>,
+    locals: BTreeMap<Cow<'b, str>, Held>,
+    callbacks: &'b [Called<'b>],
 }
 
 impl<'a> Instance<'a> {
     /// The controller that `init` makes of the parameters, each a list of numbers; counts are given
-    /// as numbers.
+    /// as numbers. A state that is latched is given by its name too.
     ///
     /// # Errors
     /// The status with which `init` fails.
-    pub fn new(code: &'a Code, parameters: &[Argument<'_>]) -> Result<Self, Status> {
+    pub fn new(code: &'a Code, given: &[Argument<'_>]) -> Result<Self, Status> {
         let mut fields: BTreeMap<&str, Held> = code
             .fields
             .iter()
@@ -59,41 +67,89 @@ impl<'a> Instance<'a> {
         let mut frame = Frame {
             precision: code.precision,
             fields: &mut fields,
-            parameters: bound(&code.parameters, parameters, code.precision),
+            parameters: bound(&code.parameters, given, code.precision),
             locals: BTreeMap::new(),
+            callbacks: &[],
         };
-        match frame.block(&code.init) {
-            Some(status) => Err(status),
-            None => Ok(Self { code, fields }),
+        if let Some(status) = frame.block(&code.init) {
+            return Err(status);
         }
+        let time = code.start.as_ref().map(|start| frame.real(&start.time));
+        let mut built = Self { code, fields, status: Status::Ok };
+        if let (Some(time), Some(start)) = (time, &code.start) {
+            let x0 = start.state.as_ref().and_then(|state| {
+                given.iter().find(|(name, _)| *name == state.name).map(|(_, values)| *values)
+            });
+            let outcome = built.call("arm", &[("t0", &[time]), ("x0", x0.unwrap_or_default())]);
+            if outcome.status.number() < 0 {
+                return Err(outcome.status);
+            }
+        }
+        Ok(built)
+    }
+
+    /// The gains that a call gave, for the functions that belong to them.
+    pub fn gains(&self, outcome: &Outcome) -> Self {
+        let values = |name: &str| outcome.results.get(name).map_or(&[][..], Vec::as_slice);
+        let field = |of: &'a Variable| {
+            (of.name.as_str(), held(of, values(&of.name), self.code.precision))
+        };
+        let fields = self.code.gains.iter().map(field).collect();
+        Self { code: self.code, fields, status: outcome.status }
     }
 
     /// Calls a function with its arguments.
     pub fn call(&mut self, name: &str, arguments: &[Argument<'_>]) -> Outcome {
+        self.call_with(name, arguments, &[])
+    }
+
+    /// Calls a function with its arguments and the functions that it calls.
+    pub fn call_with(
+        &mut self,
+        name: &str,
+        arguments: &[Argument<'_>],
+        callbacks: &[Called<'_>],
+    ) -> Outcome {
         let Some(function) = self.code.function(name) else { fault(format!("no function {name}")) };
         let mut changed = self.fields.clone();
         let mut frame = Frame {
             precision: self.code.precision,
             fields: &mut changed,
             parameters: BTreeMap::new(),
-            locals: bound(&function.arguments, arguments, self.code.precision),
+            locals: bound(&function.arguments, arguments, self.code.precision)
+                .into_iter()
+                .map(|(name, held)| (Cow::from(name), held))
+                .collect(),
+            callbacks,
         };
+        let failed = |status| Outcome { status, results: BTreeMap::new() };
         if let Some(status) = frame.block(&function.body) {
-            return Outcome { status, results: BTreeMap::new() };
+            return failed(status);
         }
-        let status = match &function.status {
-            Outcomes::One(status) => *status,
-            Outcomes::First(ways, last) => {
-                ways.iter().find(|(test, _)| frame.test(test)).map_or(*last, |(_, status)| *status)
+        let mut finish = &function.finish;
+        let (values, status) = loop {
+            match finish {
+                Finish::If(test, yes, no) => finish = if frame.test(test) { yes } else { no },
+                Finish::Give(values, Ending::Known(status)) => break (values, *status),
+                Finish::Give(values, Ending::OfGains) => break (values, self.status),
+                Finish::Fail(status) => return failed(*status),
             }
         };
-        let values = |given: &Given| given.values.iter().map(|value| frame.real(value)).collect();
-        let results = function.results.iter();
-        let given = results.map(|given| (given.variable.name.clone(), values(given))).collect();
+        let mut values = values.iter().map(|value| frame.real(value));
+        let parts = function.results.iter().flat_map(|result| match result.shape {
+            Shape::Gains => self.code.gains.iter().collect(),
+            _ => vec![result],
+        });
+        let mut results = BTreeMap::new();
+        for part in parts {
+            let count = part.shape.length().unwrap_or(1);
+            results.insert(part.name.clone(), values.by_ref().take(count).collect());
+        }
+        drop(values);
         if function.access == Access::Change {
             self.fields = changed;
         }
-        Outcome { status, results: given }
+        Outcome { status, results }
     }
 
     /// What a field holds, as a number.
@@ -117,6 +173,7 @@ fn held(variable: &Variable, values: &[f64], precision: Precision) -> Held {
         Shape::Reals(_) => {
             Held::Reals(values.iter().map(|v| number::settle(*v, precision)).collect())
         }
+        Shape::Gains => fault("gains are no value".to_owned()),
     }
 }
 
@@ -139,11 +196,11 @@ impl<'b> Frame<'_, 'b> {
             match statement {
                 Statement::Let(name, shape, value) => {
                     let value = self.value(value, *shape);
-                    self.locals.insert(name, value);
+                    self.locals.insert(Cow::from(name), value);
                 }
                 Statement::Set(Place::Local(name), value) => {
                     let value = Held::Real(self.real(value));
-                    self.locals.insert(name, value);
+                    self.locals.insert(Cow::from(name), value);
                 }
                 Statement::Set(Place::Field(name), value) => {
                     let shape = match self.fields.get(name.as_str()) {
@@ -162,9 +219,58 @@ impl<'b> Frame<'_, 'b> {
                     }
                 }
                 Statement::Require(test, status) if !self.test(test) => return Some(*status),
+                Statement::Array(name, values) => {
+                    let values = values.iter().map(|value| self.real(value)).collect();
+                    self.locals.insert(Cow::from(name), Held::Reals(values));
+                }
+                Statement::Rows { name, tail, weights } => {
+                    let [tail, weights] =
+                        [tail, weights].map(|list| list.iter().map(|v| self.real(v)).collect());
+                    let values = self.rows(&tail, &weights);
+                    self.locals.insert(Cow::from(name), Held::Reals(values));
+                }
+                Statement::Solve(solve) => {
+                    if let Some(status) = self.solve(solve) {
+                        return Some(status);
+                    }
+                }
                 Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
             }
         }
+        None
+    }
+
+    fn rows(&self, tail: &Vec<f64>, weights: &Vec<f64>) -> Vec<f64> {
+        let settle = |value| number::settle(value, self.precision);
+        rows(tail, weights, |a, b| settle(a + b), |a, b| settle(a * b))
+    }
+
+    /// The rounds of an iteration, the root of which is left in its unknown.
+    fn solve(&mut self, solve: &'b Solve) -> Option<Status> {
+        let [mut y, mut low, mut high, tolerance] =
+            [&solve.start, &solve.low, &solve.high, &solve.tolerance].map(|value| self.real(value));
+        let settle = |value, precision| number::settle(value, precision);
+        for _ in 0..solve.rounds {
+            self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));
+            if let Some(status) = self.block(&solve.body) {
+                return Some(status);
+            }
+            let [residual, next, size] =
+                [&solve.residual, &solve.next, &solve.size].map(|value| self.real(value));
+            if residual > 0.0 {
+                low = y;
+            } else {
+                high = y;
+            }
+            y = match next >= low && next <= high {
+                true => next,
+                false => settle(0.5 * settle(low + high, self.precision), self.precision),
+            };
+            if size <= tolerance {
+                break;
+            }
+        }
+        self.locals.insert(Cow::from(&solve.unknown), Held::Real(y));
         None
     }
 
@@ -180,14 +286,26 @@ impl<'b> Frame<'_, 'b> {
         match value {
             Expr::Number(value) => number::round(value, self.precision),
             Expr::Neg(a) => -self.real(a),
-            Expr::Binary(operator, a, b) => {
-                let (a, b) = (self.real(a), self.real(b));
-                round(match operator {
-                    Operator::Add => a + b,
-                    Operator::Sub => a - b,
-                    Operator::Mul => a * b,
-                    Operator::Div => a / b,
-                })
+            Expr::Binary(operator, a, b) => match operator {
+                Operator::Add => self.apply(Op::Add, a, b),
+                Operator::Sub => self.apply(Op::Sub, a, b),
+                Operator::Mul => self.apply(Op::Mul, a, b),
+                Operator::Div => self.apply(Op::Div, a, b),
+            },
+            Expr::Quotient(a, b) => self.apply(Op::Quotient, a, b),
+            Expr::Pow(a, b) => self.apply(Op::Pow, a, b),
+            Expr::Call(function, a) => {
+                let result = apply(&Op::Call(*function, Value(0)), &[self.real(a)], self.precision);
+                result.unwrap_or(f64::NAN)
+            }
+            Expr::Callback(name, array, time) => {
+                let Some((_, called)) = self.callbacks.iter().find(|(known, _)| known == name) else {
+                    fault(format!("no function {name}"))
+                };
+                match self.locals.get(array.as_str()) {
+                    Some(Held::Reals(values)) => round(called(values, self.real(time))),
+                    _ => fault(format!("{array} is no array")),
+                }
             }
             Expr::Real(a) => round(f64::from(self.count(a))),
             Expr::Choose(test, a, b) => self.real(if self.test(test) { a } else { b }),
@@ -200,6 +318,11 @@ impl<'b> Frame<'_, 'b> {
                 (Held::Count(count), _) => f64::from(*count),
             },
         }
+    }
+
+    fn apply(&self, op: fn(Value, Value) -> Op, a: &Expr, b: &Expr) -> f64 {
+        let operands = [self.real(a), self.real(b)];
+        apply(&op(Value(0), Value(1)), &operands, self.precision).unwrap_or(f64::NAN)
     }
 
     fn count(&self, value: &Expr) -> u32 {
@@ -220,6 +343,7 @@ impl<'b> Frame<'_, 'b> {
             Expr::Local(name) => (self.locals.get(name.as_str()), 0),
             Expr::Element(name, index) => (self.locals.get(name.as_str()), *index),
             Expr::Field(name) => (self.fields.get(name.as_str()), 0),
+            Expr::FieldElement(name, index) => (self.fields.get(name.as_str()), *index),
             Expr::Parameter(name) => (self.parameters.get(name.as_str()), 0),
             Expr::ParameterElement(name, index) => (self.parameters.get(name.as_str()), *index),
             _ => (None, 0),
@@ -237,6 +361,7 @@ impl<'b> Frame<'_, 'b> {
             Test::CountLess(a, b) => self.count(a) < self.count(b),
             Test::CountEqual(a, b) => self.count(a) == self.count(b),
             Test::Finite(a) => self.real(a).is_finite(),
+            Test::NotNumber(a) => self.real(a).is_nan(),
             Test::All(tests) => tests.iter().all(|test| self.test(test)),
         }
     }

@@ -7,10 +7,13 @@
 
 mod check;
 mod expression;
+mod function;
 mod interpret;
+mod visit;
 
 pub use expression::{Expr, Operator, Test};
-pub use interpret::{Argument, Instance, Outcome};
+pub use function::{Access, Callback, Ending, Finish, Function, Owner};
+pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::parameter::Precision;
 
@@ -70,6 +73,8 @@ pub enum Shape {
     Count,
     /// An array of floating-point numbers.
     Reals(usize),
+    /// The gains at one time, [`Code::gains`], and their status.
+    Gains,
 }
 
 /// A parameter, an argument, a result or a field.
@@ -105,58 +110,46 @@ pub enum Statement {
     If(Test, Vec<Statement>, Vec<Statement>),
     /// The call ends with a negative status, nothing being changed, unless the test holds.
     Require(Test, Status),
+    /// A local array that does not change.
+    Array(String, Vec<Expr>),
+    /// A local value: the root of a residual.
+    Solve(Box<Solve>),
+    /// A local array: the rows that [`program::rows`](crate::program::rows) forms by loops.
+    Rows {
+        /// Its name.
+        name: String,
+        /// Coefficients of z^2, z^3, ...
+        tail: Vec<Expr>,
+        /// Weights of z, z^2, ...
+        weights: Vec<Expr>,
+    },
     /// Says why the next statements stand here.
     Note(String),
 }
 
-/// What a function does with the controller.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Access {
-    /// Reads it.
-    Read,
-    /// Changes it.
-    Change,
-}
-
-/// A function of the controller.
+/// A bracketed iteration for a root, as [`program::Root`](crate::program::Root) says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Function {
-    /// Its name, behind the controller's.
-    pub name: &'static str,
-    /// What it does, and the unit of what it gives.
-    pub about: String,
-    /// Whether it changes the controller.
-    pub access: Access,
-    /// What it is given.
-    pub arguments: Vec<Variable>,
-    /// What it gives beside the status, once the body is through.
-    pub results: Vec<Given>,
-    /// The statuses with which it can fail.
-    pub failures: Vec<Status>,
-    /// What it does.
+pub struct Solve {
+    /// The unknown, and then the root.
+    pub unknown: String,
+    /// Where it starts.
+    pub start: Expr,
+    /// Lower end of the bracket.
+    pub low: Expr,
+    /// Upper end of the bracket.
+    pub high: Expr,
+    /// What a round computes first.
     pub body: Vec<Statement>,
-    /// The status once the body is through.
-    pub status: Outcomes,
-    /// Whether arguments are checked; without it pointers are trusted too.
-    pub guarded: bool,
-}
-
-/// A result of a function: one value, or one for each element.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Given {
-    /// Its name and shape.
-    pub variable: Variable,
-    /// Its values.
-    pub values: Vec<Expr>,
-}
-
-/// The status of a call that does not fail.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Outcomes {
-    /// Always the same.
-    One(Status),
-    /// The first whose test holds, else the last one.
-    First(Vec<(Test, Status)>, Status),
+    /// The residual: positive where the root lies right of the unknown.
+    pub residual: Expr,
+    /// Proposed next unknown.
+    pub next: Expr,
+    /// Size of the proposed step.
+    pub size: Expr,
+    /// Size at which the iteration ends.
+    pub tolerance: Expr,
+    /// Bound on the number of rounds.
+    pub rounds: u32,
 }
 
 /// A controller.
@@ -172,10 +165,38 @@ pub struct Code {
     pub parameters: Vec<Variable>,
     /// What it keeps; `init` sets all of it.
     pub fields: Vec<Variable>,
+    /// The gains that a function gives and another one takes; none where there are none.
+    pub gains: Vec<Variable>,
     /// What `init` does: parameters in, fields out.
     pub init: Vec<Statement>,
+    /// How `init` ends, where that is not by its statements alone.
+    pub start: Option<Start>,
     /// All other functions.
     pub functions: Vec<Function>,
+}
+
+/// The call of `arm` that ends `init`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// The start time.
+    pub time: Expr,
+    /// The state that is latched, which `init` is given too.
+    pub state: Option<Variable>,
+}
+
+impl Solve {
+    /// The local values of an iteration beside the unknown, by what stands behind its name.
+    pub const LOCALS: [&'static str; 4] = ["low", "high", "next", "size"];
+}
+
+impl Shape {
+    /// The number of elements of an array; none for one value.
+    pub fn length(self) -> Option<usize> {
+        match self {
+            Self::Reals(length) => Some(length),
+            Self::Real | Self::Count | Self::Gains => None,
+        }
+    }
 }
 
 impl Variable {
@@ -186,6 +207,18 @@ impl Variable {
 }
 
 impl Code {
+    /// What `init` does, in a sentence.
+    pub fn starts(&self) -> String {
+        let Some(start) = &self.start else {
+            return "Takes the parameters and arms at tick 0.".to_owned();
+        };
+        let latching = match &start.state {
+            Some(state) => format!(", latching the state {}", state.name),
+            None => String::new(),
+        };
+        format!("Takes the parameters and arms at params.t0 (or the fixed t0){latching}.")
+    }
+
     /// The function called `name`.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)

@@ -1,5 +1,6 @@
 //! A controller that is accepted and optimised: what self-tests and back ends start from.
 
+pub(crate) mod code;
 pub mod measured;
 pub(crate) mod plan;
 
@@ -33,7 +34,7 @@ impl<'a> Controller<'a> {
 /// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
 /// name of its field.
 pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
-    let fields = Plan::new(program, str::to_owned).fields;
+    let fields = Plan::new(program).fields;
     let derived = |field: &&Field| is_derived(program, field);
     [false, true].map(|armed| {
         let own = fields.iter().filter(|field| field.armed == armed).filter(derived);

@@ -67,8 +67,8 @@ pub(crate) struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    /// The plan of `program`, whose names `rename` makes those of the language.
-    pub(crate) fn new(program: &'a Program, rename: impl Fn(&str) -> String) -> Self {
+    /// The plan of `program`.
+    pub(crate) fn new(program: &'a Program) -> Self {
         let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
         for (index, definition) in program.values.iter().enumerate() {
             let name = match (&definition.name, &definition.op) {
@@ -76,7 +76,7 @@ impl<'a> Plan<'a> {
                 (None, Op::Input(input)) => input_name(*input),
                 _ => continue,
             };
-            plan.names.insert(Value(index), rename(&name));
+            plan.names.insert(Value(index), name);
         }
         let mut kept = BTreeSet::new();
         kept.extend(program.limits.start_time);

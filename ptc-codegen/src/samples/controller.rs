@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use crate::algebra::BigRational;
 use crate::code::{
-    Access, Code, Expr, Function, Given, Outcomes, Place, Shape, Statement, Status, Test, Variable,
+    Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Guard, Sampled, Spec};
@@ -29,7 +29,9 @@ pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
         precision: spec.precision,
         head,
         parameters: builder.parameters(),
+        gains: Vec::new(),
         init: builder.init(),
+        start: None,
         fields: builder.fields,
         functions,
     }
@@ -118,12 +120,14 @@ impl Builder<'_> {
         Function {
             name: "arm",
             about: format!("Starts again: the deadline is N samples after tick `k`.{kept}"),
+            owner: Owner::Controller,
             access: Access::Change,
             arguments: vec![Variable::new("k", Shape::Count, "tick")],
+            callbacks: Vec::new(),
             results: Vec::new(),
             failures: Vec::new(),
             body: vec![Statement::Set(Place::Field("start".to_owned()), Expr::local("k"))],
-            status: Outcomes::One(Status::Ok),
+            finish: Finish::done(),
             guarded: self.guarded(),
         }
     }
@@ -200,21 +204,25 @@ impl Builder<'_> {
         Function {
             name: "step",
             about: format!("u from tick `k`, which may wrap, and {what}. {about}"),
+            owner: Owner::Controller,
             access: if changes { Access::Change } else { Access::Read },
             arguments: vec![
                 Variable::new("k", count, "tick"),
                 Variable::new(given, Shape::Reals(measured), what),
             ],
-            results: vec![Given {
-                variable: Variable::new("u", real, "input of the plant"),
-                values: vec![u],
-            }],
+            callbacks: Vec::new(),
+            results: vec![Variable::new("u", real, "input of the plant")],
             failures: match self.guarded() {
                 true => vec![Status::Input, Status::Range],
                 false => vec![Status::Range],
             },
             body,
-            status: Outcomes::First(ways, Status::Ok),
+            finish: ways.into_iter().rev().fold(
+                Finish::give(vec![u.clone()], Status::Ok),
+                |rest, (test, status)| {
+                    Finish::choose(test, Finish::give(vec![u.clone()], status), rest)
+                },
+            ),
             guarded: self.guarded(),
         }
     }

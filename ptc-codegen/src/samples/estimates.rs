@@ -10,7 +10,7 @@ use super::pair::Pair;
 use super::rows::{deadbeat_from, rows};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::code::{
-    Access, Expr, Function, Given, Outcomes, Place, Shape, Statement, Status, Test, Variable,
+    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
@@ -179,15 +179,17 @@ impl Builder<'_> {
 
     /// The functions that give the estimates.
     pub(super) fn estimates(&self) -> Vec<Function> {
-        let give = |name: &'static str, about: &str, result: Given| Function {
+        let give = |name: &'static str, about: &str, result: Variable, values| Function {
             name,
             about: about.to_owned(),
+            owner: Owner::Controller,
             access: Access::Read,
             arguments: Vec::new(),
+            callbacks: Vec::new(),
             results: vec![result],
             failures: Vec::new(),
             body: Vec::new(),
-            status: Outcomes::One(Status::Ok),
+            finish: Finish::give(values, Status::Ok),
             guarded: self.guarded(),
         };
         let mut functions = Vec::new();
@@ -199,12 +201,11 @@ impl Builder<'_> {
             1 => "The estimate of the state at the last sample.".to_owned(),
             _ => format!("The estimates of x{known}, ... at the last sample."),
         };
-        functions.push(give("estimate", &about, Given { variable: xhat, values }));
+        functions.push(give("estimate", &about, xhat, values));
         if self.sampled.disturbance {
             let d = Variable::new("d", Shape::Real, "estimate");
-            let given = Given { variable: d, values: vec![Expr::field("d_hat")] };
             let about = "The estimate of the constant that is added to u.";
-            functions.push(give("disturbance", about, given));
+            functions.push(give("disturbance", about, d, vec![Expr::field("d_hat")]));
         }
         functions
     }

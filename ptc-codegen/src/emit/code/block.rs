@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::text::{Lines, Text};
-use crate::code::{Expr, Outcomes, Place, Shape, Statement, Status, Test};
+use crate::expression::Function as Math;
+use crate::code::{Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test};
+use crate::algebra::BigRational;
 use crate::internal::fault;
 
 /// The words around a test and its two blocks.
@@ -13,6 +15,62 @@ pub(super) struct Branch {
     pub(super) then: &'static str,
     pub(super) otherwise: &'static str,
     pub(super) end: &'static str,
+}
+
+/// What a call gives, by the words that languages have for it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Gives {
+    /// Nothing.
+    Nothing,
+    /// Its status.
+    Status,
+    /// u and its status.
+    Control,
+    /// An array and its status.
+    Rate,
+    /// Gains, their status among them.
+    Gains,
+    /// An array.
+    Array,
+    /// A number.
+    Number,
+}
+
+impl Gives {
+    pub(super) fn of(function: &Function) -> Self {
+        let shape = function.results.first().map(|result| result.shape);
+        let ranges = function.failures.contains(&Status::Range);
+        match shape {
+            None if function.failures.is_empty() => Self::Nothing,
+            None => Self::Status,
+            Some(Shape::Gains) => Self::Gains,
+            Some(Shape::Reals(_)) if ranges => Self::Rate,
+            Some(Shape::Reals(_)) => Self::Array,
+            Some(_) if ranges => Self::Control,
+            Some(_) => Self::Number,
+        }
+    }
+}
+
+/// Whether a statement calls a function of the mathematical library.
+pub(super) fn calls(statement: &Statement) -> bool {
+    let mut found = false;
+    statement.visit(&mut |value| found |= is_call(value));
+    found
+}
+
+/// Whether a function does.
+pub(super) fn calls_library(function: &Function) -> bool {
+    let mut found = false;
+    function.visit(&mut |value| found |= is_call(value));
+    found
+}
+
+fn is_call(value: &Expr) -> bool {
+    match value {
+        Expr::Call(function, _) => !matches!(function, Math::Abs | Math::Sign),
+        value => matches!(value, Expr::Pow(..)),
+    }
 }
 
 /// Statements in the words of a language.
@@ -55,6 +113,27 @@ pub(super) trait Block: Text {
         }
     }
 
+    /// A local array that does not change.
+    fn array(&mut self, name: &str, values: &[Expr]);
+
+    /// A local array by loops.
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]);
+
+    /// The lines before and behind the rounds of an iteration.
+    fn rounds(&self, rounds: u32) -> [String; 2];
+
+    /// The line that ends an iteration.
+    fn leave(&self) -> &'static str;
+
+    /// A local variable with its first value.
+    fn begin(&self, name: &str, value: &str) -> String;
+
+    /// Ends a call that does not fail.
+    fn give(&mut self, values: &[Expr], ending: Ending);
+
+    /// Ends a call that fails.
+    fn fail(&mut self, status: Status);
+
     /// A value that is assigned.
     fn value(&self, value: &Expr) -> String {
         self.alone(value)
@@ -91,6 +170,9 @@ pub(super) trait Block: Text {
                 self.out().line(line);
             }
             Statement::Require(test, status) => self.require(test, *status),
+            Statement::Array(name, values) => self.array(name, values),
+            Statement::Rows { name, tail, weights } => self.rows(name, tail, weights),
+            Statement::Solve(solve) => self.solve(solve),
             Statement::If(test, yes, no) => {
                 let line =
                     format!("{}{}{}", self.branch().open, self.test(test), self.branch().then);
@@ -124,23 +206,92 @@ pub(super) trait Block: Text {
         close(self.out(), branch.end);
     }
 
-    /// The status of a call that does not fail, each as the line that `set` makes of it.
-    fn outcomes(&mut self, outcomes: &Outcomes, set: &dyn Fn(Status) -> String) {
+    /// An iteration for a root.
+    fn solve(&mut self, solve: &Solve) {
+        let y = solve.unknown.as_str();
+        let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
+        for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
+            let line = self.begin(&self.local(name), &self.alone(value));
+            self.out().line(line);
+        }
+        let [open, end] = self.rounds(solve.rounds);
+        self.out().open(open);
+        self.block(&solve.body);
+        for (name, value) in [(&next, &solve.next), (&size, &solve.size)] {
+            self.statement(&Statement::Let(name.clone(), Shape::Real, value.clone()));
+        }
+        let set = |name: &str, value| vec![Statement::Set(Place::Local(name.to_owned()), value)];
+        let local = |name: &str| Expr::local(name);
+        let right = Test::Less(Expr::integer(0), solve.residual.clone());
+        self.statement(&Statement::If(right, set(&low, local(y)), set(&high, local(y))));
+        let inside = Test::All(vec![
+            Test::AtMost(local(&low), local(&next)),
+            Test::AtMost(local(&next), local(&high)),
+        ]);
+        let middle = half(local(&low), local(&high));
+        self.statement(&Statement::If(inside, set(y, local(&next)), set(y, middle)));
+        let ends = Test::AtMost(local(&size), solve.tolerance.clone());
         let branch = self.branch();
-        match outcomes {
-            Outcomes::One(status) => self.out().line(set(*status)),
-            Outcomes::First(ways, last) => {
-                for (index, (test, status)) in self.ways(ways).into_iter().enumerate() {
-                    match index {
-                        0 => self.out().open(format!("{}{test}{}", branch.open, branch.then)),
-                        _ => self.out().turn(format!("{}{test}{}", branch.turn, branch.then)),
-                    }
-                    self.out().line(set(status));
-                }
-                self.out().turn(branch.otherwise);
-                self.out().line(set(*last));
-                close(self.out(), branch.end);
+        let line = format!("{}{}{}", branch.open, self.test(&ends), branch.then);
+        self.out().open(line);
+        let leave = self.leave();
+        self.out().line(leave);
+        close(self.out(), branch.end);
+        close(self.out(), &end);
+    }
+
+    /// The end of a call.
+    fn finish(&mut self, finish: &Finish) {
+        let branch = self.branch();
+        let mut rest = match finish {
+            Finish::Give(values, ending) => return self.give(values, *ending),
+            Finish::Fail(status) => return self.fail(*status),
+            finish => finish,
+        };
+        let mut first = true;
+        while let Finish::If(..) = rest {
+            let (tests, yes, no) = same(rest);
+            let test = either(self, &tests);
+            match std::mem::take(&mut first) {
+                true => self.out().open(format!("{}{test}{}", branch.open, branch.then)),
+                false => self.out().turn(format!("{}{test}{}", branch.turn, branch.then)),
             }
+            self.finish(yes);
+            rest = no;
+        }
+        self.out().turn(branch.otherwise);
+        self.finish(rest);
+        close(self.out(), branch.end);
+    }
+}
+
+/// Half of a + b.
+fn half(a: Expr, b: Expr) -> Expr {
+    let sum = Expr::binary(Operator::Add, a, b);
+    let half = BigRational::new(1.into(), 2.into());
+    Expr::binary(Operator::Mul, Expr::Number(half), sum)
+}
+
+/// The tests behind which the same end stands, one after the other, that end, and the other one.
+pub(super) fn same(finish: &Finish) -> (Vec<&Test>, &Finish, &Finish) {
+    let Finish::If(test, yes, no) = finish else { fault("an end without a test") };
+    let (mut tests, mut rest) = (vec![test], no.as_ref());
+    while let Finish::If(test, other, no) = rest
+        && other == yes
+    {
+        tests.push(test);
+        rest = no;
+    }
+    (tests, yes, rest)
+}
+
+/// That one of the tests holds.
+pub(super) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> String {
+    match tests {
+        [one] => text.test(one),
+        several => {
+            let each: Vec<_> = several.iter().map(|test| format!("({})", text.test(test))).collect();
+            each.join(&format!(" {} ", text.or()))
         }
     }
 }
@@ -167,10 +318,18 @@ pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, S
     for statement in statements {
         match statement {
             Statement::Let(name, shape, _) | Statement::Variable(name, shape) => {
-                let known = *locals.entry(name.clone()).or_insert(*shape);
-                if known != *shape {
-                    fault(format!("{name} is a count and a number"));
+                declare(name, *shape, locals);
+            }
+            Statement::Array(name, values) => declare(name, Shape::Reals(values.len()), locals),
+            Statement::Rows { name, weights, .. } => {
+                declare(name, Shape::Reals(weights.len()), locals);
+            }
+            Statement::Solve(solve) => {
+                declare(&solve.unknown, Shape::Real, locals);
+                for local in Solve::LOCALS {
+                    declare(&format!("{}_{local}", solve.unknown), Shape::Real, locals);
                 }
+                declared(&solve.body, locals);
             }
             Statement::If(_, yes, no) => {
                 declared(yes, locals);
@@ -178,6 +337,13 @@ pub(super) fn declared(statements: &[Statement], locals: &mut BTreeMap<String, S
             }
             _ => {}
         }
+    }
+}
+
+fn declare(name: &str, shape: Shape, locals: &mut BTreeMap<String, Shape>) {
+    let known = *locals.entry(name.to_owned()).or_insert(shape);
+    if known != shape {
+        fault(format!("{name} is of two shapes"));
     }
 }
 
@@ -190,8 +356,9 @@ pub(super) struct Check {
     pub(super) legal: String,
 }
 
-/// The test of a [`Statement::Require`] of `init`, parameter by parameter.
-pub(super) fn checks(test: &Test) -> Vec<Check> {
+/// The test of a [`Statement::Require`] of `init`, parameter by parameter: `copies` are the local
+/// values that are parameters.
+pub(super) fn checks(test: &Test, copies: &BTreeMap<String, Expr>) -> Vec<Check> {
     let parts = match test {
         Test::All(tests) => tests.as_slice(),
         one => std::slice::from_ref(one),
@@ -199,30 +366,61 @@ pub(super) fn checks(test: &Test) -> Vec<Check> {
     let mut checks: Vec<Check> = Vec::new();
     for part in parts {
         let mut parameter = None;
-        part.visit(&mut |expression| match expression {
-            Expr::Parameter(name) => parameter = Some((name.clone(), None)),
-            Expr::ParameterElement(name, index) => parameter = Some((name.clone(), Some(*index))),
-            _ => {}
+        part.visit(&mut |expression| {
+            let given = match expression {
+                Expr::Local(name) => copies.get(name).unwrap_or(expression),
+                other => other,
+            };
+            let found = match given {
+                Expr::Parameter(name) => Some((name.clone(), None)),
+                Expr::ParameterElement(name, index) => Some((name.clone(), Some(*index))),
+                _ => None,
+            };
+            parameter = parameter.take().or(found);
         });
+        let legal = legal(part, parameter.as_ref());
         match checks.last_mut() {
             Some(last) if last.parameter == parameter => {
                 last.test = last.test.clone().and(part.clone());
-                last.legal = [last.legal.clone(), legal(part)].join(", ");
+                last.legal = [last.legal.clone(), legal].join(", ");
             }
-            _ => checks.push(Check { test: part.clone(), parameter, legal: legal(part) }),
+            _ => checks.push(Check { test: part.clone(), parameter, legal }),
         }
     }
     checks
 }
 
-/// What a test of one parameter asks for.
-fn legal(test: &Test) -> String {
-    let number = |value: &Expr| value.number().map(ToString::to_string).unwrap_or_default();
-    match test {
-        Test::Finite(_) => "finite".to_owned(),
-        Test::Less(below, _) => format!("> {}", number(below)),
-        Test::AtMost(below, _) => format!(">= {}", number(below)),
-        Test::CountLess(Expr::Count(below), _) => format!(">= {}", u64::from(*below) + 1),
-        _ => "as documented".to_owned(),
-    }
+/// The local values of `init` that are parameters.
+pub(super) fn copies(init: &[Statement]) -> BTreeMap<String, Expr> {
+    let copy = |statement: &Statement| match statement {
+        Statement::Let(name, _, value @ (Expr::Parameter(_) | Expr::ParameterElement(..))) => {
+            Some((name.clone(), value.clone()))
+        }
+        _ => None,
+    };
+    init.iter().filter_map(copy).collect()
+}
+
+/// What a test asks for of the first parameter in it.
+fn legal(test: &Test, parameter: Option<&(String, Option<usize>)>) -> String {
+    let text = |value: &Expr| match value {
+        Expr::Number(number) => Some(number.to_string()),
+        Expr::Local(name) | Expr::Parameter(name) => {
+            let own = parameter.is_some_and(|(own, index)| own == name && index.is_none());
+            (!own).then(|| name.clone())
+        }
+        _ => None,
+    };
+    let bound = |below: &Expr, above: &Expr, [greater, less]: [&str; 2]| {
+        let least = text(below).map(|below| format!("{greater} {below}"));
+        least.or(text(above).map(|above| format!("{less} {above}")))
+    };
+    let found = match test {
+        Test::Finite(_) => Some("finite".to_owned()),
+        Test::Less(below, above) => bound(below, above, [">", "<"]),
+        Test::AtMost(below, above) => bound(below, above, [">=", "<="]),
+        Test::CountLess(Expr::Count(below), _) => Some(format!(">= {}", u64::from(*below) + 1)),
+        _ => None,
+    };
+    found.unwrap_or_else(|| "as documented".to_owned())
 }

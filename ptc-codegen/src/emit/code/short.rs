@@ -45,6 +45,24 @@ impl Short {
                     Statement::Let(name, shape, self.whole(value, &mut out))
                 }
                 Statement::Set(place, value) => Statement::Set(place, self.whole(value, &mut out)),
+                Statement::Solve(mut solve) => {
+                    solve.body = self.block(solve.body);
+                    let round = &mut solve.body;
+                    for value in [&mut solve.residual, &mut solve.next, &mut solve.size] {
+                        let long = std::mem::replace(value, Expr::integer(0));
+                        *value = self.whole(long, round);
+                    }
+                    Statement::Solve(solve)
+                }
+                Statement::Array(name, mut values) => {
+                    self.each(&mut values, &mut out);
+                    Statement::Array(name, values)
+                }
+                Statement::Rows { name, mut tail, mut weights } => {
+                    self.each(&mut tail, &mut out);
+                    self.each(&mut weights, &mut out);
+                    Statement::Rows { name, tail, weights }
+                }
                 Statement::If(test, yes, no) => {
                     let (yes, no) = (self.block(yes), self.block(no));
                     Statement::If(test, yes, no)
@@ -54,6 +72,13 @@ impl Short {
             out.push(statement);
         }
         out
+    }
+
+    fn each(&mut self, values: &mut [Expr], out: &mut Vec<Statement>) {
+        for value in values {
+            let long = std::mem::replace(value, Expr::integer(0));
+            *value = self.operand(long, out);
+        }
     }
 
     /// A value that is assigned; a choice may be all of it, but no part of an operation.
@@ -99,6 +124,17 @@ impl Short {
                 }
                 Expr::Binary(operator, Box::new(a), Box::new(b))
             }
+            Expr::Call(function, a) => Expr::Call(function, Box::new(self.operand(*a, out))),
+            Expr::Pow(a, b) => {
+                let [a, b] = [a, b].map(|side| Box::new(self.operand(*side, out)));
+                Expr::Pow(a, b)
+            }
+            // Its divisor is written several times.
+            Expr::Quotient(a, b) => {
+                let (a, b) = (self.operand(*a, out), self.operand(*b, out));
+                let b = if self.width(&b) > 12 { self.named(b, out) } else { b };
+                Expr::Quotient(Box::new(a), Box::new(b))
+            }
             other => other,
         }
     }
@@ -124,6 +160,11 @@ impl Short {
             Expr::Local(name) => name.len(),
             Expr::Element(name, _) => name.len() + 3,
             Expr::Field(name) => name.len() + 6,
+            Expr::FieldElement(name, _) => name.len() + 9,
+            Expr::Call(function, a) => function.name().len() + self.width(a) + 2,
+            Expr::Pow(a, b) => self.width(a) + self.width(b) + 7,
+            Expr::Quotient(a, b) => self.width(a) + 3 * self.width(b) + 30,
+            Expr::Callback(name, array, time) => name.len() + array.len() + self.width(time) + 13,
             Expr::Parameter(name) => name.len() + 8,
             Expr::ParameterElement(name, _) => name.len() + 11,
             Expr::Neg(a) | Expr::CountHalf(a) => self.width(a) + 4,

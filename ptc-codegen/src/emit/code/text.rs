@@ -1,6 +1,7 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
-use crate::code::{Expr, Operator, Shape, Status, Test};
+use crate::code::{Expr, Operator, Test};
+use crate::expression::Function;
 use crate::parameter::Precision;
 use crate::program::number;
 
@@ -42,8 +43,13 @@ pub(in crate::emit) trait Text {
         name.to_owned()
     }
 
-    /// A field of the controller.
+    /// A field of what the function belongs to.
     fn field(&self, name: &str) -> String;
+
+    /// Element `index`, from 0, of such a field.
+    fn field_element(&self, name: &str, index: usize) -> String {
+        self.element(&self.field(name), index)
+    }
 
     /// A parameter of `init`.
     fn parameter(&self, name: &str) -> String;
@@ -76,8 +82,31 @@ pub(in crate::emit) trait Text {
         (Level::Choice, format!("({test}) ? {} : {}", bracketed(yes), bracketed(no)))
     }
 
+    /// A function of the mathematical library by its name in formulas: `sqrt`, `ln`, `pow`.
+    fn call(&self, function: &str, arguments: &[String]) -> String;
+
+    /// |a|.
+    fn abs(&self, a: &str) -> String;
+
+    /// 1 for a > 0, -1 for a < 0, else a.
+    fn sign(&self, a: &str) -> (Level, String) {
+        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
+        (Level::Choice, format!("({a} > {zero}) ? {one} : (({a} < {zero}) ? -{one} : {a})"))
+    }
+
+    /// a / b, and no number where b is 0 or no number.
+    fn quotient(&self, a: &str, b: &str) -> (Level, String);
+
+    /// What the user's function `name` gives for an array and a time.
+    fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        format!("{name}({array}, {time})")
+    }
+
     /// Whether a number is finite.
     fn finite(&self, value: &str) -> String;
+
+    /// Whether it is no number.
+    fn not_number(&self, value: &str) -> String;
 
     /// What stands between tests that must all hold.
     fn and(&self) -> &'static str {
@@ -87,20 +116,6 @@ pub(in crate::emit) trait Text {
     /// What stands between tests one of which must hold.
     fn or(&self) -> &'static str {
         "||"
-    }
-
-    /// The tests that settle a status, those of the same status together.
-    fn ways(&self, ways: &[(Test, Status)]) -> Vec<(String, Status)> {
-        let same = ways.chunk_by(|a, b| a.1 == b.1);
-        let joined = same.map(|ways| match ways {
-            [(test, status)] => (self.test(test), *status),
-            several => {
-                let each: Vec<_> =
-                    several.iter().map(|(test, _)| format!("({})", self.test(test))).collect();
-                (each.join(&format!(" {} ", self.or())), several[0].1)
-            }
-        });
-        joined.collect()
     }
 
     /// What compares for equality.
@@ -123,6 +138,7 @@ pub(in crate::emit) trait Text {
             Expr::Local(name) => (Level::Atom, self.local(name)),
             Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
             Expr::Field(name) => (Level::Atom, self.field(name)),
+            Expr::FieldElement(name, index) => (Level::Atom, self.field_element(name, *index)),
             Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
             Expr::ParameterElement(name, index) => {
                 (Level::Atom, self.element(&self.parameter(name), *index))
@@ -139,6 +155,16 @@ pub(in crate::emit) trait Text {
                 // front, so that no rule of precedence has to be known.
                 let text = format!("{} {sign} {}", self.within(a, level), self.within(b, right));
                 (level, text)
+            }
+            Expr::Call(Function::Abs, a) => (Level::Atom, self.abs(&self.alone(a))),
+            Expr::Call(Function::Sign, a) => self.sign(&self.within(a, Level::Atom)),
+            Expr::Call(function, a) => (Level::Atom, self.call(function.name(), &[self.alone(a)])),
+            Expr::Pow(a, b) => (Level::Atom, self.call("pow", &[self.alone(a), self.alone(b)])),
+            Expr::Quotient(a, b) => {
+                self.quotient(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
+            }
+            Expr::Callback(name, array, time) => {
+                (Level::Atom, self.callback(name, &self.local(array), &self.alone(time)))
             }
             Expr::CountSub(a, b) => {
                 self.count_sub(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
@@ -184,10 +210,11 @@ pub(in crate::emit) trait Text {
             Test::AtMost(a, b) => two(a, "<=", b),
             Test::CountEqual(a, b) => two(a, self.equal(), b),
             Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
+            Test::NotNumber(a) => vec![self.not_number(&self.within(a, Level::Atom))],
             Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
             Test::All(tests) => {
                 let part = |test: &Test| match test {
-                    Test::Finite(_) => self.parts(test),
+                    Test::Finite(_) | Test::NotNumber(_) => self.parts(test),
                     _ => vec![format!("({})", self.test(test))],
                 };
                 tests.iter().flat_map(part).collect()
@@ -260,6 +287,15 @@ impl Lines {
         }
     }
 
+    /// `items` between `before` and `behind`, in as many lines as they need.
+    pub(in crate::emit) fn list(&self, before: &str, items: &[String], behind: &str) -> String {
+        let line = format!("{before}{}{behind}", items.join(", "));
+        if self.has_room(&line) {
+            return line;
+        }
+        format!("{before}\n    {}\n{behind}", items.join(",\n    "))
+    }
+
     /// A line behind which a block opens.
     pub(in crate::emit) fn open(&mut self, text: impl AsRef<str>) {
         self.line(text);
@@ -288,14 +324,6 @@ impl Lines {
     /// The text.
     pub(in crate::emit) fn text(&self) -> String {
         super::super::tidy(&self.lines.join("\n"))
-    }
-}
-
-/// The number of elements of an array; none for one value.
-pub(in crate::emit) fn length(shape: Shape) -> Option<usize> {
-    match shape {
-        Shape::Reals(length) => Some(length),
-        Shape::Real | Shape::Count => None,
     }
 }
 

@@ -1,0 +1,119 @@
+//! A function of the controller: what it is given, does and gives.
+
+use super::{Expr, Statement, Status, Test, Variable};
+
+/// What a function does with the controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// Reads it.
+    Read,
+    /// Changes it.
+    Change,
+}
+
+/// Whose fields a function knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// The controller.
+    Controller,
+    /// The gains at one time, [`Code::gains`](super::Code::gains).
+    Gains,
+}
+
+/// A function of the user's program that a function calls: a number from an array and a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Callback {
+    /// Its name.
+    pub name: &'static str,
+    /// The array that it is given.
+    pub array: &'static str,
+    /// What it gives.
+    pub about: &'static str,
+}
+
+/// A function of the controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// Its name, behind the controller's.
+    pub name: &'static str,
+    /// What it does, and the unit of what it gives.
+    pub about: String,
+    /// Whose fields it knows.
+    pub owner: Owner,
+    /// Whether it changes them.
+    pub access: Access,
+    /// What it is given.
+    pub arguments: Vec<Variable>,
+    /// What it calls.
+    pub callbacks: Vec<Callback>,
+    /// What it gives beside the status.
+    pub results: Vec<Variable>,
+    /// The statuses with which it can fail.
+    pub failures: Vec<Status>,
+    /// What it does.
+    pub body: Vec<Statement>,
+    /// What it gives once the body is through.
+    pub finish: Finish,
+    /// Whether arguments are checked; without it pointers are trusted too.
+    pub guarded: bool,
+}
+
+/// The end of a call.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Finish {
+    /// The first where the test holds, else the second.
+    If(Test, Box<Finish>, Box<Finish>),
+    /// The results, those of arrays and gains one after the other, and the status.
+    Give(Vec<Expr>, Ending),
+    /// A negative status; the results are 0, or nothing where they are arrays.
+    Fail(Status),
+}
+
+/// The status of a call that does not fail.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// A known one.
+    Known(Status),
+    /// That of the gains.
+    OfGains,
+}
+
+impl Finish {
+    /// One of two ends.
+    pub fn choose(test: Test, yes: Self, no: Self) -> Self {
+        Self::If(test, Box::new(yes), Box::new(no))
+    }
+
+    /// The end of a function that gives nothing but its status.
+    pub fn done() -> Self {
+        Self::give(Vec::new(), Status::Ok)
+    }
+
+    /// Results with a known status.
+    pub fn give(values: Vec<Expr>, status: Status) -> Self {
+        Self::Give(values, Ending::Known(status))
+    }
+
+    /// The results, where they are the same on every way on which the call does not fail.
+    pub fn results(&self) -> Option<&[Expr]> {
+        let mut all = Vec::new();
+        self.each(&mut |end| {
+            if let Self::Give(values, _) = end {
+                all.push(values.as_slice());
+            }
+        });
+        let (first, rest) = all.split_first()?;
+        rest.iter().all(|values| values == first).then_some(first)
+    }
+
+    /// Calls `look` on every end.
+    pub fn each<'a>(&'a self, look: &mut dyn FnMut(&'a Self)) {
+        match self {
+            Self::If(_, yes, no) => {
+                yes.each(look);
+                no.each(look);
+            }
+            end => look(end),
+        }
+    }
+}

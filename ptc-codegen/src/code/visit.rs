@@ -1,0 +1,67 @@
+//! Walks over statements and ends.
+
+use super::{Code, Expr, Finish, Statement};
+
+impl Statement {
+    /// Calls `look` on every expression of the statement, those in it included.
+    pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
+        match self {
+            Self::Let(_, _, value) | Self::Set(_, value) => value.visit(look),
+            Self::Require(test, _) => test.visit(look),
+            Self::If(test, yes, no) => {
+                test.visit(look);
+                yes.iter().chain(no).for_each(|statement| statement.visit(look));
+            }
+            Self::Array(_, values) => values.iter().for_each(|value| value.visit(look)),
+            Self::Rows { tail, weights, .. } => {
+                tail.iter().chain(weights).for_each(|value| value.visit(look));
+            }
+            Self::Solve(solve) => {
+                for value in [&solve.start, &solve.low, &solve.high, &solve.residual] {
+                    value.visit(look);
+                }
+                for value in [&solve.next, &solve.size, &solve.tolerance] {
+                    value.visit(look);
+                }
+                solve.body.iter().for_each(|statement| statement.visit(look));
+            }
+            Self::Variable(..) | Self::Note(_) => {}
+        }
+    }
+}
+
+impl Finish {
+    /// Calls `look` on every expression.
+    pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
+        match self {
+            Self::If(test, yes, no) => {
+                test.visit(look);
+                yes.visit(look);
+                no.visit(look);
+            }
+            Self::Give(values, _) => values.iter().for_each(|value| value.visit(look)),
+            Self::Fail(_) => {}
+        }
+    }
+}
+
+impl super::Function {
+    /// Calls `look` on every expression.
+    pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
+        self.body.iter().for_each(|statement| statement.visit(look));
+        self.finish.visit(look);
+    }
+
+    /// Whether a statement of its body, not within another one, is as asked.
+    pub fn has(&self, is: impl Fn(&Statement) -> bool) -> bool {
+        self.body.iter().any(is)
+    }
+}
+
+impl Code {
+    /// Calls `look` on every expression.
+    pub fn visit(&self, look: &mut dyn FnMut(&Expr)) {
+        self.init.iter().for_each(|statement| statement.visit(look));
+        self.functions.iter().for_each(|function| function.visit(look));
+    }
+}

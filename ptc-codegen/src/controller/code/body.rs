@@ -1,0 +1,209 @@
+//! From the values that one function computes to statements.
+
+use std::collections::BTreeMap;
+
+use crate::code::{Expr, Operator, Shape, Solve, Statement, Test};
+use crate::controller::plan::{Plan, Routine, parameter_name};
+use crate::expression::Function;
+use crate::internal::fault;
+use crate::program::{Input, Op, Root, Stage, Value};
+
+/// The statements of one function and the expressions of its roots.
+pub(super) struct Body {
+    pub(super) statements: Vec<Statement>,
+    /// One expression for each root, in order.
+    pub(super) roots: Vec<Expr>,
+}
+
+/// What `routine` computes. Its states are local values or, where nothing has checked them, elements of
+/// x; the array xi is given to the infinite-time system.
+pub(super) fn body(plan: &Plan<'_>, routine: Routine, local_states: bool, xi_is_given: bool) -> Body {
+    let roots = plan.roots(routine);
+    let mut writer = Writer {
+        plan,
+        routine,
+        local_states,
+        xi_is_given,
+        uses: uses(plan, routine, &roots),
+        known: BTreeMap::new(),
+        statements: Vec::new(),
+        temporaries: 0,
+    };
+    for value in plan.program.needed(&roots) {
+        if !plan.program.get(value).looped && writer.uses.contains_key(&value) {
+            writer.value(value);
+        }
+    }
+    let roots = roots.iter().map(|value| writer.expression(*value)).collect();
+    Body { statements: writer.statements, roots }
+}
+
+/// How often each value is used in the function; values that only fields need are left out.
+fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, usize> {
+    let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
+    for root in roots {
+        *uses.entry(*root).or_default() += 1;
+    }
+    for value in plan.program.needed(roots).into_iter().rev() {
+        if uses.contains_key(&value) && !plan.is_field(routine, value) {
+            let op = &plan.program.get(value).op;
+            // The greater or smaller of two values is written with each of them twice.
+            let times = match op {
+                Op::Max(..) | Op::Min(..) | Op::Quotient(..) | Op::Call(Function::Sign, _) => 2,
+                _ => 1,
+            };
+            for operand in op.operands() {
+                *uses.entry(operand).or_default() += times;
+            }
+        }
+    }
+    uses
+}
+
+struct Writer<'a> {
+    plan: &'a Plan<'a>,
+    routine: Routine,
+    local_states: bool,
+    xi_is_given: bool,
+    uses: BTreeMap<Value, usize>,
+    known: BTreeMap<Value, Expr>,
+    statements: Vec<Statement>,
+    temporaries: usize,
+}
+
+impl Writer<'_> {
+    fn expression(&self, value: Value) -> Expr {
+        let known = self.known.get(&value).cloned();
+        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
+    }
+
+    fn all(&self, values: &[Value]) -> Vec<Expr> {
+        values.iter().map(|value| self.expression(*value)).collect()
+    }
+
+    fn name(&self, value: Value) -> String {
+        let name = self.plan.name(value);
+        name.unwrap_or_else(|| fault(format!("value {} has no name", value.0))).to_owned()
+    }
+
+    /// Computes a value: as a statement where it has a name or several users, else in place.
+    fn value(&mut self, value: Value) {
+        let definition = self.plan.program.get(value);
+        if self.plan.is_field(self.routine, value) {
+            self.known.insert(value, Expr::field(self.name(value)));
+            return;
+        }
+        let known = match &definition.op {
+            Op::Input(input) => self.input(*input),
+            Op::Root(root) => self.root(root),
+            Op::Law(arguments) => {
+                let (time, xi) =
+                    arguments.split_last().unwrap_or_else(|| fault("a law without time"));
+                let (time, xi) = (self.expression(*time), self.all(xi));
+                if !self.xi_is_given {
+                    self.statements.push(Statement::Array("xi".to_owned(), xi));
+                }
+                self.define(value, Expr::Callback("pi0", "xi".to_owned(), Box::new(time)))
+            }
+            Op::Rows { tail, weights } => {
+                let (tail, weights) = (self.all(tail), self.all(weights));
+                let name = self.fresh(value);
+                self.statements.push(Statement::Rows { name: name.clone(), tail, weights });
+                Expr::local(name)
+            }
+            Op::Element(array, index) => match self.expression(*array) {
+                Expr::Local(array) => Expr::Element(array, *index),
+                other => fault(format!("{other:?} is no array")),
+            },
+            op => {
+                let expression = self.operation(op);
+                let shared = self.uses.get(&value).is_some_and(|uses| *uses > 1);
+                let named = definition.name.is_some() && definition.stage >= Stage::Init;
+                match !self.plan.is_literal(value) && (shared || named) {
+                    true => self.define(value, expression),
+                    false => expression,
+                }
+            }
+        };
+        self.known.insert(value, known);
+    }
+
+    fn define(&mut self, value: Value, expression: Expr) -> Expr {
+        let name = self.fresh(value);
+        self.statements.push(Statement::Let(name.clone(), Shape::Real, expression));
+        Expr::local(name)
+    }
+
+    fn fresh(&mut self, value: Value) -> String {
+        if let Some(name) = self.plan.name(value) {
+            return name.to_owned();
+        }
+        self.temporaries += 1;
+        format!("v{}", self.temporaries)
+    }
+
+    fn input(&self, input: Input) -> Expr {
+        match input {
+            Input::Parameter(parameter) => Expr::local(parameter_name(parameter)),
+            Input::StartTime => Expr::local("t0"),
+            Input::Time => Expr::local("t"),
+            Input::State(j) if self.local_states => Expr::local(format!("x{j}")),
+            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
+            Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
+            Input::Gain(j) => Expr::FieldElement("gain".to_owned(), j - 1),
+            Input::Drift => Expr::local("f"),
+            Input::Control => fault("a controller does not take u"),
+        }
+    }
+
+    fn operation(&self, op: &Op) -> Expr {
+        let value = |v: &Value| self.expression(*v);
+        let two = |operator, a: &Value, b: &Value| Expr::binary(operator, value(a), value(b));
+        match op {
+            Op::Number(number) => Expr::Number(number.clone()),
+            Op::Neg(a) => Expr::Neg(Box::new(value(a))),
+            Op::Add(a, b) => two(Operator::Add, a, b),
+            Op::Sub(a, b) => two(Operator::Sub, a, b),
+            Op::Mul(a, b) => two(Operator::Mul, a, b),
+            Op::Div(a, b) => two(Operator::Div, a, b),
+            Op::Quotient(a, b) => Expr::Quotient(Box::new(value(a)), Box::new(value(b))),
+            Op::Max(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(b), value(a)),
+            Op::Min(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(a), value(b)),
+            Op::Call(function, a) => Expr::Call(*function, Box::new(value(a))),
+            Op::Pow(a, b) => Expr::Pow(Box::new(value(a)), Box::new(value(b))),
+            // The pass `chains` has written powers out, and the caller handles the rest.
+            Op::Power(..)
+            | Op::Input(_)
+            | Op::Law(_)
+            | Op::Rows { .. }
+            | Op::Element(..)
+            | Op::Unknown
+            | Op::Root(_) => fault(format!("{op:?} is no part of an expression")),
+        }
+    }
+
+    fn root(&mut self, root: &Root) -> Expr {
+        let unknown = self.name(root.unknown);
+        self.known.insert(root.unknown, Expr::local(unknown.clone()));
+        let outside = std::mem::take(&mut self.statements);
+        for inner in self.plan.program.needed(&[root.residual, root.next, root.size]) {
+            if self.plan.program.get(inner).looped && inner != root.unknown {
+                self.value(inner);
+            }
+        }
+        let body = std::mem::replace(&mut self.statements, outside);
+        self.statements.push(Statement::Solve(Box::new(Solve {
+            unknown: unknown.clone(),
+            start: self.expression(root.start),
+            low: self.expression(root.low),
+            high: self.expression(root.high),
+            body,
+            residual: self.expression(root.residual),
+            next: self.expression(root.next),
+            size: self.expression(root.size),
+            tolerance: self.expression(root.tolerance),
+            rounds: root.rounds,
+        })));
+        Expr::local(unknown)
+    }
+}

@@ -1,0 +1,90 @@
+//! `tick` and `axis`: the gains at one time, for several axes that share one deadline, and u from them.
+
+use super::Builder;
+use crate::code::{
+    Access, Ending, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
+};
+use crate::controller::plan::Routine;
+use crate::internal::fault;
+
+impl Builder<'_> {
+    /// What `tick` gives and `axis` knows.
+    pub(super) fn gains(&self) -> Vec<Variable> {
+        let n = self.spec.n;
+        if self.controller.program.gains.is_empty() {
+            return Vec::new();
+        }
+        let about = format!("u = gain[0] x[0] + ... + gain[{}] x[{}]", n - 1, n - 1);
+        let mut gains = vec![Variable::new("gain", Shape::Reals(n), about)];
+        if self.run_time_limit() {
+            gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
+        }
+        gains
+    }
+
+    /// Whether the bound of |u| is a field.
+    fn run_time_limit(&self) -> bool {
+        self.limits.u_max.is_some_and(|limit| !self.plan.is_literal(limit))
+    }
+
+    pub(super) fn tick(&self) -> Function {
+        let mut statements = Vec::new();
+        if self.guarded() {
+            statements.push(Statement::Require(Test::All(self.legal_time()), Status::Input));
+        }
+        let body = self.body(Routine::Tick);
+        statements.extend(body.statements);
+        let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
+        let mut values = gains.to_vec();
+        if let Some(limit) = self.limits.u_max.filter(|_| self.run_time_limit()) {
+            values.push(self.field(limit));
+        }
+        let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
+        let give = |status| Finish::give(values.clone(), status);
+        Function {
+            name: "tick",
+            about: "The gains at time t [s], for several axes that share one deadline: tick once, then axis for each. The result of tick and axis may differ from that of step in the last bits.".to_owned(),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: vec![Variable::new("t", Shape::Real, "time, s")],
+            callbacks: Vec::new(),
+            results: vec![Variable::new("gains", Shape::Gains, "feedback gains at one time")],
+            failures: if self.guarded() { vec![Status::Input] } else { Vec::new() },
+            body: statements,
+            finish: Finish::choose(tracks, give(Status::Ok), give(Status::Hold)),
+            guarded: self.guarded(),
+        }
+    }
+
+    pub(super) fn axis(&self) -> Function {
+        let mut statements = Vec::new();
+        if self.guarded() {
+            statements.extend(self.states("x"));
+            let tests = self.finite_states().collect();
+            statements.push(Statement::Require(Test::All(tests), Status::Input));
+        }
+        let body = self.body(Routine::Axis);
+        statements.extend(body.statements);
+        let Some(u) = body.roots.first() else { fault("gains without an axis") };
+        statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
+        let v = Expr::local("v");
+        let within = Finish::choose(
+            Test::Finite(v.clone()),
+            Finish::Give(vec![v], Ending::OfGains),
+            Finish::Fail(Status::Range),
+        );
+        Function {
+            name: "axis",
+            about: "u of one axis from its state x = (x1, x1', ...) and the gains.".to_owned(),
+            owner: Owner::Gains,
+            access: Access::Read,
+            arguments: vec![self.array("x", "state: x1, its rate, ...")],
+            callbacks: Vec::new(),
+            results: vec![Variable::new("u", Shape::Real, "input of the plant")],
+            failures: self.failures(),
+            body: statements,
+            finish: self.clipped(within),
+            guarded: self.guarded(),
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The controller as one program: the functions around the values of the staged program.
+
+mod body;
+mod gains;
+mod start;
+mod step;
+
+use super::Controller;
+use super::plan::{Field, Plan, Routine};
+use crate::code::{Callback, Code, Expr, Shape, Statement, Test, Variable};
+use crate::internal::fault;
+use crate::program::{Op, Value};
+use crate::request::{After, Feedback, Guard, Spec, What};
+use body::{Body, body};
+
+/// The controller as a program, with the head of its file and its parameters as they are declared.
+pub(crate) fn code(controller: &Controller<'_>, head: Vec<String>, parameters: Vec<Variable>) -> Code {
+    let builder = Builder {
+        controller,
+        spec: controller.spec(),
+        plan: Plan::new(controller.program),
+        limits: controller.program.limits,
+    };
+    let field = |of: &Field| Variable::new(of.name.clone(), Shape::Real, of.meaning.clone());
+    let code = Code {
+        name: builder.spec.name(),
+        precision: builder.spec.precision,
+        head,
+        parameters,
+        fields: builder.plan.fields.iter().map(field).collect(),
+        gains: builder.gains(),
+        init: builder.init(),
+        start: Some(builder.start()),
+        functions: builder.functions(),
+    };
+    match code.check() {
+        Ok(()) => code,
+        Err(error) => fault(error),
+    }
+}
+
+struct Builder<'a> {
+    controller: &'a Controller<'a>,
+    spec: &'a Spec,
+    plan: Plan<'a>,
+    limits: crate::program::Limits,
+}
+
+impl Builder<'_> {
+    fn functions(&self) -> Vec<crate::code::Function> {
+        let mut functions = vec![self.arm()];
+        if self.spec.what == What::Associated {
+            functions.push(self.rate());
+            return functions;
+        }
+        functions.push(self.step());
+        if !self.controller.program.gains.is_empty() {
+            functions.extend([self.tick(), self.axis()]);
+        }
+        functions
+    }
+
+    fn body(&self, routine: Routine) -> Body {
+        let given = self.spec.what == What::Associated;
+        body(&self.plan, routine, self.guarded(), given)
+    }
+
+    /// Whether arguments are checked.
+    fn guarded(&self) -> bool {
+        self.spec.guard == Guard::Full || self.spec.what == What::Associated
+    }
+
+    /// The local values of the states in the array `from`.
+    fn states(&self, from: &str) -> Vec<Statement> {
+        let state = |j: usize| {
+            let value = Expr::Element(from.to_owned(), j - 1);
+            Statement::Let(format!("x{j}"), Shape::Real, value)
+        };
+        (1..=self.spec.n).map(state).collect()
+    }
+
+    /// The tests that they are finite.
+    fn finite_states(&self) -> impl Iterator<Item = Test> {
+        (1..=self.spec.n).map(|j| Test::Finite(Expr::local(format!("x{j}"))))
+    }
+
+    /// That t is finite and not before the start.
+    fn legal_time(&self) -> Vec<Test> {
+        let mut tests = vec![Test::Finite(Expr::local("t"))];
+        if let Some(start) = self.limits.start_time {
+            tests.push(Test::AtMost(self.field(start), Expr::local("t")));
+        }
+        tests
+    }
+
+    /// A value that `init` or `arm` has left.
+    fn field(&self, value: Value) -> Expr {
+        match &self.controller.program.get(value).op {
+            Op::Number(number) => Expr::Number(number.clone()),
+            _ => match self.plan.name(value) {
+                Some(name) => Expr::field(name),
+                None => fault("a field without a name"),
+            },
+        }
+    }
+
+    fn callbacks(&self) -> Vec<Callback> {
+        let law = Callback {
+            name: "pi0",
+            array: "xi",
+            about: "User-defined law pi0(xi, t); t is the stretched time kappa + t0.",
+        };
+        let after =
+            Callback { name: "after", array: "x", about: "User-defined law for t >= t0 + tau." };
+        let extern_law = self.spec.feedback == Feedback::Extern;
+        let extern_end = self.spec.after == After::Extern && self.spec.what == What::Controller;
+        extern_law.then_some(law).into_iter().chain(extern_end.then_some(after)).collect()
+    }
+
+    /// The array of states of the argument `name`.
+    fn array(&self, name: &str, about: &str) -> Variable {
+        Variable::new(name, Shape::Reals(self.spec.n), about)
+    }
+}

@@ -1,0 +1,143 @@
+//! `init` and `arm`: parameters and start time to fields.
+
+use super::{Body, Builder, Field};
+use crate::code::{
+    Access, Expr, Finish, Function, Owner, Place, Shape, Start, Statement, Status, Test, Variable,
+};
+use crate::controller::is_derived;
+use crate::controller::plan::{Routine, parameter_name};
+use crate::parameter::{Domain, Fixed, Parameter};
+use crate::request::What;
+
+impl Builder<'_> {
+    /// Parameters to fields, but for the call of `arm`.
+    pub(super) fn init(&self) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        for parameter in self.spec.run_time_parameters() {
+            let key = parameter.key().to_owned();
+            let given = match parameter.index() {
+                Some(index) => Expr::ParameterElement(key, index),
+                None => Expr::Parameter(key),
+            };
+            statements.push(Statement::Let(parameter_name(parameter), Shape::Real, given));
+        }
+        let domain = self.domain();
+        if !domain.is_empty() {
+            statements.push(Statement::Require(Test::All(domain), Status::Param));
+        }
+        statements.extend(self.fields(self.body(Routine::Init), false, Vec::new()));
+        let armed = self.plan.fields.iter().filter(|field| field.armed);
+        let unset = |field: &Field| {
+            Statement::Set(Place::Field(field.name.clone()), Expr::integer(0))
+        };
+        statements.extend(armed.map(unset));
+        statements
+    }
+
+    /// The statements of `body`, the tests of what is derived, and the fields.
+    fn fields(&self, body: Body, armed: bool, mut tests: Vec<Test>) -> Vec<Statement> {
+        let mut statements = body.statements;
+        let fields = self.plan.fields.iter().filter(|field| field.armed == armed);
+        let mut set = Vec::new();
+        for (field, value) in fields.zip(body.roots) {
+            let mut value = value;
+            if is_derived(self.controller.program, field) {
+                if !matches!(value, Expr::Local(_)) {
+                    let name = field.name.clone();
+                    statements.push(Statement::Let(name.clone(), Shape::Real, value));
+                    value = Expr::local(name);
+                }
+                tests.push(Test::Finite(value.clone()));
+            }
+            set.push(Statement::Set(Place::Field(field.name.clone()), value));
+        }
+        if !tests.is_empty() {
+            statements.push(Statement::Require(Test::All(tests), Status::Param));
+        }
+        statements.extend(set);
+        statements
+    }
+
+    /// How `init` ends.
+    pub(super) fn start(&self) -> Start {
+        Start { time: self.parameter(Parameter::StartTime), state: self.latched() }
+    }
+
+    /// The state that is latched.
+    fn latched(&self) -> Option<Variable> {
+        self.spec.latches().then(|| self.array("x0", "state at the start"))
+    }
+
+    pub(super) fn arm(&self) -> Function {
+        let mut given = vec![Test::Finite(Expr::local("t0"))];
+        if self.spec.latches() {
+            let state = |j| Test::Finite(Expr::Element("x0".to_owned(), j));
+            given.extend((0..self.spec.n).map(state));
+        }
+        let mut statements = vec![Statement::Require(Test::All(given), Status::Param)];
+        let tests = match self.spec.what {
+            What::Controller => vec![Test::Finite(Expr::local("deadline"))],
+            What::Associated => Vec::new(),
+        };
+        statements.extend(self.fields(self.body(Routine::Arm), true, tests));
+        let latching = if self.spec.latches() { ", latching the state x0" } else { "" };
+        let time = Variable::new("t0", Shape::Real, "start time, s");
+        Function {
+            name: "arm",
+            about: format!("Starts again at t0 [s]{latching}."),
+            owner: Owner::Controller,
+            access: Access::Change,
+            arguments: std::iter::once(time).chain(self.latched()).collect(),
+            callbacks: Vec::new(),
+            results: Vec::new(),
+            failures: vec![Status::Param],
+            body: statements,
+            finish: Finish::done(),
+            guarded: true,
+        }
+    }
+
+    /// A parameter in `init`: its number where it is fixed, else its local value.
+    fn parameter(&self, parameter: Parameter) -> Expr {
+        match self.spec.fixed.get(&parameter).and_then(Fixed::number) {
+            Some(number) => Expr::Number(number.clone()),
+            None => Expr::local(parameter_name(parameter)),
+        }
+    }
+
+    /// The tests of the run-time parameters' domains.
+    fn domain(&self) -> Vec<Test> {
+        let spec = self.spec;
+        let mut tests = Vec::new();
+        for parameter in spec.run_time_parameters() {
+            let value = || Expr::local(parameter_name(parameter));
+            let finite = || Test::Finite(value());
+            let positive = || Test::Less(Expr::integer(0), value());
+            match spec.domain(parameter) {
+                Domain::Finite => tests.push(finite()),
+                Domain::Positive => tests.extend([finite(), positive()]),
+                Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive()),
+                Domain::Within => {
+                    let Some((least, greatest)) = spec.bounds.get(&parameter) else { continue };
+                    let number = |bound: &Fixed| bound.number().cloned().map(Expr::Number);
+                    tests.extend(number(least).map(|least| Test::AtMost(least, value())));
+                    tests.extend(number(greatest).map(|most| Test::AtMost(value(), most)));
+                }
+            }
+        }
+        if let Some((parameter, greatest)) = &self.controller.report.greatest
+            && let Some(number) = greatest.number()
+        {
+            let value = Expr::local(parameter_name(*parameter));
+            tests.push(Test::AtMost(value, Expr::Number(number.clone())));
+        }
+        // eps below tau: both may be fixed, and then the spec has been checked.
+        let of_time = [Parameter::Eps, Parameter::Tau];
+        let open = of_time.iter().any(|parameter| !spec.fixed.contains_key(parameter));
+        if spec.what == What::Controller && open {
+            let [eps, tau] = of_time.map(|parameter| self.parameter(parameter));
+            tests.push(Test::Less(eps, tau));
+        }
+        tests
+    }
+}

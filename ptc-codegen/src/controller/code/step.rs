@@ -1,0 +1,140 @@
+//! `step`: u at a time and a state; and `rate`, that of the infinite-time system.
+
+use super::Builder;
+use crate::code::{
+    Access, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test, Variable,
+};
+use crate::controller::plan::Routine;
+use crate::internal::fault;
+use crate::request::{After, Guard};
+
+impl Builder<'_> {
+    pub(super) fn step(&self) -> Function {
+        let mut statements = Vec::new();
+        if self.guarded() {
+            statements.extend(self.states("x"));
+            let tests = self.legal_time().into_iter().chain(self.finite_states()).collect();
+            statements.push(Statement::Require(Test::All(tests), Status::Input));
+        }
+        let body = self.body(Routine::Step);
+        statements.extend(body.statements);
+        let [law, late, past @ ..] = body.roots.as_slice() else { fault("a step without a law") };
+        let past = past.first();
+        let zero = || Expr::integer(0);
+        let mut v = match past {
+            None => law.clone(),
+            Some(past) => {
+                let next = match self.spec.after {
+                    After::Extern => {
+                        let time = Box::new(Expr::local("t"));
+                        Expr::Callback("after", "x".to_owned(), time)
+                    }
+                    After::Hold | After::Zero => zero(),
+                };
+                Expr::choose(Test::AtMost(zero(), past.clone()), next, law.clone())
+            }
+        };
+        let t = || Expr::local("t");
+        if self.spec.guard == Guard::Result {
+            // t itself may cancel in u.
+            let unknown = Expr::binary(Operator::Sub, t(), t());
+            v = Expr::binary(Operator::Add, v, unknown);
+        }
+        statements.push(Statement::Let("v".to_owned(), Shape::Real, v));
+        let give = |status| Finish::give(vec![Expr::local("v")], status);
+        let held = match past {
+            Some(past) => Finish::choose(
+                Test::AtMost(zero(), past.clone()),
+                give(Status::After),
+                give(Status::Hold),
+            ),
+            None => give(Status::Hold),
+        };
+        let range = Finish::Fail(Status::Range);
+        let finish = if self.guarded() {
+            let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
+            let legal = Finish::choose(tracks, give(Status::Ok), held);
+            Finish::choose(Test::Finite(Expr::local("v")), legal, range)
+        } else {
+            let about = "Time-to-go, or no number where v is not finite: one comparison detects tracking.";
+            statements.push(Statement::Note(about.to_owned()));
+            let v = || Expr::local("v");
+            let nothing = Expr::binary(Operator::Sub, v(), v());
+            let margin = Expr::binary(Operator::Sub, nothing, late.clone());
+            statements.push(Statement::Let("margin".to_owned(), Shape::Real, margin));
+            let margin = Expr::local("margin");
+            let tracks = Test::Less(self.field(self.limits.eps), margin.clone());
+            let other = Finish::choose(Test::NotNumber(margin), range, held);
+            Finish::choose(tracks, give(Status::Ok), other)
+        };
+        Function {
+            name: "step",
+            about: "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: vec![
+                Variable::new("t", Shape::Real, "time, s"),
+                self.array("x", "state: x1, its rate, ..."),
+            ],
+            callbacks: self.callbacks(),
+            results: vec![Variable::new("u", Shape::Real, "input of the plant")],
+            failures: self.failures(),
+            body: statements,
+            finish: self.clipped(finish),
+            guarded: self.guarded(),
+        }
+    }
+
+    /// The end of a call that gives `v`, where v is within its bound.
+    pub(super) fn clipped(&self, within: Finish) -> Finish {
+        let Some(limit) = self.limits.u_max else { return within };
+        let (limit, v) = (self.field(limit), Expr::local("v"));
+        let least = Expr::Neg(Box::new(limit.clone()));
+        let give = |value: &Expr| Finish::give(vec![value.clone()], Status::Saturated);
+        let (above, below) = (give(&limit), give(&least));
+        let rest = Finish::choose(Test::Less(v.clone(), least), below, within);
+        Finish::choose(Test::Less(limit, v), above, rest)
+    }
+
+    /// The statuses with which a function fails that gives u.
+    pub(super) fn failures(&self) -> Vec<Status> {
+        match self.guarded() {
+            true => vec![Status::Input, Status::Range],
+            false => vec![Status::Range],
+        }
+    }
+
+    pub(super) fn rate(&self) -> Function {
+        let mut statements = self.states("xi");
+        let drift = [Test::Finite(Expr::local("f"))];
+        let tests = self.legal_time().into_iter().chain(drift).chain(self.finite_states());
+        statements.push(Statement::Require(Test::All(tests.collect()), Status::Input));
+        let body = self.body(Routine::Step);
+        statements.extend(body.statements);
+        let Some(law) = body.roots.first() else { fault("a rate without a law") };
+        statements.push(Statement::Let("v".to_owned(), Shape::Real, law.clone()));
+        let mut rates: Vec<_> = (2..=self.spec.n).map(|j| Expr::local(format!("x{j}"))).collect();
+        rates.push(Expr::local("v"));
+        Function {
+            name: "rate",
+            about: "xi_dot of the infinite-time system at its time t [s], from its state xi and the plant's own f (0 for none).".to_owned(),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: vec![
+                Variable::new("t", Shape::Real, "time of the infinite-time system, s"),
+                self.array("xi", "its state"),
+                Variable::new("f", Shape::Real, "the plant's own f, 0 for none"),
+            ],
+            callbacks: self.callbacks(),
+            results: vec![self.array("xi_dot", "derivatives of the state")],
+            failures: vec![Status::Input, Status::Range],
+            body: statements,
+            finish: Finish::choose(
+                Test::Finite(Expr::local("v")),
+                Finish::give(rates, Status::Ok),
+                Finish::Fail(Status::Range),
+            ),
+            guarded: true,
+        }
+    }
+}

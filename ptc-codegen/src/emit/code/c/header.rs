@@ -1,0 +1,116 @@
+//! The header: types and prototypes.
+
+use super::C;
+use crate::code::{Function, Shape, Variable};
+
+impl C<'_> {
+    pub(super) fn header(mut self) -> String {
+        let code = self.code;
+        let guard = code.name.to_uppercase();
+        self.out.line("/*");
+        for line in &code.head {
+            self.out.line(format!(" * {line}"));
+        }
+        self.out.line(format!(" */\n#ifndef {guard}_H\n#define {guard}_H\n"));
+        let mut variables = code.parameters.iter().chain(&code.fields);
+        if variables.any(|variable| variable.shape == Shape::Count) {
+            self.out.line("#include <stdint.h>\n");
+        }
+        self.out.line("#ifdef __cplusplus\nextern \"C\" {\n#endif\n");
+        self.out.line(include_str!("../../../../templates/status.h.txt"));
+        self.types();
+        if !self.notes.predicates.is_empty() {
+            self.out.line(format!("{}\n", self.notes.predicates));
+        }
+        let untouched = "PTC_OK, or PTC_E_PARAM with *self untouched.";
+        self.remark(&format!("{} {untouched}", code.starts()));
+        let signature = self.init_signature();
+        self.prototype("init", &signature);
+        for function in &code.functions {
+            self.out.line("");
+            self.remark(&self.about(function));
+            let signature = self.signature(function);
+            self.prototype(function.name, &signature);
+        }
+        self.out.line("\n#ifdef __cplusplus\n}\n#endif\n\n#endif");
+        self.out.text()
+    }
+
+    fn prototype(&mut self, function: &str, signature: &str) {
+        if let Some(contract) = self.notes.contracts.get(function) {
+            self.out.line(contract);
+        }
+        self.out.line(format!("{signature};"));
+    }
+
+    fn about(&self, function: &Function) -> String {
+        let about = function.about.trim_end();
+        let handed = match function.callbacks.is_empty() {
+            true => "",
+            false => " context is passed on unchanged.",
+        };
+        let failed = match function.results.as_slice() {
+            _ if function.failures.is_empty() => String::new(),
+            [] => " PTC_OK, or PTC_E_PARAM with *self untouched.".to_owned(),
+            [result] => match result.shape {
+                Shape::Real => " On a negative status u is 0 and nothing has changed.".to_owned(),
+                Shape::Gains => " On a negative status *gains is unchanged.".to_owned(),
+                _ => format!(" On a negative status {} is unchanged.", result.name),
+            },
+            _ => " On a negative status nothing has changed.".to_owned(),
+        };
+        format!("{about}{handed}{failed}")
+    }
+
+    fn types(&mut self) {
+        let code = self.code;
+        let name = &code.name;
+        self.out.line("/* Run-time parameters. */");
+        self.out.open(format!("typedef struct {name}_params {{"));
+        self.members(&code.parameters);
+        if code.parameters.is_empty() {
+            self.out.line("char none; /* every parameter is fixed */");
+        }
+        self.out.close(format!("}} {name}_params;\n"));
+        self.out.line(
+            "/* Controller: set by init, changed by arm and by what takes it without const. */",
+        );
+        self.out.open(format!("typedef struct {name} {{"));
+        self.members(&code.fields);
+        self.out.close(format!("}} {name};\n"));
+        if !code.gains.is_empty() {
+            self.out.line("/* Feedback gains at one time. */");
+            self.out.open(format!("typedef struct {name}_gains {{"));
+            self.members(&code.gains);
+            self.out.line("ptc_status status; /* PTC_OK or PTC_HOLD */");
+            self.out.close(format!("}} {name}_gains;\n"));
+        }
+        for callback in code.functions.iter().flat_map(|function| &function.callbacks) {
+            let (real, array) = (self.type_of(Shape::Real), callback.array);
+            let lengths = code.functions.iter().flat_map(|f| &f.arguments);
+            let n = lengths.filter_map(|argument| argument.shape.length()).max().unwrap_or(1);
+            let (given, about) = (callback.name, callback.about);
+            self.out.line(format!("/* {about} */"));
+            self.out.line(format!("typedef {real} (*{name}_{given})(void *context, const {real} {array}[{n}], {real} t);\n"));
+        }
+    }
+
+    fn members(&mut self, members: &[Variable]) {
+        for member in members {
+            let array = member.shape.length().map(|n| format!("[{n}]")).unwrap_or_default();
+            let (kind, name, about) = (self.type_of(member.shape), &member.name, &member.about);
+            self.out.line(format!("{kind} {name}{array}; /* {about} */"));
+        }
+    }
+
+    /// A comment, in as many lines as it needs.
+    fn remark(&mut self, text: &str) {
+        let line = format!("/* {text} */");
+        if self.out.has_room(&line) {
+            return self.out.line(line);
+        }
+        self.out.line("/*");
+        self.out.words(" * ", text);
+        self.out.line(" */");
+    }
+}

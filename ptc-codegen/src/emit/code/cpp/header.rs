@@ -1,0 +1,177 @@
+//! The file around the functions.
+
+use super::super::block::{Block, Gives, calls_library};
+use super::super::text::Text;
+use super::Cpp;
+use crate::code::{Code, Expr, Owner, Shape, Statement, Variable};
+use crate::expression::Function as Math;
+use crate::parameter::type_name;
+
+impl Cpp<'_> {
+    pub(super) fn header(mut self) -> String {
+        let code = self.code;
+        let (guard, kind) = (code.name.to_uppercase(), type_name(&code.name));
+        self.out.line("/*");
+        for line in &code.head {
+            self.out.line(format!(" * {line}"));
+        }
+        self.out.line(format!(" */\n#ifndef {guard}_HPP\n#define {guard}_HPP\n"));
+        self.out.line("#include <array>");
+        let loops = |statement: &Statement| {
+            matches!(statement, Statement::Solve(_) | Statement::Rows { .. })
+        };
+        for (header, needed) in [
+            ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
+            ("cstddef", code.functions.iter().any(|function| function.has(loops))),
+            ("cstdint", code.fields.iter().any(|field| field.shape == Shape::Count)),
+            ("limits", true),
+        ] {
+            if needed {
+                self.out.line(format!("#include <{header}>"));
+            }
+        }
+        self.out.line("\nnamespace ptc {\n");
+        self.out.line(include_str!("../../../../templates/status.hpp.txt"));
+        self.out.line("/// Run-time parameters.");
+        self.out.open(format!("struct {kind}Params {{"));
+        for parameter in &code.parameters {
+            self.member(parameter, "", "///<");
+        }
+        self.out.close("};");
+        if !code.gains.is_empty() {
+            self.gains(&kind);
+        }
+        self.class(&kind);
+        self.out.line("\n} // namespace ptc\n\n#endif");
+        self.out.text()
+    }
+
+    fn member(&mut self, variable: &Variable, suffix: &str, comment: &str) {
+        let (kind, name, about) = (self.type_of(variable.shape), &variable.name, &variable.about);
+        self.out.line(format!("{kind} {name}{suffix}{{}}; {comment} {about}"));
+    }
+
+    fn gains(&mut self, kind: &str) {
+        let code = self.code;
+        self.out.line("\n/// Feedback gains at one time.");
+        self.out.open(format!("struct [[nodiscard]] {kind}Gains {{"));
+        for field in &code.gains {
+            self.member(field, "", "///<");
+        }
+        self.out.line("Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains");
+        self.suffix = "";
+        for function in code.functions.iter().filter(|f| f.owner == Owner::Gains) {
+            self.function(function);
+        }
+        self.suffix = "_";
+        self.out.leave();
+        self.out.line("");
+        self.out.open("private:");
+        self.finite();
+        self.out.close("};");
+    }
+
+    fn class(&mut self, kind: &str) {
+        let code = self.code;
+        self.out.line("\n/// Controller: set by init, changed by arm and by what is not const.");
+        self.out.open(format!("class {kind} {{"));
+        self.out.leave();
+        self.out.open("public:");
+        self.out.line(format!("using Params = {kind}Params;"));
+        let arm = code.function("arm").zip(code.start.as_ref());
+        let states = code.functions.iter().flat_map(|function| &function.arguments);
+        let state = states.map(|argument| argument.shape).find(|shape| shape.length().is_some());
+        if let Some(state) = state.filter(|_| arm.is_some()) {
+            let state = self.type_of(state);
+            self.out.line(format!("using State = {state};"));
+        }
+        if !code.gains.is_empty() {
+            self.out.line(format!("using Gains = {kind}Gains;"));
+        }
+        self.out.line("");
+        self.init(kind);
+        for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
+            self.function(function);
+        }
+        self.out.leave();
+        self.out.line("");
+        self.out.open("private:");
+        self.finite();
+        self.helpers();
+        self.out.line("");
+        for field in &code.fields {
+            self.member(field, "_", "//");
+        }
+        self.out.close("};");
+    }
+
+    fn init(&mut self, kind: &str) {
+        let code = self.code;
+        self.out.words("/// ", &format!("{} Ok, or Param with nothing changed.", code.starts()));
+        let params = if code.parameters.is_empty() { "" } else { " params" };
+        let mut list = vec![format!("const Params&{params}")];
+        let state = code.start.as_ref().and_then(|start| start.state.as_ref());
+        list.extend(state.map(|state| format!("const State& {}", state.name)));
+        let arm = code.function("arm").is_some_and(calls_library);
+        let constant = if init_calls(code) || arm { "" } else { "constexpr " };
+        let list = list.join(", ");
+        self.out.line(format!("[[nodiscard]] {constant}Status init({list}) noexcept"));
+        self.out.open("{");
+        self.gives = Gives::Status;
+        match &code.start {
+            None => {
+                self.block(&code.init);
+                self.out.line("return Status::Ok;");
+            }
+            Some(start) => {
+                self.out.line(format!("{kind} built{{}};"));
+                self.prefix = "built.";
+                self.block(&code.init);
+                self.prefix = "";
+                let mut list = vec![self.alone(&start.time)];
+                list.extend(state.map(|state| state.name.clone()));
+                self.out.line(format!("const Status status = built.arm({});", list.join(", ")));
+                self.out.line("if (status == Status::Ok) {\n    *this = built;\n}\nreturn status;");
+            }
+        }
+        self.out.close("}");
+    }
+
+    fn finite(&mut self) {
+        let real = self.real_type();
+        let limits = format!("std::numeric_limits<{real}>");
+        self.out.line("/// std::isfinite is not constexpr in C++17.");
+        self.out.line(format!("static constexpr bool finite({real} v) noexcept"));
+        self.out.open("{");
+        self.out.line(format!("return (v >= {limits}::lowest()) && (v <= ({limits}::max)());"));
+        self.out.close("}");
+    }
+
+    fn helpers(&mut self) {
+        let (code, real) = (self.code, self.real_type());
+        let mut absolute = false;
+        code.visit(&mut |value| absolute |= matches!(value, Expr::Call(Math::Abs, _)));
+        if absolute {
+            // 0 - v gives 0 for both zeros, and no number for none.
+            let zero = self.literal("0.0");
+            self.out.line("");
+            self.out.line(format!("static constexpr {real} absolute({real} v) noexcept"));
+            self.out.open("{");
+            self.out.line(format!("return (v > {zero}) ? v : ({zero} - v);"));
+            self.out.close("}");
+        }
+        let formed = code.functions.iter().flat_map(|function| &function.body);
+        let weights = formed.filter_map(|statement| match statement {
+            Statement::Rows { weights, .. } => Some(weights.len()),
+            _ => None,
+        });
+        if let Some(weights) = weights.max() {
+            self.rows_function(weights);
+        }
+    }
+}
+
+/// Whether `init` calls a function of the library.
+fn init_calls(code: &Code) -> bool {
+    code.init.iter().any(super::super::block::calls)
+}

@@ -1,0 +1,261 @@
+//! C++17: one header, in which all that calls no function of a library is `constexpr`.
+
+mod header;
+mod rows;
+
+use super::block::{Block, Branch, Gives, calls_library};
+use super::text::{Level, Lines, Text};
+use crate::code::{Access, Code, Ending, Expr, Function, Shape, Status, Test};
+use crate::emit::File;
+use crate::parameter::Precision;
+
+/// The header of a controller.
+pub(in crate::emit) fn file(code: &Code) -> File {
+    let cpp = Cpp { code, gives: Gives::Status, prefix: "", suffix: "_", out: Lines::default() };
+    File { name: format!("{}.hpp", code.name), text: cpp.header() }
+}
+
+struct Cpp<'a> {
+    code: &'a Code,
+    /// What the function gives that is being printed.
+    gives: Gives,
+    /// What stands around the name of a field.
+    prefix: &'static str,
+    suffix: &'static str,
+    out: Lines,
+}
+
+impl Text for Cpp<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("{}{name}{}", self.prefix, self.suffix)
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let function = if function == "ln" { "log" } else { function };
+        format!("std::{function}({})", arguments.join(", "))
+    }
+
+    /// std::fabs is not constant.
+    fn abs(&self, a: &str) -> String {
+        format!("absolute({a})")
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let zero = self.literal("0.0");
+        let nan = format!("std::numeric_limits<{}>::quiet_NaN()", self.real_type());
+        (Level::Choice, format!("(({b} < {zero}) || ({b} > {zero})) ? ({a} / {b}) : {nan}"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("static_cast<{}>({count})", self.real_type()))
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("finite({value})")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("({value} != {value})")
+    }
+}
+
+impl Block for Cpp<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "if (", turn: "} else if (", then: ") {", otherwise: "} else {", end: "}" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("// ", "")
+    }
+
+    fn define(&self, name: &str, shape: Shape, value: &str) -> String {
+        format!("const {} {name} = {value};", self.type_of(shape))
+    }
+
+    /// With a value, which a constant function of C++17 needs.
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        Some(format!("{} {name}{{}};", self.type_of(shape)))
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let line = self.unless("!", test, "\n    && ", ") {");
+        self.out.open(line);
+        self.fail(status);
+        self.out.close("}");
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let values: Vec<_> = values.iter().map(|value| self.alone(value)).collect();
+        let before = format!("const {} {name}{{{{", self.type_of(Shape::Reals(values.len())));
+        let line = self.out.list(&before, &values, "}};");
+        self.out.line(line);
+    }
+
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        self.array("p", tail);
+        self.array("w", weights);
+        self.out.line(format!("const auto {name} = rows(w, p);"));
+    }
+
+    fn rounds(&self, rounds: u32) -> [String; 2] {
+        let open = format!("for (std::size_t round = 0U; round < {rounds}U; round++) {{");
+        [open, "}".to_owned()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("{} {name} = {value};", self.real_type())
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        let values: Vec<_> = values.iter().map(|value| self.alone(value)).collect();
+        let values = values.join(", ");
+        let status = match ending {
+            Ending::Known(status) => word(status),
+            Ending::OfGains => "status".to_owned(),
+        };
+        self.out.line(match self.gives {
+            Gives::Nothing => return,
+            Gives::Status => format!("return {status};"),
+            Gives::Control => format!("return {{{values}, {status}}};"),
+            Gives::Rate => format!("return {{{{{{{values}}}}}, {status}}};"),
+            Gives::Gains => format!("gains.status = {status};"),
+            Gives::Array => format!("return {{{{{values}}}}};"),
+            Gives::Number => format!("return {values};"),
+        });
+    }
+
+    fn fail(&mut self, status: Status) {
+        let (word, zero) = (word(status), self.literal("0.0"));
+        self.out.line(match self.gives {
+            Gives::Control => format!("return {{{zero}, {word}}};"),
+            Gives::Rate => format!("return {{{{}}, {word}}};"),
+            Gives::Gains => "return {};".to_owned(),
+            _ => format!("return {word};"),
+        });
+    }
+}
+
+impl Cpp<'_> {
+    fn real_type(&self) -> &'static str {
+        if self.code.precision == Precision::F32 { "float" } else { "double" }
+    }
+
+    fn type_of(&self, shape: Shape) -> String {
+        let real = self.real_type();
+        match shape {
+            Shape::Count => "std::uint32_t".to_owned(),
+            Shape::Real => real.to_owned(),
+            Shape::Reals(length) => format!("std::array<{real}, {length}>"),
+            Shape::Gains => "Gains".to_owned(),
+        }
+    }
+
+    fn function(&mut self, function: &Function) {
+        let real = self.real_type();
+        self.gives = Gives::of(function);
+        let given = function.results.first().map(|result| self.type_of(result.shape));
+        let given = given.unwrap_or_default();
+        let result = match self.gives {
+            Gives::Nothing => "void".to_owned(),
+            Gives::Status => "Status".to_owned(),
+            Gives::Control => format!("Control<{real}>"),
+            Gives::Rate => format!("Rate<{given}>"),
+            Gives::Gains | Gives::Array | Gives::Number => given,
+        };
+        let mut list: Vec<_> = function
+            .arguments
+            .iter()
+            .map(|argument| {
+                let (kind, name) = (self.type_of(argument.shape), &argument.name);
+                match argument.shape.length() {
+                    Some(_) => format!("const {kind}& {name}"),
+                    None => format!("{kind} {name}"),
+                }
+            })
+            .collect();
+        let kinds: Vec<_> = function.callbacks.iter().map(|callback| kind(callback.name)).collect();
+        let called = function.callbacks.iter().zip(&kinds);
+        list.extend(called.map(|(callback, kind)| format!("{kind}&& {}", callback.name)));
+        self.out.line("");
+        self.out.words("/// ", &function.about);
+        for callback in &function.callbacks {
+            self.out.words("/// ", &format!("`{}`: {}", callback.name, callback.about));
+        }
+        if function.failures.contains(&Status::Range) {
+            self.out.line("/// On a negative status u is 0 and nothing has changed.");
+        } else if self.gives == Gives::Status {
+            self.out.line("/// Ok, or Param with nothing changed.");
+        }
+        if !kinds.is_empty() {
+            let kinds: Vec<_> = kinds.iter().map(|kind| format!("class {kind}")).collect();
+            self.out.line(format!("template <{}>", kinds.join(", ")));
+        }
+        let typed = matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing);
+        let discard = if typed { "" } else { "[[nodiscard]] " };
+        let constant = if calls_library(function) { "" } else { "constexpr " };
+        let access = if function.access == Access::Read { " const" } else { "" };
+        let throws = if kinds.is_empty() { " noexcept" } else { "" };
+        let (name, list) = (function.name, list.join(", "));
+        self.out.line(format!("{discard}{constant}{result} {name}({list}){access}{throws}"));
+        self.out.open("{");
+        self.work(function);
+        self.out.close("}");
+    }
+
+    fn work(&mut self, function: &Function) {
+        if function.owner == crate::code::Owner::Gains {
+            let zero = self.literal("0.0");
+            self.out.line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
+        }
+        self.block(&function.body);
+        if self.gives == Gives::Gains {
+            self.out.line("Gains gains{};");
+            let values = function.finish.results().unwrap_or_default().iter();
+            let places = self.code.gains.iter().flat_map(|field| match field.shape.length() {
+                Some(n) => (0..n).map(|i| format!("{}[{i}]", field.name)).collect(),
+                None => vec![field.name.clone()],
+            });
+            for (place, value) in places.zip(values).collect::<Vec<_>>() {
+                let value = self.alone(value);
+                self.out.line(format!("gains.{place} = {value};"));
+            }
+        }
+        self.finish(&function.finish);
+        if self.gives == Gives::Gains {
+            self.out.line("return gains;");
+        }
+    }
+}
+
+/// The type of a function of the user's.
+fn kind(callback: &str) -> &'static str {
+    if callback == "pi0" { "Pi0" } else { "Then" }
+}
+
+fn word(status: Status) -> String {
+    format!("Status::{}", status.name())
+}

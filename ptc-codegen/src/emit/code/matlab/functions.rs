@@ -1,0 +1,201 @@
+//! The files of the functions.
+
+use super::super::block::{Block, Gives};
+use super::super::text::Text;
+use super::Matlab;
+use crate::code::{Access, Function, Owner, Shape, Statement, Status};
+
+impl Matlab<'_> {
+    pub(super) fn init(mut self) -> String {
+        let code = self.code;
+        let (name, upper) = (&code.name, code.name.to_uppercase());
+        let mut list = vec![if code.parameters.is_empty() { "~" } else { "params" }];
+        let state = code.start.as_ref().and_then(|start| start.state.as_ref());
+        list.extend(state.map(|state| state.name.as_str()));
+        let (list, given) = (list.join(", "), list.join(", ").replace('~', "params"));
+        self.out.line(format!("function self = {name}_init({list}) %#codegen"));
+        self.out.words("%", &format!("{upper}_INIT  {}", code.starts()));
+        self.out.line("%");
+        self.out.words("%   ", &format!("self = {name}_init({given}) is the controller, for the functions that stand beside this one. A parameter outside its domain, or coefficients that overflow, raise an error {name}:param, which names what is wrong and what is legal."));
+        if !code.parameters.is_empty() {
+            self.out.line("%\n%   params is a struct:");
+        }
+        for parameter in &code.parameters {
+            let list = parameter.shape.length().map(|n| format!("(1:{n})")).unwrap_or_default();
+            self.out.line(format!("%     {}{list}: {}", parameter.name, parameter.about));
+        }
+        self.out.line("");
+        for line in &code.head {
+            self.out.line(format!("% {line}").trim_end());
+        }
+        self.out.line("");
+        for parameter in &code.parameters {
+            self.given(&parameter.name, parameter.shape);
+        }
+        self.raises = Some("the coefficients overflow: take smaller gains, or rates and sample periods nearer to 1".to_owned());
+        self.block(&code.init);
+        if let Some(start) = &code.start {
+            let mut list = vec!["self".to_owned(), self.alone(&start.time)];
+            list.extend(start.state.iter().map(|state| state.name.clone()));
+            self.out.line(format!("self = {name}_arm({});", list.join(", ")));
+        }
+        self.out.line("end");
+        self.out.text()
+    }
+
+    /// A parameter in its own type, if it has one.
+    fn given(&mut self, name: &str, shape: Shape) {
+        let (own, real) = (&self.code.name, self.real_type());
+        let kind = if shape == Shape::Count { "uint32" } else { real };
+        self.out.line(format!("given.{name} = {kind}(params.{name});"));
+        let (test, legal) = match shape {
+            Shape::Real | Shape::Gains => return,
+            Shape::Count => {
+                let exact = format!("given.{name} ~= params.{name}");
+                (exact, format!("'params.{name} is %g; legal: 0..2^32 - 1', params.{name}"))
+            }
+            Shape::Reals(n) => {
+                let count = format!("numel(params.{name})");
+                let legal = format!("'params.{name} has %d numbers; legal: {n}', {count}");
+                (format!("{count} ~= {n}"), legal)
+            }
+        };
+        let error = format!("error('{own}:param', {legal});");
+        self.out.open(format!("if {test}"));
+        self.out.line(error);
+        self.out.close("end");
+    }
+
+    pub(super) fn function(mut self, function: &Function) -> String {
+        self.gives = Gives::of(function);
+        let result = function.results.first();
+        self.result = result.map(|result| result.name.clone()).unwrap_or_default();
+        self.signature(function);
+        let (real, zero) = (self.real_type(), self.literal("0.0"));
+        match result.map(|result| result.shape) {
+            Some(Shape::Real) if self.has_status() => {
+                self.out.line(format!("{} = {zero};", self.result));
+            }
+            Some(Shape::Reals(n)) if self.has_status() => {
+                self.out.line(format!("{} = zeros({n}, 1, '{real}');", self.result));
+            }
+            Some(Shape::Gains) => self.no_gains(),
+            _ => {}
+        }
+        if function.owner == Owner::Gains {
+            self.out.line("status = gains.status;\nif status < 0\n    return;\nend");
+        }
+        for argument in &function.arguments {
+            let name = &argument.name;
+            match argument.shape {
+                Shape::Count => self.tick(name, self.has_status()),
+                _ => self.out.line(format!("{name} = {real}({name});")),
+            }
+        }
+        if self.gives == Gives::Status {
+            let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
+            self.raises =
+                Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+        }
+        self.block(&function.body);
+        if self.gives == Gives::Gains {
+            self.gains(function);
+        }
+        self.finish(&function.finish);
+        if self.gives == Gives::Gains {
+            self.out.line("gains.status = status;");
+        }
+        self.out.line("end");
+        let mut text = self.out.text();
+        if let Some(weights) = function.body.iter().find_map(|statement| match statement {
+            Statement::Rows { weights, .. } => Some(weights.len()),
+            _ => None,
+        }) {
+            text.push_str(&self.row_sums(weights));
+        }
+        text
+    }
+
+    fn signature(&mut self, function: &Function) {
+        let (name, upper) = (&self.code.name, self.code.name.to_uppercase());
+        let called = function.name;
+        let changes = function.access == Access::Change;
+        let mut gives: Vec<_> = function.results.iter().map(|result| result.name.as_str()).collect();
+        gives.extend(self.has_status().then_some("status"));
+        gives.extend(changes.then_some("self"));
+        let gives = match gives.as_slice() {
+            [one] => (*one).to_owned(),
+            several => format!("[{}]", several.join(", ")),
+        };
+        let owner = self.owner.trim_end_matches('.');
+        let list = function.arguments.iter().map(|argument| argument.name.as_str());
+        let list = list.chain(function.callbacks.iter().map(|callback| callback.name));
+        let list = std::iter::once(owner).chain(list).collect::<Vec<_>>().join(", ");
+        let signature = format!("{gives} = {name}_{called}({list})");
+        self.out.line(format!("function {signature} %#codegen"));
+        let about = format!("{upper}_{}  {}", called.to_uppercase(), function.about);
+        self.out.words("%", &about.replace("  ", " "));
+        let kept = if changes { " Keep self: it is what the next call needs." } else { "" };
+        let from = if owner == "self" { "init" } else { "tick" };
+        self.out.line("%");
+        self.out.words("%   ", &format!("{signature}, with {owner} from {name}_{from}.{kept}"));
+        for callback in &function.callbacks {
+            self.out.words("%   ", &format!("{}, a function handle: {}", callback.name, callback.about));
+        }
+        if function.failures.contains(&Status::Range) {
+            self.out.line(STATUSES);
+        }
+        self.out.line("");
+    }
+
+    /// Gains as they are where there are none.
+    fn no_gains(&mut self) {
+        let real = self.real_type();
+        for field in &self.code.gains {
+            let name = &field.name;
+            self.out.line(match field.shape.length() {
+                Some(n) => format!("gains.{name} = zeros(1, {n}, '{real}');"),
+                None => format!("gains.{name} = {};", self.literal("0.0")),
+            });
+        }
+        self.out.line(format!("status = int32({});\ngains.status = status;", Status::Input.number()));
+    }
+
+    fn gains(&mut self, function: &Function) {
+        let values = function.finish.results().unwrap_or_default().iter();
+        let places = self.code.gains.iter().flat_map(|field| match field.shape.length() {
+            Some(n) => (1..=n).map(|i| format!("{}({i})", field.name)).collect(),
+            None => vec![field.name.clone()],
+        });
+        for (place, value) in places.zip(values).collect::<Vec<_>>() {
+            let value = self.alone(value);
+            self.out.line(format!("gains.{place} = {value};"));
+        }
+    }
+
+    /// A tick of any numeric type, modulo 2^32.
+    fn tick(&mut self, name: &str, has_status: bool) {
+        self.out.line(format!("{name} = double({name});"));
+        self.out.open(format!("if ~(isfinite({name}) && ({name} == floor({name})))"));
+        match has_status {
+            true => self.out.line(format!("status = int32({});\nreturn;", Status::Input.number())),
+            false => {
+                let own = &self.code.name;
+                let error = format!("error('{own}:param', '{name} is %g; legal: whole', {name});");
+                self.out.line(error);
+            }
+        }
+        self.out.close("end");
+        self.out.line(format!("{name} = uint32(mod({name}, 4294967296));"));
+    }
+}
+
+const STATUSES: &str = "\
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to u_max; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite";

@@ -1,0 +1,246 @@
+//! MATLAB and GNU Octave: a function file for each function. Integers saturate there, and a quotient
+//! of them is rounded: differences of counts are taken in doubles, which hold them exactly.
+
+mod functions;
+mod helpers;
+
+use super::block::{Block, Branch, Gives, checks, copies};
+use super::text::{Level, Lines, Text};
+use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
+use crate::emit::{File, literal::through_double};
+use crate::parameter::Precision;
+
+struct Matlab<'a> {
+    code: &'a Code,
+    /// What leads to a field.
+    owner: &'static str,
+    /// Whether the function fails by an error, and what is wrong then.
+    raises: Option<String>,
+    /// What the function gives that is being printed, and the name of it.
+    gives: Gives,
+    result: String,
+    out: Lines,
+}
+
+/// The function files of a controller.
+pub(in crate::emit) fn files(code: &Code) -> Vec<File> {
+    let printer = |owner| Matlab {
+        code,
+        owner: if owner == Owner::Gains { "gains." } else { "self." },
+        raises: None,
+        gives: Gives::Status,
+        result: String::new(),
+        out: Lines::default(),
+    };
+    let file = |name: &str, mut text: String| {
+        for helper in &helpers::HELPERS {
+            if text.contains(&format!("{}(", helper.name)) {
+                text.push_str(helper.text);
+            }
+        }
+        File { name: format!("{}_{name}.m", code.name), text }
+    };
+    let functions = code.functions.iter().map(|f| file(f.name, printer(f.owner).function(f)));
+    std::iter::once(file("init", printer(Owner::Controller).init())).chain(functions).collect()
+}
+
+impl Text for Matlab<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn literal(&self, digits: &str) -> String {
+        match self.code.precision {
+            Precision::F32 => format!("single({})", through_double(digits)),
+            Precision::F64 => digits.to_owned(),
+        }
+    }
+
+    fn count(&self, count: u32) -> String {
+        format!("uint32({count})")
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("{}{name}", self.owner)
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("given.{name}")
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}({})", index + 1)
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("uint32(mod(double({a}) - double({b}), 4294967296))"))
+    }
+
+    /// Saturates at 0.
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Sum, format!("{a} - {b}"))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("bitshift({count}, -1)"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("{}({count})", self.real_type()))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Atom, format!("pick({test}, {yes}, {no})"))
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let function = match function {
+            "sqrt" => "real_sqrt",
+            "ln" => "real_log",
+            "pow" => "real_pow",
+            "atanh" => "real_atanh",
+            function => function,
+        };
+        format!("{function}({})", arguments.join(", "))
+    }
+
+    fn abs(&self, a: &str) -> String {
+        format!("abs({a})")
+    }
+
+    fn sign(&self, a: &str) -> (Level, String) {
+        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
+        (Level::Atom, format!("pick({a} > {zero}, {one}, pick({a} < {zero}, -{one}, {a}))"))
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let (zero, real) = (self.literal("0.0"), self.real_type());
+        let test = format!("({b} < {zero}) || ({b} > {zero})");
+        (Level::Atom, format!("pick({test}, {a} / {b}, {real}(NaN))"))
+    }
+
+    fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        format!("{}({name}({array}, {time}))", self.real_type())
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("isfinite({value})")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("isnan({value})")
+    }
+}
+
+impl Block for Matlab<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "if ", turn: "elseif ", then: "", otherwise: "else", end: "end" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("% ", "")
+    }
+
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        format!("{name} = {value};")
+    }
+
+    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
+        None
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let Some(wrong) = self.raises.clone() else {
+            let line = self.unless("~", test, " ...\n    && ", "");
+            self.out.open(line);
+            self.out.line(format!("status = int32({});\nreturn;", status.number()));
+            return self.out.close("end");
+        };
+        let name = &self.code.name;
+        for check in checks(test, &copies(&self.code.init)) {
+            let line = self.unless("~", &check.test, " ...\n    && ", "");
+            self.out.open(line);
+            let parameter = check.parameter.map(|(name, index)| match index {
+                Some(index) => format!("{name}({})", index + 1),
+                None => name,
+            });
+            self.out.line(match parameter {
+                None => format!("error('{name}:param', '{wrong}');"),
+                Some(parameter) => format!("error('{name}:param', 'params.{parameter} is %g; legal: {}', params.{parameter});", check.legal),
+            });
+            self.out.close("end");
+        }
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let list = self.list(values).join("; ");
+        self.out.line(format!("{name} = [{list}];"));
+    }
+
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
+        self.out.line(format!("{name} = row_sums([{weights}], [{tail}]);"));
+    }
+
+    fn rounds(&self, rounds: u32) -> [String; 2] {
+        [format!("for attempt = 1:{rounds}"), "end".to_owned()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("{name} = {value};")
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        let list = self.list(values);
+        let result = &self.result;
+        match self.gives {
+            Gives::Nothing | Gives::Status => return,
+            Gives::Control | Gives::Number => {
+                self.out.line(format!("{result} = {};", list.join("; ")));
+            }
+            Gives::Rate | Gives::Array => self.out.line(format!("{result} = [{}];", list.join("; "))),
+            Gives::Gains => {}
+        }
+        match ending {
+            _ if !self.has_status() => {}
+            Ending::Known(status) => self.out.line(format!("status = int32({});", status.number())),
+            Ending::OfGains => self.out.line("status = gains.status;"),
+        }
+    }
+
+    /// u is 0 from the start.
+    fn fail(&mut self, status: Status) {
+        self.out.line(format!("status = int32({});", status.number()));
+    }
+}
+
+impl Matlab<'_> {
+    fn real_type(&self) -> &'static str {
+        if self.code.precision == Precision::F32 { "single" } else { "double" }
+    }
+
+    fn list(&self, values: &[Expr]) -> Vec<String> {
+        values.iter().map(|value| self.alone(value)).collect()
+    }
+
+    /// Whether a status is among the results.
+    fn has_status(&self) -> bool {
+        matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains)
+    }
+}

@@ -1,0 +1,228 @@
+//! Functions of many calls at a time: tests choose between values, and statuses between one another.
+
+use super::super::block::{Block, Gives};
+use super::super::text::Text;
+use super::{Python, word};
+use crate::code::{
+    Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test,
+};
+use crate::internal::fault;
+
+/// The result and the status of an end, as expressions.
+struct End {
+    value: Option<String>,
+    status: String,
+}
+
+impl Python<'_> {
+    pub(super) fn batch_function(&mut self, function: &Function) {
+        self.gives = Gives::of(function);
+        let result = match self.gives {
+            Gives::Control => "Control",
+            Gives::Rate => "Rate",
+            Gives::Gains => "Gains",
+            _ => fault(format!("{} is no batch", function.name)),
+        };
+        let mut list = vec!["self".to_owned()];
+        for argument in &function.arguments {
+            let default = if argument.name == "f" { " = 0.0" } else { "" };
+            list.push(format!("{}: ArrayLike{default}", argument.name));
+        }
+        list.extend((!function.callbacks.is_empty()).then(|| "*".to_owned()));
+        let called = function.callbacks.iter();
+        list.extend(called.map(|c| format!("{}: Callable[[Array, Array], ArrayLike]", c.name)));
+        self.out.line("");
+        self.out.open(format!("def {}({}) -> {result}:", function.name, list.join(", ")));
+        self.out.words("", &format!("\"\"\"{}", function.about));
+        self.out.line("\nEach argument may be a batch; states stand along the last axis.");
+        for callback in &function.callbacks {
+            self.out.line("");
+            let (name, about) = (callback.name, callback.about);
+            self.out.words("", &format!("{name} is called for the whole batch. {about}"));
+        }
+        self.out.line("\"\"\"");
+        self.batch = true;
+        for argument in &function.arguments {
+            let name = &argument.name;
+            match argument.shape {
+                Shape::Reals(n) => {
+                    self.out.line(format!("{name} = np.asarray({name}, dtype=_R)"));
+                    let states: Vec<_> = (1..=n).map(|j| format!("given{j}")).collect();
+                    let comma = if n == 1 { "," } else { "" };
+                    let states = states.join(", ");
+                    self.out.line(format!("{states}{comma} = _states({name}, \"{name}\")"));
+                }
+                _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),
+            }
+        }
+        self.out.open("with np.errstate(all=\"ignore\"):");
+        let mut legal = Vec::new();
+        for statement in &function.body {
+            match statement {
+                Statement::Require(test, status) => legal.push((test, *status)),
+                statement => self.chosen(statement),
+            }
+        }
+        self.end(function, &legal);
+        self.out.leave();
+        self.out.leave();
+        self.batch = false;
+    }
+
+    /// A statement of a batch.
+    fn chosen(&mut self, statement: &Statement) {
+        match statement {
+            Statement::If(test, yes, no) => {
+                let (
+                    [Statement::Set(Place::Local(name), yes)],
+                    [Statement::Set(Place::Local(other), no)],
+                ) = (yes.as_slice(), no.as_slice())
+                else {
+                    fault("a test in a batch does more than to choose".to_owned())
+                };
+                if name != other {
+                    fault(format!("{name} and {other} are chosen by one test"));
+                }
+                let (test, yes, no) = (self.test(test), self.alone(yes), self.alone(no));
+                self.out.line(format!("{name} = np.asarray({no})"));
+                self.out.line(format!("chosen = np.asarray({test})"));
+                self.out.line("if chosen.any():");
+                self.out.line(format!("    {name} = np.where(chosen, {yes}, {name})"));
+            }
+            Statement::Solve(solve) => self.each_root(solve),
+            Statement::Let(name, _, Expr::Element(array, index)) if self.is_state(array) => {
+                self.out.line(format!("{name} = given{}", index + 1));
+            }
+            statement => self.statement(statement),
+        }
+    }
+
+    /// Each element of the batch stays as it is from its own last round on.
+    fn each_root(&mut self, solve: &Solve) {
+        let y = solve.unknown.as_str();
+        let [low, high, next, size] = Solve::LOCALS.map(|local| format!("{y}_{local}"));
+        for (name, value) in [(y, &solve.start), (&low, &solve.low), (&high, &solve.high)] {
+            let line = self.begin(name, &self.alone(value));
+            self.out.line(line);
+        }
+        self.out.line("done = np.asarray(False)");
+        self.out.open(format!("for _ in range({}):", solve.rounds));
+        solve.body.iter().for_each(|statement| self.chosen(statement));
+        let [residual, step, change, tolerance] =
+            [&solve.residual, &solve.next, &solve.size, &solve.tolerance]
+                .map(|value| self.alone(value));
+        let (zero, half) = (self.literal("0.0"), self.literal("0.5"));
+        self.out.line(format!(
+            "{next} = {step}
+{size} = {change}
+right = {residual} > {zero}
+{low} = np.where(right, {y}, {low})
+{high} = np.where(right, {high}, {y})
+inside = ({next} >= {low}) & ({next} <= {high})
+{next} = np.where(inside, {next}, {half} * ({low} + {high}))
+{y} = np.where(done, {y}, {next})
+done = done | ({size} <= {tolerance})
+if done.all():
+    break"
+        ));
+        self.out.leave();
+    }
+
+    fn end(&mut self, function: &Function, legal: &[(&Test, Status)]) {
+        let mut count = 0;
+        let mut end = match self.gives {
+            Gives::Control => self.ends(&function.finish, &mut count),
+            _ => self.ends(&without_values(&function.finish), &mut count),
+        };
+        for (test, status) in legal.iter().rev() {
+            let test = self.test(test);
+            end.status = format!("np.where({test}, {}, Status.{})", end.status, word(*status));
+        }
+        self.out.line(format!("status = {}", end.status));
+        if function.owner == Owner::Gains {
+            self.out.line("status = np.where(self.status < 0, self.status, status)");
+        }
+        let values = function.finish.results().unwrap_or_default();
+        let values = self.list(values);
+        let zero = "_R(0.0)";
+        match self.gives {
+            Gives::Control => {
+                let u = end.value.unwrap_or_else(|| zero.to_owned());
+                self.out.line(format!(
+                    "return Control(np.where(status < 0, {zero}, {u}), status.astype(np.int8))"
+                ));
+            }
+            Gives::Rate => {
+                let list = values.join(", ");
+                self.out.line(format!("rates = np.broadcast_arrays({list}, status)[:-1]"));
+                self.out.line(format!("xi_dot = np.where((status < 0)[..., np.newaxis], {zero}, np.stack(rates, axis=-1))"));
+                self.out.line("return Rate(xi_dot, status.astype(np.int8))");
+            }
+            _ => self.give_gains(values),
+        }
+    }
+
+    fn give_gains(&mut self, values: Vec<String>) {
+        let mut values = values.into_iter();
+        let mut list = Vec::new();
+        for field in &self.code.gains {
+            match field.shape.length() {
+                Some(n) => {
+                    let own: Vec<_> = values.by_ref().take(n).collect();
+                    let own = own.join(", ");
+                    let name = &field.name;
+                    self.out.line(format!(
+                        "{name} = np.stack(np.broadcast_arrays({own}), axis=-1)"
+                    ));
+                    list.push(name.clone());
+                }
+                None => list.push(format!("np.asarray({})", values.next().unwrap_or_default())),
+            }
+        }
+        self.out.line(format!("return Gains({}, status.astype(np.int8))", list.join(", ")));
+    }
+
+    /// The end of a call, each of its tests in a variable.
+    fn ends(&mut self, finish: &Finish, count: &mut usize) -> End {
+        match finish {
+            Finish::Give(values, ending) => End {
+                value: values.first().map(|value| self.alone(value)),
+                status: match ending {
+                    Ending::Known(status) => format!("Status.{}", word(*status)),
+                    Ending::OfGains => "self.status".to_owned(),
+                },
+            },
+            Finish::Fail(status) => End { value: None, status: format!("Status.{}", word(*status)) },
+            Finish::If(test, yes, no) => {
+                *count += 1;
+                let name = format!("way{count}");
+                let test = self.test(test);
+                self.out.line(format!("{name} = {test}"));
+                let (yes, no) = (self.ends(yes, count), self.ends(no, count));
+                let status = format!("np.where({name}, {}, {})", yes.status, no.status);
+                let value = match (yes.value, no.value) {
+                    (Some(yes), Some(no)) if yes != no => {
+                        Some(format!("np.where({name}, {yes}, {no})"))
+                    }
+                    (yes, no) => yes.or(no),
+                };
+                End { value, status }
+            }
+        }
+    }
+
+    fn is_state(&self, array: &str) -> bool {
+        matches!(array, "x" | "xi")
+    }
+}
+
+/// The same end without values, which are the same on every way.
+fn without_values(finish: &Finish) -> Finish {
+    match finish {
+        Finish::If(test, yes, no) => {
+            Finish::choose(test.clone(), without_values(yes), without_values(no))
+        }
+        Finish::Give(_, ending) => Finish::Give(Vec::new(), *ending),
+        Finish::Fail(status) => Finish::Fail(*status),
+    }
+}

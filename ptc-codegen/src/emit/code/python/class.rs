@@ -1,0 +1,129 @@
+//! The class of the controller: its constructor, and functions of one call at a time.
+
+use super::super::block::{Block, Gives};
+use super::super::text::Text;
+use super::{Python, annotation};
+use crate::code::{Function, Owner, Shape};
+
+const OVERFLOW: &str =
+    "the coefficients overflow; take smaller gains, or rates and sample periods nearer to 1";
+
+impl Python<'_> {
+    pub(super) fn class(&mut self, kind: &str) {
+        let code = self.code;
+        self.out.open(format!("class {kind}:"));
+        self.out.line(format!("\"\"\"The controller. {}\n\nValueError where a parameter is outside its domain, or the coefficients overflow.\n\"\"\"\n", code.starts()));
+        self.init();
+        for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
+            match code.start {
+                Some(_) if Gives::of(function) != Gives::Status => self.batch_function(function),
+                _ => self.function(function),
+            }
+        }
+        self.out.leave();
+    }
+
+    fn init(&mut self) {
+        let code = self.code;
+        let mut list = vec!["self".to_owned(), "params: Params".to_owned()];
+        let start = code.start.as_ref();
+        let state = start.and_then(|start| start.state.as_ref());
+        list.extend(state.map(|state| format!("{}: ArrayLike", state.name)));
+        self.out.open(format!("def __init__({}) -> None:", list.join(", ")));
+        self.out.open("with np.errstate(all=\"ignore\"):");
+        for parameter in &code.parameters {
+            self.given(&parameter.name, parameter.shape);
+        }
+        self.raises = Some(OVERFLOW.to_owned());
+        self.block(&code.init);
+        self.raises = None;
+        let nothing = code.parameters.is_empty() && code.init.is_empty();
+        if nothing {
+            self.out.line("pass");
+        }
+        self.out.leave();
+        if let Some(start) = start {
+            let mut list = vec![self.alone(&start.time)];
+            list.extend(state.map(|state| state.name.clone()));
+            self.out.line(format!("self.arm({})", list.join(", ")));
+        }
+        self.out.leave();
+    }
+
+    /// A parameter in its own type.
+    fn given(&mut self, name: &str, shape: Shape) {
+        match shape {
+            Shape::Real => self.out.line(format!("given_{name} = _R(params.{name})")),
+            Shape::Reals(length) => self.out.line(format!(
+                "given_{name} = _numbers(params.{name}, {length}, \"params.{name}\")"
+            )),
+            Shape::Count => {
+                self.out.line(format!("given_{name} = params.{name}.__index__()"));
+                self.out.open(format!("if given_{name} != given_{name} & _WRAP:"));
+                self.out.line(format!("raise ValueError(f\"params.{name} is {{params.{name}}}; legal: 0..2^32 - 1\")"));
+                self.out.leave();
+            }
+            Shape::Gains => {}
+        }
+    }
+
+    fn function(&mut self, function: &Function) {
+        self.gives = Gives::of(function);
+        let real = self.real_type();
+        let result = match self.gives {
+            Gives::Nothing | Gives::Status => "None".to_owned(),
+            Gives::Control => "Control".to_owned(),
+            Gives::Array => "Array".to_owned(),
+            Gives::Number => format!("np.{real}"),
+            Gives::Rate | Gives::Gains => crate::internal::fault("one of a batch"),
+        };
+        let mut list = vec!["self".to_owned()];
+        for argument in &function.arguments {
+            let kind = match argument.shape {
+                Shape::Reals(_) => "ArrayLike",
+                shape => annotation(shape),
+            };
+            list.push(format!("{}: {kind}", argument.name));
+        }
+        self.out.line("");
+        let name = function.name;
+        self.out.open(format!("def {name}({}) -> {result}:", list.join(", ")));
+        let line = format!("\"\"\"{}\"\"\"", function.about.trim_end());
+        if function.failures.is_empty() && self.out.has_room(&line) {
+            self.out.line(line);
+        } else {
+            self.out.words("", &format!("\"\"\"{}", function.about));
+            self.out.line(match self.gives {
+                Gives::Status => "\nValueError where an argument or what follows from it is not finite; the controller\nis left as it was.",
+                _ => "\nOn a negative status u is 0 and nothing has changed.",
+            });
+            self.out.line("\"\"\"");
+        }
+        let computes = !function.body.is_empty() && !function.failures.is_empty();
+        if computes {
+            self.out.open("with np.errstate(all=\"ignore\"):");
+        }
+        for argument in &function.arguments {
+            let name = &argument.name;
+            match argument.shape {
+                Shape::Count => self.out.line(format!("{name} = {name}.__index__() & _WRAP")),
+                Shape::Reals(length) => {
+                    self.out.line(format!("{name} = _numbers({name}, {length}, \"{name}\")"));
+                }
+                _ => self.out.line(format!("{name} = _R({name})")),
+            }
+        }
+        if self.gives == Gives::Status {
+            let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
+            self.raises =
+                Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+        }
+        self.block(&function.body);
+        self.raises = None;
+        self.finish(&function.finish);
+        if computes {
+            self.out.leave();
+        }
+        self.out.leave();
+    }
+}

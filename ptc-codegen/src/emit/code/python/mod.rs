@@ -1,0 +1,290 @@
+//! Python: one typed module on NumPy, whose scalars round to their precision and divide by zero.
+
+mod batch;
+mod class;
+mod module;
+
+use super::block::{Block, Branch, Gives, checks, copies};
+use super::text::{Level, Lines, Text};
+use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
+use crate::emit::{File, literal::through_double};
+use crate::parameter::Precision;
+
+struct Python<'a> {
+    code: &'a Code,
+    /// Whether a call takes a batch of times and states.
+    batch: bool,
+    /// Whether it fails by an exception, and what is wrong then.
+    raises: Option<String>,
+    /// What the function gives that is being printed.
+    gives: Gives,
+    /// What stands before the name of a field.
+    owner: &'static str,
+    out: Lines,
+}
+
+/// The module of a controller.
+pub(in crate::emit) fn file(code: &Code) -> File {
+    let python = Python {
+        code,
+        batch: false,
+        raises: None,
+        gives: Gives::Status,
+        owner: "self._",
+        out: Lines::default(),
+    };
+    File { name: format!("{}.py", code.name), text: python.module() }
+}
+
+impl Text for Python<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    /// A Python float beside a NumPy scalar of single precision would make a double of it before
+    /// NumPy 2.
+    fn literal(&self, digits: &str) -> String {
+        match self.code.precision {
+            Precision::F32 => format!("_R({})", through_double(digits)),
+            Precision::F64 => digits.to_owned(),
+        }
+    }
+
+    fn count(&self, count: u32) -> String {
+        count.to_string()
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("{}{name}", self.owner)
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("given_{name}")
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Choice, format!("({a} - {b}) & _WRAP"))
+    }
+
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("max({a} - {b}, 0)"))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} // 2"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("_R({count})"))
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let function = match function {
+            "ln" => "log",
+            "pow" => "power",
+            "atan" => "arctan",
+            "atanh" => "arctanh",
+            function => function,
+        };
+        format!("np.{function}({})", arguments.join(", "))
+    }
+
+    fn abs(&self, a: &str) -> String {
+        format!("np.abs({a})")
+    }
+
+    fn sign(&self, a: &str) -> (Level, String) {
+        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
+        let text = format!("np.where({a} > {zero}, {one}, np.where({a} < {zero}, -{one}, {a}))");
+        (Level::Atom, text)
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let zero = self.literal("0.0");
+        let test = format!("({b} < {zero}) | ({b} > {zero})");
+        (Level::Atom, format!("np.where({test}, {a} / {b}, _R(np.nan))"))
+    }
+
+    fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        format!("np.asarray({name}({array}, np.asarray({time})), dtype=_R)")
+    }
+
+    fn field_element(&self, name: &str, index: usize) -> String {
+        format!("{}[..., {index}]", self.field(name))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        if self.batch {
+            return (Level::Atom, format!("np.where({test}, {yes}, {no})"));
+        }
+        let (yes, no) = (boxed(yes), boxed(no));
+        match boxed_test(test) == format!("{no} < {yes}") {
+            true => (Level::Atom, format!("max({no}, {yes})")),
+            false => (Level::Choice, format!("{yes} if {test} else {no}")),
+        }
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("np.isfinite({value})")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("np.isnan({value})")
+    }
+
+    fn and(&self) -> &'static str {
+        if self.batch { "&" } else { "and" }
+    }
+
+    fn or(&self) -> &'static str {
+        if self.batch { "|" } else { "or" }
+    }
+}
+
+/// A number that stands alone, as a NumPy scalar: Python's own would not divide by zero.
+fn boxed(text: &str) -> String {
+    if text.parse::<f64>().is_ok() { format!("_R({text})") } else { text.to_owned() }
+}
+
+/// A comparison with its numbers as NumPy scalars.
+fn boxed_test(test: &str) -> String {
+    match test.split_once(" < ") {
+        Some((a, b)) => format!("{} < {}", boxed(a), boxed(b)),
+        None => test.to_owned(),
+    }
+}
+
+impl Block for Python<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "if ", turn: "elif ", then: ":", otherwise: "else:", end: "" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("# ", "")
+    }
+
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        format!("{name} = {value}")
+    }
+
+    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
+        None
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value}")
+    }
+
+    fn value(&self, value: &Expr) -> String {
+        match value {
+            Expr::Number(_) => boxed(&self.alone(value)),
+            value => self.alone(value),
+        }
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let Some(wrong) = self.raises.clone() else {
+            let line = self.refused(test);
+            self.out.open(line);
+            self.fail(status);
+            return self.out.leave();
+        };
+        for check in checks(test, &copies(&self.code.init)) {
+            let line = self.refused(&check.test);
+            self.out.open(line);
+            let name = match &check.parameter {
+                Some((name, Some(index))) => format!("{name}[{index}]"),
+                Some((name, None)) => name.clone(),
+                None => String::new(),
+            };
+            self.out.line(match name.as_str() {
+                "" => format!("raise ValueError(\"{wrong}\")"),
+                name => {
+                    format!("raise ValueError(f\"params.{name} is {{params.{name}}}; legal: {}\")", check.legal)
+                }
+            });
+            self.out.leave();
+        }
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let list = self.list(values).join(", ");
+        self.out.line(format!("{name} = np.stack(np.broadcast_arrays({list}), axis=-1)"));
+    }
+
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        let [weights, tail] = [weights, tail].map(|values| self.list(values).join(", "));
+        self.out.line(format!("{name} = _rows([{weights}], [{tail}])"));
+    }
+
+    fn rounds(&self, rounds: u32) -> [String; 2] {
+        [format!("for _ in range({rounds}):"), String::new()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "break"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("{name} = np.asarray({value})")
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        let list: Vec<_> = values.iter().map(|value| self.value(value)).collect();
+        let list = list.join(", ");
+        let status = match ending {
+            Ending::Known(status) => format!("Status.{}", word(status)),
+            Ending::OfGains => "self.status".to_owned(),
+        };
+        self.out.line(match self.gives {
+            Gives::Nothing | Gives::Status | Gives::Gains | Gives::Rate => return,
+            Gives::Control => format!("return Control({list}, {status})"),
+            Gives::Array => format!("return np.array([{list}], dtype=_R)"),
+            Gives::Number => format!("return {list}"),
+        });
+    }
+
+    fn fail(&mut self, status: Status) {
+        self.out.line(format!("return Control(_R(0.0), Status.{})", word(status)));
+    }
+}
+
+impl Python<'_> {
+    /// The line that opens what happens where `test` does not hold.
+    fn refused(&self, test: &Test) -> String {
+        let line = self.unless("not ", test, &format!("\n    {} ", self.and()), ":");
+        match line.contains('\n') {
+            true => line.replacen('(', "(\n    ", 1).replace("):", "\n):"),
+            false => line,
+        }
+    }
+
+    fn list(&self, values: &[Expr]) -> Vec<String> {
+        values.iter().map(|value| self.alone(value)).collect()
+    }
+
+    fn real_type(&self) -> &'static str {
+        if self.code.precision == Precision::F32 { "float32" } else { "float64" }
+    }
+}
+
+fn annotation(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Real => "float",
+        Shape::Count => "int",
+        Shape::Reals(_) => "Sequence[float]",
+        Shape::Gains => "Gains",
+    }
+}
+
+fn word(status: Status) -> String {
+    status.name().to_uppercase()
+}

@@ -1,0 +1,197 @@
+//! The module around the classes.
+
+use super::super::text::Text;
+use super::{Python, annotation};
+use crate::code::{Expr, Owner, Shape, Statement};
+use crate::parameter::type_name;
+
+impl Python<'_> {
+    pub(super) fn module(mut self) -> String {
+        let code = self.code;
+        let kind = type_name(&code.name);
+        self.out.line("\"\"\"");
+        for line in &code.head {
+            self.out.line(line.replace('\\', "\\\\"));
+        }
+        self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
+        let rows = code.functions.iter().any(|function| function.has(is_rows));
+        let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
+        let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
+        let imported = [(calls, "Callable"), (arrays || rows, "Sequence")];
+        let imported: Vec<_> =
+            imported.iter().filter(|(used, _)| *used).map(|(_, name)| *name).collect();
+        if !imported.is_empty() {
+            self.out.line(format!("from collections.abc import {}", imported.join(", ")));
+        }
+        self.out.line("from dataclasses import dataclass\nfrom enum import IntEnum\nfrom typing import NamedTuple\n");
+        self.out.line("import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n");
+        let rate = code.function("rate").is_some();
+        let mut public = vec!["Control", "Params", "Status", &kind];
+        public.extend((!code.gains.is_empty()).then_some("Gains"));
+        public.extend(rate.then_some("Rate"));
+        public.sort_unstable();
+        self.out.line(format!("__all__ = [\"{}\"]\n", public.join("\", \"")));
+        let real = self.real_type();
+        self.out.line(format!("_R = np.{real}"));
+        let mut counts = false;
+        code.visit(&mut |value| counts |= matches!(value, Expr::CountSub(..)));
+        if counts {
+            self.out.line("_WRAP = 0xFFFFFFFF");
+        }
+        self.out.line(format!("Array = NDArray[np.{real}]\n"));
+        self.out.line(format!("\n{}", include_str!("../../../../templates/status.py.txt")));
+        self.out.line(if code.start.is_some() { CONTROLS } else { CONTROL }.replace("REAL", real));
+        if rate {
+            self.out.line(RATE);
+        }
+        self.out.line("\n@dataclass(frozen=True)");
+        self.out.open("class Params:");
+        self.out.line("\"\"\"Run-time parameters.\"\"\"\n");
+        for parameter in &code.parameters {
+            let (name, kind) = (&parameter.name, annotation(parameter.shape));
+            self.out.line(format!("{name}: {kind}\n\"\"\"{}\"\"\"", parameter.about));
+        }
+        self.out.leave();
+        self.out.line("\n");
+        self.helpers();
+        if !code.gains.is_empty() {
+            self.gains_class();
+        }
+        self.class(&kind);
+        self.out.text()
+    }
+
+    fn helpers(&mut self) {
+        let code = self.code;
+        let arrays = |shape: Shape| shape.length().is_some();
+        let given = code.parameters.iter().any(|p| arrays(p.shape));
+        let latched = code.start.as_ref().is_some_and(|start| start.state.is_some());
+        if given || latched || code.start.is_none() {
+            self.out.line(format!("{NUMBERS}\n"));
+        }
+        let states = code.functions.iter().flat_map(|function| &function.arguments);
+        let n = states.filter_map(|argument| argument.shape.length()).max().unwrap_or(1);
+        if code.start.is_some() {
+            self.out.line(format!("{}\n", STATES.replace("LENGTH", &n.to_string())));
+        }
+        let formed = code.functions.iter().flat_map(|function| &function.body);
+        let weights = formed.filter_map(|statement| match statement {
+            Statement::Rows { weights, .. } => Some(weights.len()),
+            _ => None,
+        });
+        if let Some(weights) = weights.max() {
+            self.out.line(format!("{}\n", rows_function(weights)));
+        }
+    }
+
+    fn gains_class(&mut self) {
+        let code = self.code;
+        self.out.open("class Gains:");
+        self.out.line("\"\"\"Feedback gains at one or more times.\"\"\"\n");
+        let list = code.gains.iter().map(|field| format!("{}: Array", field.name));
+        let list = list.collect::<Vec<_>>().join(", ");
+        self.out.open(format!(
+            "def __init__(self, {list}, status: NDArray[np.int8]) -> None:"
+        ));
+        for field in &code.gains {
+            let (name, about) = (&field.name, &field.about);
+            let shape = match field.shape.length() {
+                Some(n) => format!("; shape (..., {n})"),
+                None => String::new(),
+            };
+            self.out.line(format!("self.{name} = {name}\n\"\"\"{about}{shape}\"\"\""));
+        }
+        self.out.line("self.status = status\n\"\"\"OK or HOLD, INPUT where the time was not legal.\"\"\"");
+        self.out.leave();
+        self.owner = "self.";
+        for function in code.functions.iter().filter(|f| f.owner == Owner::Gains) {
+            self.batch_function(function);
+        }
+        self.owner = "self._";
+        self.out.leave();
+        self.out.line("\n");
+    }
+}
+
+fn is_rows(statement: &Statement) -> bool {
+    matches!(statement, Statement::Rows { .. })
+}
+
+const CONTROL: &str = "
+class Control(NamedTuple):
+    \"\"\"What a step gives.\"\"\"
+
+    u: np.REAL
+    \"\"\"Input of the plant.\"\"\"
+    status: Status
+    \"\"\"Its Status.\"\"\"
+";
+
+const CONTROLS: &str = "
+class Control(NamedTuple):
+    \"\"\"What a step gives, for each time and state of the batch.\"\"\"
+
+    u: Array
+    \"\"\"Input of the plant.\"\"\"
+    status: NDArray[np.int8]
+    \"\"\"Its Status.\"\"\"
+";
+
+const RATE: &str = "
+class Rate(NamedTuple):
+    \"\"\"What the infinite-time system gives, for each time and state of the batch.\"\"\"
+
+    xi_dot: Array
+    \"\"\"Derivatives of the state along the last axis; 0 on a negative status.\"\"\"
+    status: NDArray[np.int8]
+    \"\"\"Its Status.\"\"\"
+";
+
+const NUMBERS: &str = "\
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    \"\"\"The numbers of a sequence of this length.\"\"\"
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f\"{name} has shape {numbers.shape}; legal: ({length},)\")
+    return numbers
+
+";
+
+const STATES: &str = "\
+def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
+    \"\"\"The states along the last axis, one by one.\"\"\"
+    states = np.asarray(x, dtype=_R)
+    if states.ndim == 0 or states.shape[-1] != LENGTH:
+        raise ValueError(f\"{name} has shape {states.shape}; legal: (..., LENGTH), the states along the last axis\")
+    return tuple(np.moveaxis(states, -1, 0))
+
+";
+
+/// The function that forms so many rows.
+fn rows_function(weights: usize) -> String {
+    let tail = weights - 1;
+    let part = tail - 1;
+    format!(
+        "\
+def _rows(weights: Sequence[ArrayLike], tail: list[Array]) -> list[Array]:
+    \"\"\"Loops over the powers of the Taylor series of mu, for the gains of all states.\"\"\"
+    row = [np.asarray(weight, dtype=_R) for weight in weights]
+    p = tail
+    q: list[Array] = []  # p^2
+    for k in range({part}):
+        v = p[k] + p[k]
+        for m in range(k):
+            v = v + p[m] * p[k - m - 1]
+        q.append(v)
+    for first in range(0, {tail}, 2):
+        for k in range(first, {tail}):
+            power = p if k == first else q
+            v = row[k]
+            for m in range(k + 1, {weights}):
+                v = v + power[m - k - 1] * row[m]
+            row[k] = v
+    return row
+
+"
+    )
+}

@@ -1,0 +1,251 @@
+//! The items: structures, functions and the trait.
+
+use super::super::block::{Block, Gives};
+use super::super::text::Text;
+use super::Rust;
+use crate::code::{Access, Function, Owner, Place, Shape, Statement, Status, Variable};
+use crate::parameter::type_name;
+
+/// Columns of the fields of a structure in one line.
+const FIELDS: usize = 18;
+
+impl Rust<'_> {
+    pub(super) fn items(mut self) -> String {
+        let code = self.code;
+        let kind = type_name(&code.name);
+        let about = format!("Run-time parameters of [`{kind}`].");
+        self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
+        self.structure(&kind, "Prescribed-time controller.", &code.fields, false);
+        if !code.gains.is_empty() {
+            let about = format!("Feedback gains of [`{kind}`] at one time.");
+            self.structure(&format!("{kind}Gains"), &about, &code.gains, true);
+        }
+        self.out.line(ALLOWED);
+        self.out.open(format!("impl {kind} {{"));
+        self.init(&kind);
+        for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
+            self.function(function);
+        }
+        let formed = code.functions.iter().flat_map(|function| &function.body);
+        let weights = formed.filter_map(|statement| match statement {
+            Statement::Rows { weights, .. } => Some(weights.len()),
+            _ => None,
+        });
+        if let Some(weights) = weights.max() {
+            self.rows_function(weights);
+        }
+        self.out.close("}");
+        if !code.gains.is_empty() {
+            self.out.line("");
+            self.out.line(ALLOWED);
+            self.out.open(format!("impl {kind}Gains {{"));
+            for function in code.functions.iter().filter(|f| f.owner == Owner::Gains) {
+                self.function(function);
+            }
+            self.out.close("}");
+        }
+        self.implementation(&kind);
+        self.out.text()
+    }
+
+    fn structure(&mut self, name: &str, about: &str, members: &[Variable], public: bool) {
+        self.out.line(format!("/// {about}"));
+        self.out.line("#[derive(Clone, Copy, Debug, PartialEq)]");
+        self.out.line("#[allow(non_snake_case)]");
+        if members.is_empty() {
+            return self.out.line(format!("pub struct {name} {{}}\n"));
+        }
+        self.out.open(format!("pub struct {name} {{"));
+        for member in members {
+            let kind = self.type_of(member.shape);
+            self.out.line(format!("/// {}.", doc(&member.about)));
+            let public = if public { "pub " } else { "" };
+            self.out.line(format!("{public}{}: {kind},", member.name));
+        }
+        if name.ends_with("Gains") && public {
+            self.out.line("/// `Ok` or `Hold`.");
+            self.out.line(format!("pub status: {}Status,", self.runtime));
+        }
+        self.out.close("}");
+        self.out.line("");
+    }
+
+    fn init(&mut self, kind: &str) {
+        let (code, runtime) = (self.code, self.runtime);
+        self.out.words("/// ", &code.starts().replace("params.t0", "`params.t0`"));
+        self.out.line("///");
+        self.out.line("/// # Errors");
+        self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.");
+        let result = format!(" -> Result<Self, {runtime}Error>");
+        let mut list = vec![format!("params: {kind}Params")];
+        let state = code.start.as_ref().and_then(|start| start.state.as_ref());
+        list.extend(state.map(|state| format!("{}: &{}", state.name, self.type_of(state.shape))));
+        self.signature("new", &list, &result);
+        let mut fields = Vec::new();
+        for statement in &code.init {
+            match statement {
+                Statement::Set(Place::Field(name), value) => {
+                    let value = self.alone(value);
+                    fields.push(if *name == value { value } else { format!("{name}: {value}") });
+                }
+                other => self.statement(other),
+            }
+        }
+        let Some(start) = &code.start else {
+            self.built("Ok(Self", &fields, ")");
+            return self.out.close("}");
+        };
+        self.built("let mut built = Self", &fields, ";");
+        let mut list = vec![self.alone(&start.time)];
+        list.extend(state.map(|state| state.name.clone()));
+        self.out.line(format!("built.arm({})?;\nOk(built)", list.join(", ")));
+        self.out.close("}");
+    }
+
+    fn built(&mut self, before: &str, fields: &[String], behind: &str) {
+        if fields.join(", ").len() <= FIELDS {
+            return self.out.line(format!("{before} {{ {} }}{behind}", fields.join(", ")));
+        }
+        self.out.open(format!("{before} {{"));
+        for field in fields {
+            self.out.line(format!("{field},"));
+        }
+        self.out.close(format!("}}{behind}"));
+    }
+
+    fn function(&mut self, function: &Function) {
+        let runtime = self.runtime;
+        self.gives = Gives::of(function);
+        let access = if function.access == Access::Read { "&self" } else { "&mut self" };
+        let mut list = vec![access.to_owned()];
+        for argument in &function.arguments {
+            let kind = self.type_of(argument.shape);
+            let by = if argument.shape.length().is_some() { "&" } else { "" };
+            list.push(format!("{}: {by}{kind}", argument.name));
+        }
+        let (real, array) = (self.type_of(Shape::Real), self.states());
+        for callback in &function.callbacks {
+            list.push(format!("{}: impl FnOnce(&{array}, {real}) -> {real}", callback.name));
+        }
+        let given = function.results.first().map(|result| self.type_of(result.shape));
+        let given = given.unwrap_or_else(|| "()".to_owned());
+        let result = match self.gives {
+            Gives::Nothing => String::new(),
+            Gives::Control => format!(" -> Result<{runtime}Control<{given}>, {runtime}Error>"),
+            Gives::Array | Gives::Number => format!(" -> {given}"),
+            _ => format!(" -> Result<{given}, {runtime}Error>"),
+        };
+        self.out.line("");
+        self.out.words("/// ", &doc(&function.about));
+        for callback in &function.callbacks {
+            self.out.words("/// ", &doc(&format!("`{}`: {}", callback.name, callback.about)));
+        }
+        if result.contains("Error") {
+            let errors = function.failures.iter().map(|status| match status {
+                Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
+                Status::Input => "`Input`: an argument is not finite or out of its domain.",
+                _ => "`Range`: u is not finite.",
+            });
+            let errors: Vec<_> = errors.collect();
+            let errors = if errors.is_empty() { "None.".to_owned() } else { errors.join(" ") };
+            self.out.line("///\n/// # Errors");
+            self.out.words("/// ", &errors);
+        }
+        self.out.line("#[inline]");
+        self.signature(function.name, &list, &result);
+        self.block(&function.body);
+        if self.gives != Gives::Gains {
+            self.finish(&function.finish);
+            return self.out.close("}");
+        }
+        self.out.open("let status = {");
+        self.finish(&function.finish);
+        self.out.close("};");
+        let values = function.finish.results().unwrap_or_default();
+        let mut values = self.list(values).into_iter();
+        self.out.open(format!("Ok({given} {{"));
+        for field in &self.code.gains {
+            let name = &field.name;
+            let value = match field.shape.length() {
+                Some(n) => format!("[{}]", values.by_ref().take(n).collect::<Vec<_>>().join(", ")),
+                None => values.next().unwrap_or_default(),
+            };
+            self.out.line(format!("{name}: {value},"));
+        }
+        self.out.line("status,");
+        self.out.close("})");
+        self.out.close("}");
+    }
+
+    /// The type of the states.
+    fn states(&self) -> String {
+        let arguments = self.code.functions.iter().flat_map(|function| &function.arguments);
+        let array = arguments.map(|argument| argument.shape).find(|shape| shape.length().is_some());
+        self.type_of(array.unwrap_or(Shape::Reals(1)))
+    }
+
+    /// The trait of all controllers that need nothing but t and x.
+    fn implementation(&mut self, kind: &str) {
+        let (code, runtime) = (self.code, self.runtime);
+        let (Some(arm), Some(step), Some(_)) =
+            (code.function("arm"), code.function("step"), &code.start)
+        else {
+            return;
+        };
+        if arm.arguments.len() > 1 || !step.callbacks.is_empty() {
+            return;
+        }
+        let (real, array) = (self.type_of(Shape::Real), self.states());
+        let n = step.arguments.iter().find_map(|argument| argument.shape.length()).unwrap_or(1);
+        self.out.line("");
+        self.out.open(format!("impl {runtime}Controller<{n}> for {kind} {{"));
+        self.out.line(format!("type Real = {real};\n"));
+        let result = format!(" -> Result<(), {runtime}Error>");
+        self.method("arm", &["&mut self".to_owned(), format!("t0: {real}")], &result);
+        self.out.line("Self::arm(self, t0)");
+        self.out.close("}");
+        self.out.line("");
+        let result = format!(" -> Result<{runtime}Control<{real}>, {runtime}Error>");
+        let list = ["&self".to_owned(), format!("t: {real}"), format!("x: &{array}")];
+        self.method("step", &list, &result);
+        self.out.line("Self::step(self, t, x)");
+        self.out.close("}");
+        self.out.close("}");
+    }
+
+    fn signature(&mut self, name: &str, list: &[String], result: &str) {
+        self.method(&format!("pub {name}"), list, result);
+    }
+
+    fn method(&mut self, name: &str, list: &[String], result: &str) {
+        let name = match name.strip_prefix("pub ") {
+            Some(name) => format!("pub fn {name}"),
+            None => format!("fn {name}"),
+        };
+        let line = format!("{name}({}){result} {{", list.join(", "));
+        if self.out.has_room(&line) {
+            return self.out.open(line);
+        }
+        self.out.open(format!("{name}("));
+        for argument in list {
+            self.out.line(format!("{argument},"));
+        }
+        self.out.turn(format!("){result} {{"));
+    }
+}
+
+/// What the lints need not judge: names and shape follow the formulas.
+const ALLOWED: &str = "\
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]";
+
+/// Text as rustdoc, which takes brackets for links.
+fn doc(text: &str) -> String {
+    text.replace('[', "\\[").replace(']', "\\]")
+}

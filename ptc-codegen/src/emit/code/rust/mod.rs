@@ -1,0 +1,243 @@
+//! Rust: `no_std`, no allocation, no panic, no unsafe code.
+
+mod items;
+mod module;
+mod rows;
+
+use super::block::{Block, Branch, Gives};
+use super::text::{Level, Lines, Text, bracketed};
+use crate::code::{Code, Ending, Expr, Shape, Status, Test};
+use crate::emit::File;
+use crate::parameter::{Precision, type_name};
+
+/// The file of a controller, which stands alone.
+pub(in crate::emit) fn file(code: &Code) -> File {
+    let items = Rust::new(code, "").items();
+    let text = module::text(&code.head, code.precision, &items);
+    File { name: format!("{}.rs", code.name), text }
+}
+
+/// The items alone, on the types of the facade crate.
+pub(in crate::emit) fn items(code: &Code) -> String {
+    Rust::new(code, "::ptc::").items()
+}
+
+struct Rust<'a> {
+    code: &'a Code,
+    /// Path of the types that the items stand on.
+    runtime: &'static str,
+    /// What the function gives that is being printed.
+    gives: Gives,
+    out: Lines,
+}
+
+impl Text for Rust<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn literal(&self, digits: &str) -> String {
+        digits.to_owned()
+    }
+
+    fn count(&self, count: u32) -> String {
+        count.to_string()
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("self.{name}")
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{a}.wrapping_sub({b})"))
+    }
+
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        let typed = a.bytes().all(|b| b.is_ascii_digit());
+        (Level::Atom, format!("{a}{}.saturating_sub({b})", if typed { "_u32" } else { "" }))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / 2"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        // In brackets wherever it is compared: `<` behind a type opens its arguments.
+        (Level::Choice, format!("{} as {}", bracketed(count), self.type_of(Shape::Real)))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let path = match self.runtime {
+            "" => "math".to_owned(),
+            runtime => format!("{runtime}math::{}", self.type_of(Shape::Real)),
+        };
+        format!("{path}::{function}({})", arguments.join(", "))
+    }
+
+    fn abs(&self, a: &str) -> String {
+        let name = a.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+        if name { format!("{a}.abs()") } else { format!("({a}).abs()") }
+    }
+
+    fn sign(&self, a: &str) -> (Level, String) {
+        let text = format!("if {a} > 0.0 {{ 1.0 }} else if {a} < 0.0 {{ -1.0 }} else {{ {a} }}");
+        (Level::Choice, text)
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        let nan = format!("{}::NAN", self.type_of(Shape::Real));
+        (Level::Choice, format!("if {b} < 0.0 || {b} > 0.0 {{ {a} / {b} }} else {{ {nan} }}"))
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("{value}.is_finite()")
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("{value}.is_nan()")
+    }
+}
+
+impl Block for Rust<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "if ", turn: "} else if ", then: " {", otherwise: "} else {", end: "}" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("// ", "")
+    }
+
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        format!("let {name} = {value};")
+    }
+
+    fn declare(&self, name: &str, shape: Shape) -> Option<String> {
+        Some(format!("let {name}: {};", self.type_of(shape)))
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} = {value};")
+    }
+
+    /// A choice is a block each way where rustfmt makes it one.
+    fn value(&self, value: &Expr) -> String {
+        let text = self.alone(value);
+        match value {
+            Expr::Choose(test, yes, no) if text.len() > CHOICE => {
+                let (test, yes, no) = (self.test(test), self.alone(yes), self.alone(no));
+                format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
+            }
+            _ => text,
+        }
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let line = self.unless("!", test, "\n    && ", " {");
+        let line = if line.contains('\n') { line.replace(") {", ")\n{") } else { line };
+        self.out.open(line);
+        self.out.line(format!("return Err({}Error::{});", self.runtime, status.name()));
+        self.out.close("}");
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let list = self.list(values);
+        let line = self.out.list(&format!("let {name} = &["), &list, "];");
+        self.out.line(line);
+    }
+
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        for (array, values) in [("weights", weights), ("tail", tail)] {
+            let list = self.list(values);
+            let line = self.out.list(&format!("let {array} = ["), &list, "];");
+            self.out.line(line);
+        }
+        self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
+    }
+
+    fn rounds(&self, rounds: u32) -> [String; 2] {
+        [format!("for _ in 0..{rounds} {{"), "}".to_owned()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "break;"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("let mut {name} = {value};")
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        let runtime = self.runtime;
+        let list = self.list(values);
+        let status = match ending {
+            Ending::Known(status) => format!("{runtime}Status::{}", status.name()),
+            Ending::OfGains => "self.status".to_owned(),
+        };
+        match self.gives {
+            Gives::Nothing => {}
+            Gives::Status => self.out.line("Ok(())"),
+            Gives::Control => {
+                let value = list.join(", ");
+                let u = if value == "u" { value } else { format!("u: {value}") };
+                self.out.line(format!("Ok({runtime}Control {{ {u}, status: {status} }})"));
+            }
+            Gives::Rate | Gives::Array => {
+                let (before, behind) =
+                    if self.gives == Gives::Rate { ("Ok([", "])") } else { ("[", "]") };
+                let line = match list.join(", ").len() > ARRAY {
+                    true => format!("{before}\n    {},\n{behind}", list.join(",\n    ")),
+                    false => format!("{before}{}{behind}", list.join(", ")),
+                };
+                self.out.line(line);
+            }
+            Gives::Gains => self.out.line(status),
+            Gives::Number => self.out.line(list.join(", ")),
+        }
+    }
+
+    fn fail(&mut self, status: Status) {
+        self.out.line(format!("Err({}Error::{})", self.runtime, status.name()));
+    }
+}
+
+/// Columns of an array in one line.
+const ARRAY: usize = 58;
+
+/// Columns of a choice in one line.
+const CHOICE: usize = 50;
+
+impl<'a> Rust<'a> {
+    fn new(code: &'a Code, runtime: &'static str) -> Self {
+        Self { code, runtime, gives: Gives::Status, out: Lines::default() }
+    }
+
+    fn type_of(&self, shape: Shape) -> String {
+        let real = if self.code.precision == Precision::F32 { "f32" } else { "f64" };
+        match shape {
+            Shape::Count => "u32".to_owned(),
+            Shape::Real => real.to_owned(),
+            Shape::Reals(length) => format!("[{real}; {length}]"),
+            Shape::Gains => format!("{}Gains", type_name(&self.code.name)),
+        }
+    }
+
+    fn list(&self, values: &[Expr]) -> Vec<String> {
+        values.iter().map(|value| self.alone(value)).collect()
+    }
+}

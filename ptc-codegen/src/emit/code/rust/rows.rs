@@ -1,0 +1,39 @@
+//! The loops over the powers of a series.
+
+use super::Rust;
+use crate::code::Shape;
+
+impl Rust<'_> {
+    /// The function that forms so many rows.
+    pub(super) fn rows_function(&mut self, weights: usize) {
+        let (real, tail) = (self.type_of(Shape::Real), weights - 1);
+        let part = tail - 1;
+        self.out.line(format!(
+            "
+/// Loops over the powers of the Taylor series of mu, for the gains of all states at once.
+fn rows(mut rows: [{real}; {weights}], tail: &[{real}; {tail}]) -> [{real}; {weights}] {{
+    let mut square = [0.0; {part}];
+    for (d, (sum, own)) in square.iter_mut().zip(tail).enumerate() {{
+        *sum = *own + *own;
+        for (a, b) in tail.iter().take(d).zip(tail.iter().take(d).rev()) {{
+            *sum += *a * *b;
+        }}
+    }}
+    let mut round: &mut [_] = &mut rows;
+    while !round.is_empty() {{
+        let mut power: &[_] = tail;
+        let mut part = &mut *round;
+        while let Some((sum, later)) = part.split_first_mut() {{
+            for (coefficient, row) in power.iter().zip(later.iter()) {{
+                *sum += *coefficient * *row;
+            }}
+            power = &square;
+            part = later;
+        }}
+        round = round.get_mut(2..).unwrap_or_default();
+    }}
+    rows
+}}"
+        ));
+    }
+}

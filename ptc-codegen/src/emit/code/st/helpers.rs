@@ -1,0 +1,116 @@
+//! Functions beside the block, and what its head says of its use.
+
+use crate::code::Code;
+
+/// Differences of counts.
+pub(super) const COUNTS: &str = "\
+(* a - b, modulo 2^32. *)
+FUNCTION NAME_ticks : UDINT
+VAR_INPUT
+    a : UDINT;
+    b : UDINT;
+END_VAR
+IF b <= a THEN
+    NAME_ticks := a - b;
+ELSE
+    NAME_ticks := (UDINT#4294967295 - b) + a + UDINT#1;
+END_IF;
+END_FUNCTION
+
+(* a - b, 0 where b is greater. *)
+FUNCTION NAME_left : UDINT
+VAR_INPUT
+    a : UDINT;
+    b : UDINT;
+END_VAR
+IF b < a THEN
+    NAME_left := a - b;
+ELSE
+    NAME_left := UDINT#0;
+END_IF;
+END_FUNCTION
+";
+
+/// A quotient.
+pub(super) const QUOTIENT: &str = "\
+(* a / b, and not a number where b is 0: some controllers stop at a division by 0. *)
+FUNCTION NAME_quotient : REAL
+VAR_INPUT
+    a : REAL;
+    b : REAL;
+END_VAR
+VAR
+    huge : REAL;
+END_VAR
+IF (b < ZERO) OR (b > ZERO) THEN
+    NAME_quotient := a / b;
+ELSE
+    huge := HUGE;
+    huge := huge * huge;
+    NAME_quotient := huge - huge;
+END_IF;
+END_FUNCTION
+";
+
+/// The loops that form rows in the array `name`.
+pub(super) fn rows(name: &str, weights: usize) -> String {
+    let tail = weights - 1;
+    let part = tail - 1;
+    format!(
+        "\
+FOR row_k := 1 TO {part} DO
+    row_v := p[row_k] + p[row_k];
+    FOR row_m := 1 TO row_k - 1 DO
+        row_v := row_v + (p[row_m] * p[row_k - row_m]);
+    END_FOR;
+    q[row_k] := row_v;
+END_FOR;
+FOR row_first := 1 TO {tail} BY 2 DO
+    FOR row_k := row_first TO {tail} DO
+        row_v := {name}[row_k];
+        FOR row_m := row_k + 1 TO {weights} DO
+            IF row_k = row_first THEN
+                row_v := row_v + (p[row_m - row_k] * {name}[row_m]);
+            ELSE
+                row_v := row_v + (q[row_m - row_k] * {name}[row_m]);
+            END_IF;
+        END_FOR;
+        {name}[row_k] := row_v;
+    END_FOR;
+END_FOR;"
+    )
+}
+
+/// How the function block is used.
+pub(super) fn about(code: &Code, real: &str) -> String {
+    let (start, again, call) = match code.start {
+        None => ("at tick 0", "tick k", "once for each tick k"),
+        Some(_) => ("at params.t0 (or the fixed t0)", "start_time", "at each time t"),
+    };
+    let mut text = format!(
+        "\
+Call it with init once, which takes params and starts {start};
+with arm to start again at {again}; then with neither, {call}.
+One call does one of these.
+
+status; on a negative one u is 0 and nothing has changed; u is 0 after init and arm too:
+   0  tracking, or init or arm done
+   1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+   2  saturated: u clipped to u_max; wins over 1 and 3
+   3  after: the deadline is over, u is 0 or that of the user-defined law
+  -1  a parameter outside its domain, or coefficients that overflow; arm without init
+  -2  an argument is not finite or out of its domain, or no init before
+  -3  u not finite
+Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
+    );
+    let step = code.function("step");
+    let length = step.and_then(|step| step.arguments.iter().find_map(|a| a.shape.length()));
+    for callback in step.into_iter().flat_map(|step| &step.callbacks) {
+        let (name, array, n) = (callback.name, callback.array, length.unwrap_or(1));
+        text.push_str(&format!(
+            "\n{}\n  It is a FUNCTION {}_{name} : {real} of the project, with the inputs\n  {array} : ARRAY[1..{n}] OF {real} and t : {real}.",
+            callback.about, code.name
+        ));
+    }
+    text
+}

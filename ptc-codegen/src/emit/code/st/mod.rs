@@ -1,0 +1,209 @@
+//! IEC 61131-3 Structured Text: a function block. Counts never overflow in it, for what becomes of
+//! them then depends on the controller.
+
+mod block;
+mod helpers;
+
+use super::block::{Block, Branch, Gives};
+use super::text::{Level, Lines, Text};
+use crate::code::{Code, Ending, Expr, Finish, Owner, Shape, Status, Test};
+use crate::emit::{File, st};
+use crate::parameter::Precision;
+
+struct StructuredText<'a> {
+    code: &'a Code,
+    real: &'static str,
+    /// The structure whose fields are set.
+    owner: &'static str,
+    out: Lines,
+}
+
+/// The file of a controller.
+pub(in crate::emit) fn file(code: &Code) -> File {
+    let real = if code.precision == Precision::F32 { "REAL" } else { "LREAL" };
+    let text = StructuredText { code, real, owner: "self", out: Lines::default() }.text();
+    File { name: format!("{}.st", code.name), text }
+}
+
+impl Text for StructuredText<'_> {
+    fn precision(&self) -> Precision {
+        self.code.precision
+    }
+
+    fn literal(&self, digits: &str) -> String {
+        st::literal(digits, self.code.precision)
+    }
+
+    fn count(&self, count: u32) -> String {
+        format!("UDINT#{count}")
+    }
+
+    /// Capitals and small letters are one. Words of the language, and the function block's own names,
+    /// are left to them.
+    fn local(&self, name: &str) -> String {
+        let letter = |c: char| match c.is_ascii_uppercase() {
+            true => format!("cap_{}", c.to_ascii_lowercase()),
+            false => c.to_string(),
+        };
+        let name: String = name.chars().map(letter).collect();
+        let own = ["built", "ready", "self", "status", "u"].contains(&name.as_str());
+        let given = self.outputs().any(|function| function.name == name);
+        if own || given || st::is_word(&name) { format!("{name}_now") } else { name }
+    }
+
+    fn field(&self, name: &str) -> String {
+        format!("{}.{}", self.owner, self.local(name))
+    }
+
+    fn parameter(&self, name: &str) -> String {
+        format!("params.{name}")
+    }
+
+    fn element(&self, array: &str, index: usize) -> String {
+        format!("{array}[{}]", index + 1)
+    }
+
+    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{}_ticks({a}, {b})", self.code.name))
+    }
+
+    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{}_left({a}, {b})", self.code.name))
+    }
+
+    fn count_half(&self, count: &str) -> (Level, String) {
+        (Level::Product, format!("{count} / UDINT#2"))
+    }
+
+    fn real(&self, count: &str) -> (Level, String) {
+        (Level::Atom, format!("UDINT_TO_{}({count})", self.real))
+    }
+
+    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
+        (Level::Atom, format!("SEL({test}, {no}, {yes})"))
+    }
+
+    fn call(&self, function: &str, arguments: &[String]) -> String {
+        let function = if function == "pow" { "EXPT".to_owned() } else { function.to_uppercase() };
+        format!("{function}({})", arguments.join(", "))
+    }
+
+    fn abs(&self, a: &str) -> String {
+        format!("ABS({a})")
+    }
+
+    fn sign(&self, a: &str) -> (Level, String) {
+        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
+        (Level::Atom, format!("SEL({a} > {zero}, SEL({a} < {zero}, {a}, -{one}), {one})"))
+    }
+
+    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
+        (Level::Atom, format!("{}_quotient({a}, {b})", self.code.name))
+    }
+
+    fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        format!("{}_{name}({array}, {time})", self.code.name)
+    }
+
+    fn not_number(&self, value: &str) -> String {
+        format!("({value} <> {value})")
+    }
+
+    fn finite(&self, value: &str) -> String {
+        format!("(ABS({value}) <= {})", st::greatest(self.code.precision))
+    }
+
+    fn and(&self) -> &'static str {
+        "AND"
+    }
+
+    fn or(&self) -> &'static str {
+        "OR"
+    }
+
+    fn equal(&self) -> &'static str {
+        "="
+    }
+}
+
+impl Block for StructuredText<'_> {
+    fn out(&mut self) -> &mut Lines {
+        &mut self.out
+    }
+
+    fn lines(&self) -> &Lines {
+        &self.out
+    }
+
+    fn branch(&self) -> Branch {
+        Branch { open: "IF ", turn: "ELSIF ", then: " THEN", otherwise: "ELSE", end: "END_IF;" }
+    }
+
+    fn comment(&self) -> (&'static str, &'static str) {
+        ("(* ", " *)")
+    }
+
+    fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
+        format!("{name} := {value};")
+    }
+
+    /// All variables stand before the statements.
+    fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
+        None
+    }
+
+    fn assign(&self, place: &str, value: &str) -> String {
+        format!("{place} := {value};")
+    }
+
+    fn require(&mut self, test: &Test, status: Status) {
+        let line = self.unless("NOT ", test, "\n    AND ", " THEN");
+        self.out.open(line);
+        self.out.line(format!("status := {};\nRETURN;", status.number()));
+        self.out.close("END_IF;");
+    }
+
+    fn array(&mut self, name: &str, values: &[Expr]) {
+        let name = self.local(name);
+        for (index, value) in values.iter().enumerate() {
+            let value = self.alone(value);
+            self.out.line(format!("{name}[{}] := {value};", index + 1));
+        }
+    }
+
+    /// A function gives no array, so the loops stand where they are needed.
+    fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
+        self.array("p", tail);
+        self.array(name, weights);
+        let loops = helpers::rows(&self.local(name), weights.len());
+        self.out.line(loops);
+    }
+
+    fn rounds(&self, rounds: u32) -> [String; 2] {
+        [format!("FOR attempt := 1 TO {rounds} DO"), "END_FOR;".to_owned()]
+    }
+
+    fn leave(&self) -> &'static str {
+        "EXIT;"
+    }
+
+    fn begin(&self, name: &str, value: &str) -> String {
+        format!("{name} := {value};")
+    }
+
+    fn give(&mut self, values: &[Expr], ending: Ending) {
+        if let [value] = values {
+            let value = self.alone(value);
+            self.out.line(format!("u := {value};"));
+        }
+        if let Ending::Known(status) = ending {
+            self.out.line(format!("status := {};", status.number()));
+        }
+    }
+
+    /// u is 0 from the start.
+    fn fail(&mut self, status: Status) {
+        self.out.line(format!("status := {};", status.number()));
+    }
+}
+
