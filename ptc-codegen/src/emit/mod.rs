@@ -7,6 +7,7 @@ mod acsl;
 mod c;
 mod cpp;
 mod declared;
+mod digits;
 mod eva;
 mod example;
 pub mod fmu;
@@ -33,8 +34,9 @@ use crate::internal::fault;
 use crate::law::Law;
 use crate::program::{Op, Program, Value};
 use crate::selftest::SelfTest;
-use crate::spec::{After, Feedback, Parameter, Spec, What};
+use crate::spec::{After, Feedback, Parameter, Precision, Spec, What};
 use declared::{Declared, declared};
+use frame::Frame;
 use plan::{Field, Plan};
 
 /// A language to emit.
@@ -203,6 +205,11 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
         }
     }
     (target.refuse)(controller, &mut found);
+    if let Some(message) = digits::lost(controller) {
+        let help = "the fixed parameters and gains are too far from 1 together: take other units, of \
+                    time for example, or leave some of them to run time";
+        found.push("no-digits", "gains", None, message, help);
+    }
     found.finish(Some(()))?;
     Ok((target.files)(controller))
 }
@@ -221,15 +228,46 @@ pub fn emit_selftest(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> 
     selftest::files(controller, test)
 }
 
-/// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
-/// name of its field.
-pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
-    let fields = Plan::new(program, str::to_owned).fields;
-    let derived = |field: &&Field| is_derived(program, field);
-    [false, true].map(|armed| {
-        let own = fields.iter().filter(|field| field.armed == armed).filter(derived);
-        own.map(|field| (field.value, field.name.clone())).collect()
-    })
+/// A condition of `init` or `arm` on what they compute.
+pub struct Checked {
+    check: digits::Condition,
+    /// The condition as it is emitted in C.
+    pub condition: String,
+}
+
+impl Checked {
+    /// The values it looks at.
+    pub fn values(&self) -> Vec<Value> {
+        self.check.values()
+    }
+
+    /// Whether it holds for numbers of those values.
+    pub fn holds(&self, numbers: &[f64], precision: Precision) -> bool {
+        self.check.holds(numbers, precision)
+    }
+
+    /// Whether it looks at the end of the range only where a factor is not 0.
+    pub fn has_factors(&self) -> bool {
+        matches!(self.check, digits::Condition::Kept(..))
+    }
+}
+
+/// What `init`, and then `arm`, check of what they compute, in the order of the checks.
+pub fn checked(controller: &Controller<'_>) -> [Vec<Checked>; 2] {
+    let (spec, program) = (controller.spec(), controller.program);
+    let frame = Frame::new(controller, c::real(spec), &c::C::new(spec));
+    let plan = Plan::new(program, str::to_owned);
+    let finite = |armed: bool| {
+        let fields = plan.fields.iter().filter(move |field| field.armed == armed);
+        fields.filter(|f| is_derived(program, f)).map(|f| digits::Condition::Finite(f.value))
+    };
+    let init = digits::checks(spec, &plan).into_iter().chain(finite(false));
+    let armed = frame.latched_fields.iter().map(|field| format!("isfinite({field})"));
+    let with = |check, condition| Checked { check, condition };
+    [
+        init.zip(frame.finite).map(|(check, text)| with(check, text)).collect(),
+        finite(true).zip(armed).map(|(check, text)| with(check, text)).collect(),
+    ]
 }
 
 /// Whether a field is to be checked: one that is a parameter as it was given has been checked by

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
 use super::{CANDIDATES, Call, Draw, Session, Unreachable};
-use crate::emit::Controller;
+use crate::emit::{Controller, checked};
 use crate::program::number::settle;
 use crate::reference::Status;
 use crate::spec::{Guard, Parameter};
@@ -19,9 +19,11 @@ pub(super) fn sessions(
     controller: &Controller<'_>,
     chosen: &Chosen<'_>,
 ) -> (Vec<Session>, Vec<Unreachable>) {
-    let mut maker = Maker { controller, chosen, taken: BTreeSet::new() };
+    let checked = checked(controller);
+    let mut maker = Maker { controller, chosen, taken: BTreeSet::new(), checked };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
     sessions.extend(maker.bounded());
+    sessions.extend(maker.without_gains());
     sessions.extend(maker.out_of_range());
     sessions.extend(maker.branches());
     sessions.retain(|session| !session.calls.is_empty());
@@ -134,6 +136,27 @@ impl Maker<'_> {
             self.ask(&mut session, t, &x);
         }
         session
+    }
+
+    /// Gains of 0, with which products in `init` are 0 by right.
+    fn without_gains(&mut self) -> Option<Session> {
+        let n = self.spec().n;
+        self.checked[0].iter().find(|check| check.has_factors())?;
+        let mut session = self.session(0.0625);
+        let all = self.spec().run_time_parameters();
+        for (value, parameter) in session.parameters.iter_mut().zip(all) {
+            if matches!(parameter, Parameter::Gain(_)) {
+                *value = self.chosen.legal(parameter, 0.0);
+            }
+        }
+        if !self.is_taken(&session) {
+            return None;
+        }
+        let tau = self.parameter(&session, Parameter::Tau);
+        let t = self.time(&session, 0.5 * tau);
+        let x = self.within(&session, t, &state(n, 1.0));
+        self.ask(&mut session, t, &x);
+        Some(session)
     }
 
     /// u at its bound from both sides, while tracking, in the hold and after the deadline.

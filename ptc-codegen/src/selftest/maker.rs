@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
 use super::{Call, Session, greatest, own_law, own_rest};
-use crate::emit::{Controller, checked_fields};
+use crate::emit::{Checked, Controller};
 use crate::program::interpret::Decision;
 use crate::program::number::settle;
 use crate::reference::{self, Status, evaluate, tolerance};
@@ -18,6 +18,8 @@ pub(super) struct Maker<'a> {
     pub(super) chosen: &'a Chosen<'a>,
     /// The branches that were taken so far.
     pub(super) taken: BTreeSet<Decision>,
+    /// What `init` and `arm` check of what they compute.
+    pub(super) checked: [Vec<Checked>; 2],
 }
 
 impl<'a> Maker<'a> {
@@ -137,7 +139,7 @@ impl<'a> Maker<'a> {
         Some(status)
     }
 
-    /// Whether `init` takes the parameters: neither a coefficient nor the deadline overflows.
+    /// Whether `init` takes the parameters: neither a coefficient nor the deadline leaves the range.
     pub(super) fn is_taken(&self, session: &Session) -> bool {
         let zeros = vec![0.0; self.spec().n];
         let start = self.parameter(session, Parameter::StartTime);
@@ -146,9 +148,8 @@ impl<'a> Maker<'a> {
         let (controller, x0) = (self.controller, session.x0.as_slice());
         let parameters = &session.parameters;
         let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
-        let [fields, armed] = checked_fields(controller.program);
-        let excess = trial.first_excess(&fields).or_else(|| trial.first_excess(&armed));
-        deadline.is_finite() && excess.is_none()
+        deadline.is_finite()
+            && self.checked.iter().all(|checks| trial.first_failure(checks).is_none())
     }
 
     pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {

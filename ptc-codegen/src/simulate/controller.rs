@@ -24,7 +24,7 @@ pub struct Controller {
     after: After,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
-    parameters: Vec<(Parameter, Domain)>,
+    spec: Spec,
     start: f64,
 }
 
@@ -52,7 +52,7 @@ impl Controller {
             step: program.step,
             guard: spec.guard,
             after: spec.after,
-            parameters: spec.run_time_parameters().map(|p| (p, spec.domain(p))).collect(),
+            spec,
             start: f64::NAN,
         })
     }
@@ -64,19 +64,21 @@ impl Controller {
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.machine)?;
         values.give(&mut self.smooth)?;
-        for (parameter, domain) in &self.parameters {
-            let value = values.get(*parameter);
-            let legal = match domain {
+        for parameter in self.spec.run_time_parameters() {
+            let value = values.get(parameter);
+            let legal = match self.spec.domain(parameter) {
                 Domain::Finite | Domain::Within => value.is_finite(),
-                Domain::Positive => value.is_finite() && value > 0.0,
+                Domain::Positive => self.spec.keeps_digits(parameter, value),
                 Domain::PositiveOrInfinite => value > 0.0,
-                Domain::BelowTau => value > 0.0 && value < values.get(Parameter::Tau),
+                Domain::BelowTau => {
+                    self.spec.keeps_digits(parameter, value) && value < values.get(Parameter::Tau)
+                }
             };
             if !legal {
                 let name = parameter.spelling();
                 return Err(Failure::input(
                     format!("{name} = {value} is outside its domain"),
-                    format!("{name} ({}) is {}", parameter.meaning(), domain.text()),
+                    format!("{name} ({}) is {}", parameter.meaning(), self.spec.legal(parameter)),
                 ));
             }
         }

@@ -163,7 +163,7 @@ impl<'a> Reader<'a> {
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
-        self.representable(&spec.fixed, precision);
+        self.representable(&spec);
         (n.is_some() && mapping.is_some()).then_some(spec)
     }
 
