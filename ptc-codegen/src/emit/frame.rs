@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::digits::{self, Condition};
 use super::plan::{Field, Plan, Routine, parameter_name};
 use super::print::{self, Syntax};
 use super::{Controller, is_derived};
 use crate::internal::fault;
+use crate::program::digits::{self, Condition};
 use crate::program::{Input, Op, Value, number};
 use crate::spec::{After, Domain, Feedback, Fixed, Guard, Parameter, Precision, Spec, What};
 
@@ -230,7 +230,7 @@ struct Digits {
 
 impl Digits {
     fn new(spec: &Spec, plan: &Plan<'_>, syntax: &dyn Syntax) -> Self {
-        let checks = digits::checks(spec, plan);
+        let checks = digits::checks(spec, plan.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
         let mut init = print::print_with(plan, Routine::Init, &values, syntax);
         let texts = init.roots.split_off(init.roots.len() - values.len());

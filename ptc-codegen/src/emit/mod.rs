@@ -7,7 +7,6 @@ mod acsl;
 mod c;
 mod cpp;
 mod declared;
-mod digits;
 mod eva;
 mod example;
 pub mod fmu;
@@ -32,7 +31,7 @@ use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
 use crate::law::Law;
-use crate::program::{Op, Program, Value};
+use crate::program::{Op, Program, Value, digits};
 use crate::selftest::SelfTest;
 use crate::spec::{After, Feedback, Parameter, Precision, Spec, What};
 use declared::{Declared, declared};
@@ -205,7 +204,7 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
         }
     }
     (target.refuse)(controller, &mut found);
-    if let Some(message) = digits::lost(controller) {
+    if let Some(message) = digits::lost(controller.program) {
         let help = "the fixed parameters and gains are too far from 1 together: take other units, of \
                     time for example, or leave some of them to run time";
         found.push("no-digits", "gains", None, message, help);
@@ -261,7 +260,7 @@ pub fn checked(controller: &Controller<'_>) -> [Vec<Checked>; 2] {
         let fields = plan.fields.iter().filter(move |field| field.armed == armed);
         fields.filter(|f| is_derived(program, f)).map(|f| digits::Condition::Finite(f.value))
     };
-    let init = digits::checks(spec, &plan).into_iter().chain(finite(false));
+    let init = digits::checks(spec, program).into_iter().chain(finite(false));
     let armed = frame.latched_fields.iter().map(|field| format!("isfinite({field})"));
     let with = |check, condition| Checked { check, condition };
     [

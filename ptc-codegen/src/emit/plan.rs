@@ -140,7 +140,7 @@ impl<'a> Plan<'a> {
     }
 
     /// The values that `function` computes itself, in order.
-    pub(super) fn computed(&self, function: Routine) -> Vec<Value> {
+    fn computed(&self, function: Routine) -> Vec<Value> {
         let roots = self.roots(function);
         let mut wanted: BTreeSet<Value> = roots.iter().copied().collect();
         for value in self.program.needed(&roots).into_iter().rev() {

@@ -148,7 +148,11 @@ impl<'a> Maker<'a> {
         let (controller, x0) = (self.controller, session.x0.as_slice());
         let parameters = &session.parameters;
         let trial = Trial { controller, parameters, x0, start, t: start, x: &zeros };
-        deadline.is_finite()
+        let legal = |p: Parameter| self.spec().keeps_digits(p, self.parameter(session, p));
+        let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(session, p));
+        let in_domain = eps < tau && self.spec().run_time_parameters().all(legal);
+        in_domain
+            && deadline.is_finite()
             && self.checked.iter().all(|checks| trial.first_failure(checks).is_none())
     }
 

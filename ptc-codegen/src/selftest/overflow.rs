@@ -129,7 +129,10 @@ pub(super) fn extreme(
     if let Some(eps) = place(Parameter::Eps) {
         let tau = place(Parameter::Tau).map_or(chosen.value(Parameter::Tau, 0.0625), |at| set[at]);
         if set[eps] >= tau {
-            set[eps] = settle(tau / 16.0, spec.precision).max(least(spec));
+            set[eps] = chosen.legal(Parameter::Eps, tau / 16.0);
+        }
+        if let Some(at) = place(Parameter::Tau).filter(|at| set[eps] >= set[*at]) {
+            set[at] = chosen.legal(Parameter::Tau, 16.0 * set[eps]);
         }
     }
     set

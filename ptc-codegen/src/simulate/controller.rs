@@ -3,6 +3,7 @@
 use super::{Failure, Values};
 use crate::law::Law;
 use crate::lower::lower;
+use crate::program::digits::{self, Condition};
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Limits, Stage, Value, passes};
@@ -25,6 +26,9 @@ pub struct Controller {
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
     spec: Spec,
+    /// What `init` checks of what it computes, and what computes that.
+    checks: Vec<Condition>,
+    checked: Machine,
     start: f64,
 }
 
@@ -41,7 +45,11 @@ impl Controller {
         outputs.retain(|value| Some(*value) != program.axis && !program.gains.contains(value));
         outputs.push(program.step);
         let machine = Machine::new(&program, &outputs);
+        let checks = digits::checks(&spec, &program);
+        let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
         Ok(Self {
+            checked: Machine::new(&program, &checked),
+            checks,
             time: machine.slot(Input::Time),
             state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
             smooth: machine.clone(),
@@ -81,6 +89,21 @@ impl Controller {
                     format!("{name} ({}) is {}", parameter.meaning(), self.spec.legal(parameter)),
                 ));
             }
+        }
+        values.give(&mut self.checked)?;
+        self.checked.run(Stage::Init, None);
+        let holds = |check: &Condition| {
+            let numbers: Vec<_> = check.values().iter().map(|v| self.checked.get(*v)).collect();
+            check.holds(&numbers, self.spec.precision)
+        };
+        if !self.checks.iter().all(holds) {
+            let precision = self.spec.precision.name();
+            return Err(Failure::input(
+                format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
+                "the parameters and gains are too far from 1 together: take other units, of time for \
+                 example"
+                    .to_owned(),
+            ));
         }
         for machine in [&mut self.machine, &mut self.smooth] {
             machine.run(Stage::Init, None);

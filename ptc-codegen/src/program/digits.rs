@@ -5,15 +5,15 @@
 //! of the parameters; one that may be too small is checked. An overflow shows by itself: it ends in a
 //! field that is not finite, or in a quotient that is too small.
 
-use super::Controller;
-use super::plan::{Plan, Routine};
+use num_traits::Zero;
+
+use super::{Input, Op, Program, Stage, Value, number};
 use crate::expression::Function;
-use crate::program::{Input, Op, Program, Value, number};
 use crate::spec::{Parameter, Precision, Spec};
 
 /// A condition on what `init` computes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Condition {
+pub enum Condition {
     /// It is finite.
     Finite(Value),
     /// It is at least [`least`].
@@ -26,7 +26,7 @@ pub(super) enum Condition {
 
 impl Condition {
     /// The values it looks at, the checked one first.
-    pub(super) fn values(&self) -> Vec<Value> {
+    pub fn values(&self) -> Vec<Value> {
         match self {
             Self::Finite(value) | Self::Above(value) | Self::Below(value) => vec![*value],
             Self::Kept(value, factors) => [&[*value], factors.as_slice()].concat(),
@@ -34,7 +34,7 @@ impl Condition {
     }
 
     /// Whether it holds for numbers of those values.
-    pub(super) fn holds(&self, numbers: &[f64], precision: Precision) -> bool {
+    pub fn holds(&self, numbers: &[f64], precision: Precision) -> bool {
         let (number, factors) = (numbers[0], &numbers[1..]);
         match self {
             Self::Finite(_) => number.is_finite(),
@@ -47,7 +47,7 @@ impl Condition {
 
 /// The least magnitude of a product: so far above the least normal number that it can be multiplied
 /// by constants, and by states that are not much smaller than 1, and keeps its digits.
-pub(super) fn least(precision: Precision) -> f64 {
+pub fn least(precision: Precision) -> f64 {
     match precision {
         Precision::F64 => 1e-200,
         Precision::F32 => f64::from(1e-30_f32),
@@ -55,7 +55,7 @@ pub(super) fn least(precision: Precision) -> f64 {
 }
 
 /// Takes the product of two numbers, each at least [`least`], into the normal range.
-pub(super) fn large(precision: Precision) -> f64 {
+pub fn large(precision: Precision) -> f64 {
     match precision {
         Precision::F64 => 1e100,
         Precision::F32 => f64::from(1e25_f32),
@@ -98,8 +98,15 @@ impl Size {
 
     fn of_parameter(spec: &Spec, parameter: Parameter) -> Self {
         let (normal, _) = normal(spec.precision);
-        if let Some((least, greatest)) = spec.ends_of_kind(parameter) {
-            return Self::positive(least, greatest);
+        let bounds = spec.bounds.get(&parameter).and_then(|(least, greatest)| {
+            Some((least.rounded(spec.precision)?, greatest.rounded(spec.precision)?))
+        });
+        if let Some((least, greatest)) = bounds.or_else(|| spec.ends_of_kind(parameter)) {
+            return match () {
+                () if least > 0.0 => Self::positive(least, greatest),
+                () if greatest < 0.0 => Self::positive(-greatest, -least).negative(),
+                () => Self::UNKNOWN,
+            };
         }
         match parameter {
             Parameter::UMax => Self::positive(normal.exp2(), f64::INFINITY),
@@ -166,13 +173,19 @@ impl Size {
     }
 }
 
-/// The checks of a controller, in the order in which `init` computes what they look at.
-pub(super) fn checks(spec: &Spec, plan: &Plan<'_>) -> Vec<Condition> {
-    let program = plan.program;
+/// What `init` has to check for the program of `spec`, in the order in which it computes what the
+/// checks look at.
+pub fn checks(spec: &Spec, program: &Program) -> Vec<Condition> {
     let (normal, largest) = normal(spec.precision);
     let mut sizes = vec![Size::UNKNOWN; program.values.len()];
     let mut checks = Vec::new();
-    for value in plan.computed(Routine::Init) {
+    let needed = program.needed(&program.outputs());
+    let is_known = |value: Value| program.get(value).stage <= Stage::Init;
+    let mut used = vec![false; program.values.len()];
+    for value in needed.iter().filter(|value| !is_known(**value)) {
+        program.get(*value).op.operands().into_iter().for_each(|operand| used[operand.0] = true);
+    }
+    for value in needed.into_iter().filter(|value| is_known(*value)) {
         let op = &program.get(value).op;
         let mut size = Size::of(spec, op, |of| sizes[of.0]);
         let selects = matches!(op, Op::Call(..) | Op::Pow(..) | Op::Max(..) | Op::Min(..));
@@ -189,10 +202,8 @@ pub(super) fn checks(spec: &Spec, plan: &Plan<'_>) -> Vec<Condition> {
                 | Op::Pow(..)
                 | Op::Call(Function::Exp, _)
         );
-        // What a field takes from outside is used by `step` as it is.
-        let given = matches!(op, Op::Input(_) | Op::Neg(_))
-            && size.zero
-            && plan.fields.iter().any(|field| !field.armed && field.value == value);
+        // What comes from outside, and `step` uses as it is.
+        let given = matches!(op, Op::Input(_) | Op::Neg(_)) && size.zero && used[value.0];
         if (product || given) && !program.get(value).looped && size.least < normal {
             let mut factors = Vec::new();
             zero_with(program, &sizes, value, &mut factors);
@@ -225,21 +236,19 @@ fn zero_with(program: &Program, sizes: &[Size], value: Value, found: &mut Vec<Va
     }
 }
 
-/// A number of the program that a fixed parameter makes too small or too large for its precision.
-pub(super) fn lost(controller: &Controller<'_>) -> Option<String> {
-    let precision = controller.spec().precision;
-    let (_, largest) = normal(precision);
-    controller.program.values.iter().find_map(|definition| match &definition.op {
-        Op::Number(value) => {
-            let rounded = number::round(value, precision);
-            let size = Size::of_number(number::round(value, Precision::F64));
-            let exact_zero = *value.numer() == crate::algebra::BigInt::from(0);
-            let legal = rounded.is_finite() && rounded.abs() >= least(precision);
-            (!exact_zero && !legal).then(|| {
-                let end = if size.greatest > largest { "beyond" } else { "below" };
-                format!("a coefficient of u is {end} what {} holds", precision.name())
-            })
-        }
-        _ => None,
+/// Why a number of the program, which fixed parameters decide, is beyond the range of its precision;
+/// none where all of them keep their digits.
+pub fn lost(program: &Program) -> Option<String> {
+    let precision = program.precision;
+    program.values.iter().find_map(|definition| {
+        let Op::Number(value) = &definition.op else { return None };
+        let rounded = number::round(value, precision);
+        let small = !value.is_zero() && rounded.abs() < least(precision);
+        let end = match small {
+            true => "below",
+            false if rounded.is_finite() => return None,
+            false => "beyond",
+        };
+        Some(format!("a coefficient of u is {end} what {} code computes with", precision.name()))
     })
 }
