@@ -305,6 +305,10 @@ impl Spec {
 
     /// Those ends, whatever bounds the user gave.
     pub(crate) fn ends_of_kind(&self, parameter: Parameter) -> Option<(f64, f64)> {
+        // A count, and a hold of 0 samples.
+        if self.sampled().is_some() && matches!(parameter, Parameter::Samples | Parameter::Eps) {
+            return None;
+        }
         let (least, greatest) = self.kind(parameter).ends(self.precision)?;
         let roundings = match self.precision {
             Precision::F64 => 450.0,
