@@ -71,7 +71,7 @@ fn kinds() -> Vec<Spec> {
         // Coefficients that leave single precision while u is kept within its bound.
         &[
             ("n", "6"),
-            ("mu", "power(a=0.5,m=1.5)"),
+            ("mu", "power(a=0.5,m=3)"),
             ("precision", "f32"),
             ("guard", "result"),
             ("u_max", "25"),

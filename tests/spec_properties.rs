@@ -63,6 +63,11 @@ fn positive() -> impl Strategy<Value = Fixed> {
     "[1-9][0-9]{0,3}(\\.[0-9]{1,4})?(e-?[1-9])?".prop_map(|text| number(&text).expect("a number"))
 }
 
+/// An exponent of the power mapping that is legal for any order and precision.
+fn exponent() -> impl Strategy<Value = Fixed> {
+    "[01]\\.[1-9][0-9]{0,3}".prop_map(|text| number(&text).expect("a number"))
+}
+
 fn signed() -> impl Strategy<Value = Fixed> {
     "-?[0-9]{1,3}(\\.[0-9]{1,4})?".prop_map(|text| number(&text).expect("a number"))
 }
@@ -81,7 +86,7 @@ prop_compose! {
         guard in prop_oneof![Just(Guard::Full), Just(Guard::Result), Just(Guard::None)],
         gains in prop::option::of(prop::collection::vec(signed(), n)),
         fixed_rates in prop::option::of(prop::collection::vec(positive(), rates)),
-        own in (maybe(positive()), maybe(positive())),
+        own in (maybe(positive()), maybe(exponent())),
         times in (maybe(positive()), maybe(signed()), maybe(Just(number("1e-12").expect("a number")))),
         u_max in maybe(prop_oneof![positive().boxed(), Just(Fixed::Infinite).boxed()]),
     ) -> Spec {

@@ -13,6 +13,7 @@ from pathlib import Path
 import attained
 import checks
 import design
+import digits
 import simulate
 import verify
 
@@ -83,6 +84,18 @@ def wishes(pool, arguments):
     }
 
 
+def kept_digits(pool, arguments):
+    orders = [n for n in (1, 2, 3, 5, 8) if n <= arguments.order]
+    jobs = ((arguments.command, arguments.folder, arguments.seed, family, n, precision, arguments.digits,
+             arguments.scale) for family in digits.FAMILIES for n in orders for precision in ("f64", "f32"))
+    results = list(each(pool, digits.trial, jobs, arguments))
+    total = lambda key: sum(result[key] for result in results)
+    return {
+        **{key: total(key) for key in ("accepted", "refused", "calls", "range")},
+        "false": [{"name": r["name"], "printed": wrong} for r in results for wrong in r["wrong"]],
+    }
+
+
 def routes(pool, arguments):
     results = list(pool.imap(attained.trial, [(arguments.seed, k) for k in range(arguments.attained)]))
     return {"runs": len(results), "miss": max((r["miss"] for r in results), default=0.0)}
@@ -104,6 +117,7 @@ def main():
     parser.add_argument("--checks", type=int, default=600, help="designs for `check`")
     parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
     parser.add_argument("--design", type=int, default=20, help="wishes for `design`")
+    parser.add_argument("--digits", type=int, default=40, help="sets of parameters of each emitted controller")
     parser.add_argument("--attained", type=int, default=40, help="suprema computed by another route")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=120, help="for one run of the command")
@@ -117,6 +131,7 @@ def main():
         # What lasts longest comes last; the pool is ended once enough was judged.
         found = {"attained": routes(pool, arguments), "checks": checked(pool, arguments),
                  "simulate": runs(pool, arguments),
+                 "digits": kept_digits(pool, arguments),
                  "design": wishes(pool, arguments), "verify": verdicts(pool, arguments)}
         pool.terminate()
     print(json.dumps(found))

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_algebraic2_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -18,12 +24,14 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
         const double k2 = params->k[1];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && (eps < tau)) {
@@ -52,7 +60,11 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_2)
+            if ((ptc_algebraic2_kept(K1, k1) != 0)
+                && (ptc_algebraic2_kept(K2, k2) != 0)
+                && (ptc_algebraic2_kept(c1_2, k1) != 0)
+                && (ptc_algebraic2_kept(c2_2, k2) != 0)
+                && isfinite(built.c1_2)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.half_tau)

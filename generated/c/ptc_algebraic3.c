@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_algebraic3_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
         const double k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -32,19 +40,21 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             struct ptc_algebraic3 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (a * v1);
+            const double v2 = a * v1;
+            const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / a;
-            const double v2 = tau * tau;
-            const double c1_3 = (-K1) / (tau * v2);
+            const double v3 = tau * tau;
+            const double v4 = tau * v3;
+            const double c1_3 = (-K1) / v4;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
-            const double v3 = -K2;
-            const double c2_0 = (v3 + 3.0) / v2;
-            const double c2_3 = (3.0 * K3) / v2;
-            const double c2_2 = ((-(2.0 * K2)) - 12.0) / v2;
-            const double c2_4 = v3 / v2;
+            const double v5 = -K2;
+            const double c2_0 = (v5 + 3.0) / v3;
+            const double c2_3 = (3.0 * K3) / v3;
+            const double c2_2 = ((-(2.0 * K2)) - 12.0) / v3;
+            const double c2_4 = v5 / v3;
             const double inv_tau = 1.0 / tau;
             const double c3_2 = (-K3) / tau;
             const double c3_1 = 9.0 / tau;
@@ -66,7 +76,16 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_3)
+            if ((v2 >= 1e-200)
+                && (ptc_algebraic3_kept(K1, k1) != 0)
+                && (ptc_algebraic3_kept(K2, k2) != 0)
+                && (ptc_algebraic3_kept(K3, k3) != 0)
+                && (v4 >= 1e-200)
+                && (ptc_algebraic3_kept(c1_3, k1) != 0)
+                && (ptc_algebraic3_kept(c2_3, k3) != 0)
+                && (ptc_algebraic3_kept(c2_4, k2) != 0)
+                && (ptc_algebraic3_kept(c3_2, k3) != 0)
+                && isfinite(built.c1_3)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.half_tau)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_algebraic4_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -20,12 +26,14 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
         const double k4 = params->k[3];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -34,33 +42,41 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             struct ptc_algebraic4 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (v1 * v1);
-            const double K2 = k2 / (a * v1);
+            const double v2 = v1 * v1;
+            const double K1 = k1 / v2;
+            const double v3 = a * v1;
+            const double K2 = k2 / v3;
             const double K3 = k3 / v1;
             const double K4 = k4 / a;
-            const double v2 = tau * tau;
-            const double c1_4 = (-K1) / (v2 * v2);
+            const double v4 = tau * tau;
+            const double v5 = v4 * v4;
+            const double c1_4 = (-K1) / v5;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
-            const double v3 = -K2;
-            const double v4 = tau * v2;
-            const double c2_0 = (v3 + (3.0 * K4)) / v4;
-            const double v5 = 3.0 * K3;
-            const double c2_1 = (v5 - 45.0) / v4;
-            const double v6 = -(3.0 * K2);
-            const double v7 = 9.0 * K4;
-            const double c2_2 = (v6 - v7) / v4;
-            const double c2_3 = ((6.0 * K3) + 60.0) / v4;
-            const double c2_4 = (v6 - (12.0 * K4)) / v4;
-            const double c2_5 = v5 / v4;
-            const double c2_6 = v3 / v4;
+            const double v6 = -K2;
+            const double v7 = v6 + (3.0 * K4);
+            const double v8 = tau * v4;
+            const double c2_0 = v7 / v8;
+            const double v9 = 3.0 * K3;
+            const double v10 = v9 - 45.0;
+            const double c2_1 = v10 / v8;
+            const double v11 = -(3.0 * K2);
+            const double v12 = 9.0 * K4;
+            const double v13 = v11 - v12;
+            const double c2_2 = v13 / v8;
+            const double v14 = (6.0 * K3) + 60.0;
+            const double c2_3 = v14 / v8;
+            const double v15 = v11 - (12.0 * K4);
+            const double c2_4 = v15 / v8;
+            const double c2_5 = v9 / v8;
+            const double c2_6 = v6 / v8;
             const double inv_tau = 1.0 / tau;
-            const double v8 = -K3;
-            const double c3_0 = (v8 + 12.0) / v2;
-            const double c3_3 = v7 / v2;
-            const double c3_2 = ((-(2.0 * K3)) - 75.0) / v2;
-            const double c3_4 = v8 / v2;
+            const double v16 = -K3;
+            const double c3_0 = (v16 + 12.0) / v4;
+            const double c3_3 = v12 / v4;
+            const double c3_2 = ((-(2.0 * K3)) - 75.0) / v4;
+            const double c3_4 = v16 / v4;
             const double c4_2 = (-K4) / tau;
             const double c4_1 = 18.0 / tau;
             built.tau = tau;
@@ -88,7 +104,26 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_4)
+            if ((v2 >= 1e-200)
+                && (ptc_algebraic4_kept(K1, k1) != 0)
+                && (v3 >= 1e-200)
+                && (ptc_algebraic4_kept(K2, k2) != 0)
+                && (ptc_algebraic4_kept(K3, k3) != 0)
+                && (ptc_algebraic4_kept(K4, k4) != 0)
+                && (v5 >= 1e-200)
+                && (ptc_algebraic4_kept(c1_4, k1) != 0)
+                && (v8 >= 1e-200)
+                && (ptc_algebraic4_kept(c2_0, v7) != 0)
+                && (ptc_algebraic4_kept(c2_1, v10) != 0)
+                && (ptc_algebraic4_kept(c2_2, v13) != 0)
+                && (ptc_algebraic4_kept(c2_3, v14) != 0)
+                && (ptc_algebraic4_kept(c2_4, v15) != 0)
+                && (ptc_algebraic4_kept(c2_5, k3) != 0)
+                && (ptc_algebraic4_kept(c2_6, k2) != 0)
+                && (ptc_algebraic4_kept(c3_3, k4) != 0)
+                && (ptc_algebraic4_kept(c3_4, k3) != 0)
+                && (ptc_algebraic4_kept(c4_2, k4) != 0)
+                && isfinite(built.c1_4)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.half_tau)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_algebraic5_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -21,12 +27,14 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
         const double k5 = params->k[4];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -37,47 +45,62 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
-            const double K1 = k1 / (a * v2);
+            const double v3 = a * v2;
+            const double K1 = k1 / v3;
             const double K2 = k2 / v2;
-            const double K3 = k3 / (a * v1);
+            const double v4 = a * v1;
+            const double K3 = k3 / v4;
             const double K4 = k4 / v1;
             const double K5 = k5 / a;
-            const double v3 = tau * tau;
-            const double v4 = v3 * v3;
-            const double c1_5 = (-K1) / (tau * v4);
+            const double v5 = tau * tau;
+            const double v6 = v5 * v5;
+            const double v7 = tau * v6;
+            const double c1_5 = (-K1) / v7;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
-            const double v5 = -K2;
-            const double c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
-            const double v6 = 3.0 * K3;
-            const double c2_1 = (v6 - (45.0 * K5)) / v4;
-            const double v7 = -(4.0 * K2);
-            const double c2_2 = ((v7 - (6.0 * K4)) + 540.0) / v4;
-            const double v8 = 9.0 * K3;
-            const double c2_3 = (v8 + (15.0 * K5)) / v4;
-            const double c2_4 = (((-(6.0 * K2)) - (21.0 * K4)) - 360.0) / v4;
-            const double c2_5 = (v8 + (60.0 * K5)) / v4;
-            const double c2_6 = (v7 - (12.0 * K4)) / v4;
-            const double c2_7 = v6 / v4;
-            const double c2_8 = v5 / v4;
+            const double v8 = -K2;
+            const double v9 = (v8 + (3.0 * K4)) - 45.0;
+            const double c2_0 = v9 / v6;
+            const double v10 = 3.0 * K3;
+            const double v11 = v10 - (45.0 * K5);
+            const double c2_1 = v11 / v6;
+            const double v12 = -(4.0 * K2);
+            const double v13 = (v12 - (6.0 * K4)) + 540.0;
+            const double c2_2 = v13 / v6;
+            const double v14 = 9.0 * K3;
+            const double v15 = v14 + (15.0 * K5);
+            const double c2_3 = v15 / v6;
+            const double v16 = ((-(6.0 * K2)) - (21.0 * K4)) - 360.0;
+            const double c2_4 = v16 / v6;
+            const double v17 = v14 + (60.0 * K5);
+            const double c2_5 = v17 / v6;
+            const double v18 = v12 - (12.0 * K4);
+            const double c2_6 = v18 / v6;
+            const double c2_7 = v10 / v6;
+            const double c2_8 = v8 / v6;
             const double inv_tau = 1.0 / tau;
-            const double v9 = -K3;
-            const double v10 = tau * v3;
-            const double c3_0 = (v9 + (12.0 * K5)) / v10;
-            const double v11 = 9.0 * K4;
-            const double c3_1 = (v11 - 315.0) / v10;
-            const double v12 = -v6;
-            const double c3_2 = (v12 - (63.0 * K5)) / v10;
-            const double c3_3 = ((18.0 * K4) + 660.0) / v10;
-            const double c3_4 = (v12 - (75.0 * K5)) / v10;
-            const double c3_5 = v11 / v10;
-            const double c3_6 = v9 / v10;
-            const double v13 = -K4;
-            const double c4_0 = (v13 + 30.0) / v3;
-            const double c4_3 = (18.0 * K5) / v3;
-            const double c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
-            const double c4_4 = v13 / v3;
+            const double v19 = -K3;
+            const double v20 = v19 + (12.0 * K5);
+            const double v21 = tau * v5;
+            const double c3_0 = v20 / v21;
+            const double v22 = 9.0 * K4;
+            const double v23 = v22 - 315.0;
+            const double c3_1 = v23 / v21;
+            const double v24 = -v10;
+            const double v25 = v24 - (63.0 * K5);
+            const double c3_2 = v25 / v21;
+            const double v26 = (18.0 * K4) + 660.0;
+            const double c3_3 = v26 / v21;
+            const double v27 = v24 - (75.0 * K5);
+            const double c3_4 = v27 / v21;
+            const double c3_5 = v22 / v21;
+            const double c3_6 = v19 / v21;
+            const double v28 = -K4;
+            const double c4_0 = (v28 + 30.0) / v5;
+            const double c4_3 = (18.0 * K5) / v5;
+            const double c4_2 = ((-(2.0 * K4)) - 255.0) / v5;
+            const double c4_4 = v28 / v5;
             const double c5_2 = (-K5) / tau;
             const double c5_1 = 30.0 / tau;
             built.tau = tau;
@@ -114,7 +137,38 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (ptc_algebraic5_kept(K1, k1) != 0)
+                && (ptc_algebraic5_kept(K2, k2) != 0)
+                && (v4 >= 1e-200)
+                && (ptc_algebraic5_kept(K3, k3) != 0)
+                && (ptc_algebraic5_kept(K4, k4) != 0)
+                && (ptc_algebraic5_kept(K5, k5) != 0)
+                && (v6 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (ptc_algebraic5_kept(c1_5, k1) != 0)
+                && (ptc_algebraic5_kept(c2_0, v9) != 0)
+                && (ptc_algebraic5_kept(c2_1, v11) != 0)
+                && (ptc_algebraic5_kept(c2_2, v13) != 0)
+                && (ptc_algebraic5_kept(c2_3, v15) != 0)
+                && (ptc_algebraic5_kept(c2_4, v16) != 0)
+                && (ptc_algebraic5_kept(c2_5, v17) != 0)
+                && (ptc_algebraic5_kept(c2_6, v18) != 0)
+                && (ptc_algebraic5_kept(c2_7, k3) != 0)
+                && (ptc_algebraic5_kept(c2_8, k2) != 0)
+                && (v21 >= 1e-200)
+                && (ptc_algebraic5_kept(c3_0, v20) != 0)
+                && (ptc_algebraic5_kept(c3_1, v23) != 0)
+                && (ptc_algebraic5_kept(c3_2, v25) != 0)
+                && (ptc_algebraic5_kept(c3_3, v26) != 0)
+                && (ptc_algebraic5_kept(c3_4, v27) != 0)
+                && (ptc_algebraic5_kept(c3_5, k4) != 0)
+                && (ptc_algebraic5_kept(c3_6, k3) != 0)
+                && (ptc_algebraic5_kept(c4_3, k5) != 0)
+                && (ptc_algebraic5_kept(c4_4, k4) != 0)
+                && (ptc_algebraic5_kept(c5_2, k5) != 0)
+                && isfinite(built.c1_5)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.half_tau)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_exp1_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_exp1_init(ptc_exp1 *self, const ptc_exp1_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -17,12 +23,14 @@ ptc_status ptc_exp1_init(ptc_exp1 *self, const ptc_exp1_params *params)
         const double k1 = params->k[0];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && (eps < tau)) {
             struct ptc_exp1 built;
@@ -38,7 +46,8 @@ ptc_status ptc_exp1_init(ptc_exp1 *self, const ptc_exp1_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.K1)
+            if ((ptc_exp1_kept(K1, k1) != 0)
+                && isfinite(built.K1)
                 && isfinite(built.hold_from)) {
                 status = ptc_exp1_arm(&built, t0);
             }

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_exp3_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
         const double k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -32,7 +40,8 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             struct ptc_exp3 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (a * v1);
+            const double v2 = a * v1;
+            const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / a;
             const double c1 = -K1;
@@ -50,7 +59,11 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1)
+            if ((v2 >= 1e-200)
+                && (ptc_exp3_kept(K1, k1) != 0)
+                && (ptc_exp3_kept(K2, k2) != 0)
+                && (ptc_exp3_kept(K3, k3) != 0)
+                && isfinite(built.c1)
                 && isfinite(built.c2)
                 && isfinite(built.c3)
                 && isfinite(built.hold_from)) {

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_exp3_f32_kept(float product, float factor)
+{
+    return ((fabsf(product) >= 1e-30f) || (fabsf(factor) <= 0.0f)) ? 1 : 0;
+}
+
 ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
         const float k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0f)
+            && (tau >= 1e-18f)
+            && (tau <= 1e18f)
             && isfinite(t0)
-            && (eps > 0.0f)
+            && (eps >= 1e-18f)
             && (u_max > 0.0f)
             && isfinite(a)
-            && (a > 0.0f)
+            && (a >= 1e-18f)
+            && (a <= 1e18f)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -32,7 +40,8 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             struct ptc_exp3_f32 built;
 
             const float v1 = a * a;
-            const float K1 = k1 / (a * v1);
+            const float v2 = a * v1;
+            const float K1 = k1 / v2;
             const float K2 = k2 / v1;
             const float K3 = k3 / a;
             const float c1 = -K1;
@@ -50,7 +59,11 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             built.deadline = 0.0f;
             built.correction = 0.0f;
 
-            if (isfinite(built.c1)
+            if ((v2 >= 1e-30f)
+                && (ptc_exp3_f32_kept(K1, k1) != 0)
+                && (ptc_exp3_f32_kept(K2, k2) != 0)
+                && (ptc_exp3_f32_kept(K3, k3) != 0)
+                && isfinite(built.c1)
                 && isfinite(built.c2)
                 && isfinite(built.c3)
                 && isfinite(built.hold_from)) {

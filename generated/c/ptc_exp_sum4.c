@@ -5,6 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_exp_sum4_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -22,14 +28,17 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
         const double k4 = params->k[3];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a1)
-            && (a1 > 0.0)
+            && (a1 >= 1e-150)
+            && (a1 <= 1e150)
             && isfinite(a2)
-            && (a2 > 0.0)
+            && (a2 >= 1e-150)
+            && (a2 <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -50,10 +59,14 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             const double b2_1 = (-0.25) * v3 * tau;
             const double v4 = a2 * a2;
             const double b2_2 = (-0.25) * v4 * tau;
-            const double b3_1 = 0.08333333333333333 * (a1 * v3) * tau;
-            const double b3_2 = 0.08333333333333333 * (a2 * v4) * tau;
-            const double b4_1 = (-0.020833333333333332) * (v3 * v3) * tau;
-            const double b4_2 = (-0.020833333333333332) * (v4 * v4) * tau;
+            const double v5 = a1 * v3;
+            const double b3_1 = 0.08333333333333333 * v5 * tau;
+            const double v6 = a2 * v4;
+            const double b3_2 = 0.08333333333333333 * v6 * tau;
+            const double v7 = v3 * v3;
+            const double b4_1 = (-0.020833333333333332) * v7 * tau;
+            const double v8 = v4 * v4;
+            const double b4_2 = (-0.020833333333333332) * v8 * tau;
             const double w1 = -k1;
             const double w2 = -k2;
             const double w3 = (-2.0) * k3;
@@ -84,7 +97,21 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.hold_from)
+            if ((b2_1 <= -1e-200)
+                && (b2_2 <= -1e-200)
+                && (v5 >= 1e-200)
+                && (b3_1 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (b3_2 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (b4_1 <= -1e-200)
+                && (v8 >= 1e-200)
+                && (b4_2 <= -1e-200)
+                && (ptc_exp_sum4_kept(w1, k1) != 0)
+                && (ptc_exp_sum4_kept(w2, k2) != 0)
+                && (ptc_exp_sum4_kept(w3, k3) != 0)
+                && (ptc_exp_sum4_kept(w4, k4) != 0)
+                && isfinite(built.hold_from)
                 && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)

@@ -5,6 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_exp_sum9_in_loops_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp_sum9_in_loops_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -27,14 +33,17 @@ ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp
         const double k9 = params->k[8];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a1)
-            && (a1 > 0.0)
+            && (a1 >= 1e-150)
+            && (a1 <= 1e150)
             && isfinite(a2)
-            && (a2 > 0.0)
+            && (a2 >= 1e-150)
+            && (a2 <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -68,18 +77,26 @@ ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp
             const double b4_1 = (-0.020833333333333332) * v7 * tau;
             const double v8 = v4 * v4;
             const double b4_2 = (-0.020833333333333332) * v8 * tau;
-            const double b5_1 = 0.004166666666666667 * (a1 * v7) * tau;
-            const double b5_2 = 0.004166666666666667 * (a2 * v8) * tau;
-            const double b6_1 = (-0.0006944444444444445) * (v3 * v7) * tau;
-            const double b6_2 = (-0.0006944444444444445) * (v4 * v8) * tau;
-            const double b7_1 = 9.92063492063492e-5 * (v5 * v7) * tau;
-            const double b7_2 = 9.92063492063492e-5 * (v6 * v8) * tau;
-            const double v9 = v7 * v7;
-            const double b8_1 = (-1.240079365079365e-5) * v9 * tau;
-            const double v10 = v8 * v8;
-            const double b8_2 = (-1.240079365079365e-5) * v10 * tau;
-            const double b9_1 = 1.3778659611992946e-6 * (a1 * v9) * tau;
-            const double b9_2 = 1.3778659611992946e-6 * (a2 * v10) * tau;
+            const double v9 = a1 * v7;
+            const double b5_1 = 0.004166666666666667 * v9 * tau;
+            const double v10 = a2 * v8;
+            const double b5_2 = 0.004166666666666667 * v10 * tau;
+            const double v11 = v3 * v7;
+            const double b6_1 = (-0.0006944444444444445) * v11 * tau;
+            const double v12 = v4 * v8;
+            const double b6_2 = (-0.0006944444444444445) * v12 * tau;
+            const double v13 = v5 * v7;
+            const double b7_1 = 9.92063492063492e-5 * v13 * tau;
+            const double v14 = v6 * v8;
+            const double b7_2 = 9.92063492063492e-5 * v14 * tau;
+            const double v15 = v7 * v7;
+            const double b8_1 = (-1.240079365079365e-5) * v15 * tau;
+            const double v16 = v8 * v8;
+            const double b8_2 = (-1.240079365079365e-5) * v16 * tau;
+            const double v17 = a1 * v15;
+            const double b9_1 = 1.3778659611992946e-6 * v17 * tau;
+            const double v18 = a2 * v16;
+            const double b9_2 = 1.3778659611992946e-6 * v18 * tau;
             const double w1 = -k1;
             const double w2 = -k2;
             const double w3 = (-2.0) * k3;
@@ -130,7 +147,46 @@ ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.hold_from)
+            if ((b2_1 <= -1e-200)
+                && (b2_2 <= -1e-200)
+                && (v5 >= 1e-200)
+                && (b3_1 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (b3_2 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (b4_1 <= -1e-200)
+                && (v8 >= 1e-200)
+                && (b4_2 <= -1e-200)
+                && (v9 >= 1e-200)
+                && (b5_1 >= 1e-200)
+                && (v10 >= 1e-200)
+                && (b5_2 >= 1e-200)
+                && (v11 >= 1e-200)
+                && (b6_1 <= -1e-200)
+                && (v12 >= 1e-200)
+                && (b6_2 <= -1e-200)
+                && (v13 >= 1e-200)
+                && (b7_1 >= 1e-200)
+                && (v14 >= 1e-200)
+                && (b7_2 >= 1e-200)
+                && (v15 >= 1e-200)
+                && (b8_1 <= -1e-200)
+                && (v16 >= 1e-200)
+                && (b8_2 <= -1e-200)
+                && (v17 >= 1e-200)
+                && (b9_1 >= 1e-200)
+                && (v18 >= 1e-200)
+                && (b9_2 >= 1e-200)
+                && (ptc_exp_sum9_in_loops_kept(w1, k1) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w2, k2) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w3, k3) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w4, k4) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w5, k5) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w6, k6) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w7, k7) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w8, k8) != 0)
+                && (ptc_exp_sum9_in_loops_kept(w9, k9) != 0)
+                && isfinite(built.hold_from)
                 && isfinite(built.target_rate)
                 && isfinite(built.slowest)
                 && isfinite(built.mean_period)

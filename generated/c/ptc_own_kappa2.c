@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_own_kappa2_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -17,9 +23,10 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
         const double k2 = params->k[1];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(k1)
             && isfinite(k2)
@@ -40,7 +47,9 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.hold_from)
+            if ((ptc_own_kappa2_kept(w1, k1) != 0)
+                && (ptc_own_kappa2_kept(w2, k2) != 0)
+                && isfinite(built.hold_from)
                 && isfinite(built.f15)
                 && isfinite(built.w1)
                 && isfinite(built.w2)) {

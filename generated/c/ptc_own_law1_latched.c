@@ -15,9 +15,10 @@ ptc_status ptc_own_law1_latched_init(ptc_own_law1_latched *self, const ptc_own_l
         const double u_max = params->u_max;
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && (eps < tau)) {
             struct ptc_own_law1_latched built;

@@ -5,6 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_own_mu2_iterated_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_own_mu2_iterated_init(ptc_own_mu2_iterated *self, const ptc_own_mu2_iterated_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,14 +25,16 @@ ptc_status ptc_own_mu2_iterated_init(ptc_own_mu2_iterated *self, const ptc_own_m
         const double p_a = params->a;
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(p_a)
-            && (p_a > 0.0)
+            && (p_a >= 1e-150)
+            && (p_a <= 1e150)
             && (eps < tau)) {
             struct ptc_own_mu2_iterated built;
 
@@ -46,7 +54,9 @@ ptc_status ptc_own_mu2_iterated_init(ptc_own_mu2_iterated *self, const ptc_own_m
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.hold_from)
+            if ((ptc_own_mu2_iterated_kept(w1, k1) != 0)
+                && (ptc_own_mu2_iterated_kept(w2, k2) != 0)
+                && isfinite(built.hold_from)
                 && isfinite(built.f29)
                 && isfinite(built.f63)
                 && isfinite(built.w1)

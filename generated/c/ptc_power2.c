@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_power2_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,14 +25,17 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
         const double k2 = params->k[1];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(m)
-            && (m > 0.0)
+            && (m >= 1e-150)
+            && (m <= 225.0)
             && isfinite(k1)
             && isfinite(k2)
             && (eps < tau)) {
@@ -54,7 +63,9 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_2)
+            if ((ptc_power2_kept(K1, k1) != 0)
+                && (ptc_power2_kept(K2, k2) != 0)
+                && isfinite(built.c1_2)
                 && isfinite(built.hold_from)
                 && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)

@@ -14,9 +14,10 @@ ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power
         const double eps = params->eps;
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (eps < tau)) {
             struct ptc_power2_unbounded built;
 

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_power4_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -21,14 +27,17 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
         const double k4 = params->k[3];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(m)
-            && (m > 0.0)
+            && (m >= 1e-150)
+            && (m <= 112.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -37,22 +46,24 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             struct ptc_power4 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (v1 * v1);
-            const double K2 = k2 / (a * v1);
+            const double v2 = v1 * v1;
+            const double K1 = k1 / v2;
+            const double v3 = a * v1;
+            const double K2 = k2 / v3;
             const double K3 = k3 / v1;
             const double K4 = k4 / a;
             const double c1_4 = -K1;
             const double hold_from = -eps;
             const double minus_tau = -tau;
-            const double v2 = 6.0 * m;
-            const double c2_0 = ((((v2 + 11.0) * m) + 6.0) * m) + 1.0;
+            const double v4 = 6.0 * m;
+            const double c2_0 = ((((v4 + 11.0) * m) + 6.0) * m) + 1.0;
             const double c2_1 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
             const double c2_2 = (m + 1.0) * K3;
             const double c2_3 = -K2;
             const double c3_0 = ((((-11.0) * m) - 18.0) * m) - 7.0;
             const double c3_1 = ((3.0 * m) + 3.0) * K4;
             const double c3_2 = -K3;
-            const double c4_0 = v2 + 6.0;
+            const double c4_0 = v4 + 6.0;
             const double c4_1 = -K4;
             const double inv_tau = 1.0 / tau;
             built.c1_4 = c1_4;
@@ -76,7 +87,13 @@ ptc_status ptc_power4_init(ptc_power4 *self, const ptc_power4_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_4)
+            if ((v2 >= 1e-200)
+                && (ptc_power4_kept(K1, k1) != 0)
+                && (v3 >= 1e-200)
+                && (ptc_power4_kept(K2, k2) != 0)
+                && (ptc_power4_kept(K3, k3) != 0)
+                && (ptc_power4_kept(K4, k4) != 0)
+                && isfinite(built.c1_4)
                 && isfinite(built.hold_from)
                 && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)

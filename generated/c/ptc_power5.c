@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_power5_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -22,14 +28,17 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
         const double k5 = params->k[4];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(m)
-            && (m > 0.0)
+            && (m >= 1e-150)
+            && (m <= 90.0)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -40,17 +49,19 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
-            const double K1 = k1 / (a * v2);
+            const double v3 = a * v2;
+            const double K1 = k1 / v3;
             const double K2 = k2 / v2;
-            const double K3 = k3 / (a * v1);
+            const double v4 = a * v1;
+            const double K3 = k3 / v4;
             const double K4 = k4 / v1;
             const double K5 = k5 / a;
             const double c1_5 = -K1;
             const double hold_from = -eps;
             const double minus_tau = -tau;
             const double c2_0 = ((((((((-24.0) * m) - 50.0) * m) - 35.0) * m) - 10.0) * m) - 1.0;
-            const double v3 = 6.0 * m;
-            const double c2_1 = (((((v3 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
+            const double v5 = 6.0 * m;
+            const double c2_1 = (((((v5 + 11.0) * m) + 6.0) * m) + 1.0) * K5;
             const double c2_2 = (((((-2.0) * m) - 3.0) * m) - 1.0) * K4;
             const double c2_3 = (m + 1.0) * K3;
             const double c2_4 = -K2;
@@ -59,7 +70,7 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double c3_2 = ((3.0 * m) + 3.0) * K4;
             const double c3_3 = -K3;
             const double c4_0 = ((((-35.0) * m) - 60.0) * m) - 25.0;
-            const double c4_1 = (v3 + 6.0) * K5;
+            const double c4_1 = (v5 + 6.0) * K5;
             const double c4_2 = -K4;
             const double c5_0 = (10.0 * m) + 10.0;
             const double c5_1 = -K5;
@@ -90,7 +101,15 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (ptc_power5_kept(K1, k1) != 0)
+                && (ptc_power5_kept(K2, k2) != 0)
+                && (v4 >= 1e-200)
+                && (ptc_power5_kept(K3, k3) != 0)
+                && (ptc_power5_kept(K4, k4) != 0)
+                && (ptc_power5_kept(K5, k5) != 0)
+                && isfinite(built.c1_5)
                 && isfinite(built.hold_from)
                 && isfinite(built.minus_tau)
                 && isfinite(built.c2_0)

@@ -17,12 +17,12 @@
  *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-150 to 1e150
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   a: rate of stretched time [1/s], finite, > 0
- *   m: exponent of the power mapping [1], finite, > 0
+ *   a: rate of stretched time [1/s], from 1e-150 to 1e150
+ *   m: exponent of the power mapping [1], from 1e-150 to 90
  *   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
  *       k_5 [1/s]
  *
@@ -107,7 +107,7 @@ typedef enum ptc_status {
     PTC_HOLD = 1,      /* time-to-go held at eps: the deadline is near or over, u is valid */
     PTC_SATURATED = 2, /* u clipped to u_max; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3,     /* the deadline is over: u is 0 or that of the user-defined law */
-    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients that overflow */
+    PTC_E_PARAM = -1,  /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2,  /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3   /* u not finite */
 } ptc_status;
@@ -115,12 +115,12 @@ typedef enum ptc_status {
 
 /* Run-time parameters. */
 typedef struct ptc_power5_params {
-    double tau; /* prescribed settling time [s], finite, > 0 */
+    double tau; /* prescribed settling time [s], from 1e-150 to 1e150 */
     double t0; /* start time [s], finite */
-    double eps; /* time-to-go at which the gains are held [s], > 0, < tau */
+    double eps; /* time-to-go at which the gains are held [s], >= 1e-150, < tau */
     double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
-    double a; /* rate of stretched time [1/s], finite, > 0 */
-    double m; /* exponent of the power mapping [1], finite, > 0 */
+    double a; /* rate of stretched time [1/s], from 1e-150 to 1e150 */
+    double m; /* exponent of the power mapping [1], from 1e-150 to 90 */
     double k[5]; /* gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is k_5 [1/s] */
 } ptc_power5_params;
 

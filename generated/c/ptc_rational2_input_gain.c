@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_rational2_input_gain_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_rational2_input_gain_init(ptc_rational2_input_gain *self, const ptc_rational2_input_gain_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -18,19 +24,22 @@ ptc_status ptc_rational2_input_gain_init(ptc_rational2_input_gain *self, const p
         const double k2 = params->k[1];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && (eps < tau)) {
             struct ptc_rational2_input_gain built;
 
             const double rate = a / tau;
-            const double K1 = k1 / (rate * rate);
+            const double v1 = rate * rate;
+            const double K1 = k1 / v1;
             const double K2 = k2 / rate;
             const double c1_2 = -K1;
             const double hold_from = -eps;
@@ -45,7 +54,10 @@ ptc_status ptc_rational2_input_gain_init(ptc_rational2_input_gain *self, const p
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_2)
+            if ((v1 >= 1e-200)
+                && (ptc_rational2_input_gain_kept(K1, k1) != 0)
+                && (ptc_rational2_input_gain_kept(K2, k2) != 0)
+                && isfinite(built.c1_2)
                 && isfinite(built.hold_from)
                 && isfinite(built.c2_1)) {
                 status = ptc_rational2_input_gain_arm(&built, t0);

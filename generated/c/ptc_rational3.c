@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_rational3_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
         const double k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -33,7 +41,8 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
 
             const double rate = a / tau;
             const double v1 = rate * rate;
-            const double K1 = k1 / (rate * v1);
+            const double v2 = rate * v1;
+            const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
             const double c1_3 = -K1;
@@ -53,7 +62,12 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_3)
+            if ((v1 >= 1e-200)
+                && (v2 >= 1e-200)
+                && (ptc_rational3_kept(K1, k1) != 0)
+                && (ptc_rational3_kept(K2, k2) != 0)
+                && (ptc_rational3_kept(K3, k3) != 0)
+                && isfinite(built.c1_3)
                 && isfinite(built.hold_from)
                 && isfinite(built.c2_1)
                 && isfinite(built.c2_2)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tan3_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
         const double k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -32,7 +40,8 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             struct ptc_tan3 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (a * v1);
+            const double v2 = a * v1;
+            const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / a;
             const double c1_3 = -K1;
@@ -40,12 +49,12 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            const double v2 = tau * tau;
-            const double c2_0 = ((-(2.4674011002723395 * K2)) + 4.934802200544679) / v2;
+            const double v3 = tau * tau;
+            const double c2_0 = ((-(2.4674011002723395 * K2)) + 4.934802200544679) / v3;
             const double c2_1 = (3.141592653589793 * K3) / tau;
             const double c2_2 = (-(2.0 * K2)) - 6.0;
             const double c2_3 = 1.2732395447351628 * K3 * tau;
-            const double c2_4 = (-(0.4052847345693511 * K2)) * v2;
+            const double c2_4 = (-(0.4052847345693511 * K2)) * v3;
             const double c3_0 = (-(1.5707963267948966 * K3)) / tau;
             const double c3_2 = (-(0.6366197723675814 * K3)) * tau;
             built.c1_3 = c1_3;
@@ -67,7 +76,16 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_3)
+            if ((v2 >= 1e-200)
+                && (ptc_tan3_kept(K1, k1) != 0)
+                && (ptc_tan3_kept(K2, k2) != 0)
+                && (ptc_tan3_kept(K3, k3) != 0)
+                && (ptc_tan3_kept(c2_1, k3) != 0)
+                && (ptc_tan3_kept(c2_3, k3) != 0)
+                && (ptc_tan3_kept(c2_4, k2) != 0)
+                && (ptc_tan3_kept(c3_0, k3) != 0)
+                && (ptc_tan3_kept(c3_2, k3) != 0)
+                && isfinite(built.c1_3)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
                 && isfinite(built.hold_from)

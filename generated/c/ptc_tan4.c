@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tan4_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -20,12 +26,14 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
         const double k4 = params->k[3];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -34,8 +42,10 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             struct ptc_tan4 built;
 
             const double v1 = a * a;
-            const double K1 = k1 / (v1 * v1);
-            const double K2 = k2 / (a * v1);
+            const double v2 = v1 * v1;
+            const double K1 = k1 / v2;
+            const double v3 = a * v1;
+            const double K2 = k2 / v3;
             const double K3 = k3 / v1;
             const double K4 = k4 / a;
             const double c1_4 = -K1;
@@ -43,21 +53,24 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            const double v2 = tau * tau;
-            const double v3 = tau * v2;
-            const double c2_0 = ((-(3.8757845850374775 * K2)) + (7.751569170074955 * K4)) / v3;
-            const double c2_1 = ((4.934802200544679 * K3) - 59.217626406536155) / v2;
-            const double c2_2 = ((-(4.71238898038469 * K2)) - (6.283185307179586 * K4)) / tau;
+            const double v4 = (-(3.8757845850374775 * K2)) + (7.751569170074955 * K4);
+            const double v5 = tau * tau;
+            const double v6 = tau * v5;
+            const double c2_0 = v4 / v6;
+            const double c2_1 = ((4.934802200544679 * K3) - 59.217626406536155) / v5;
+            const double v7 = (-(4.71238898038469 * K2)) - (6.283185307179586 * K4);
+            const double c2_2 = v7 / tau;
             const double c2_3 = (4.0 * K3) + 24.0;
-            const double v4 = 3.819718634205488 * K4;
-            const double c2_4 = ((-(1.909859317102744 * K2)) - v4) * tau;
-            const double c2_5 = 0.8105694691387022 * K3 * v2;
-            const double c2_6 = (-(0.2580122754655959 * K2)) * v3;
-            const double c3_0 = ((-(2.4674011002723395 * K3)) + 19.739208802178716) / v2;
+            const double v8 = 3.819718634205488 * K4;
+            const double v9 = (-(1.909859317102744 * K2)) - v8;
+            const double c2_4 = v9 * tau;
+            const double c2_5 = 0.8105694691387022 * K3 * v5;
+            const double c2_6 = (-(0.2580122754655959 * K2)) * v6;
+            const double c3_0 = ((-(2.4674011002723395 * K3)) + 19.739208802178716) / v5;
             const double c3_1 = (9.42477796076938 * K4) / tau;
             const double c3_2 = (-(2.0 * K3)) - 36.0;
-            const double c3_3 = v4 * tau;
-            const double c3_4 = (-(0.4052847345693511 * K3)) * v2;
+            const double c3_3 = v8 * tau;
+            const double c3_4 = (-(0.4052847345693511 * K3)) * v5;
             const double c4_0 = (-(1.5707963267948966 * K4)) / tau;
             const double c4_2 = (-(0.6366197723675814 * K4)) * tau;
             built.c1_4 = c1_4;
@@ -86,7 +99,24 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_4)
+            if ((v2 >= 1e-200)
+                && (ptc_tan4_kept(K1, k1) != 0)
+                && (v3 >= 1e-200)
+                && (ptc_tan4_kept(K2, k2) != 0)
+                && (ptc_tan4_kept(K3, k3) != 0)
+                && (ptc_tan4_kept(K4, k4) != 0)
+                && (v6 >= 1e-200)
+                && (ptc_tan4_kept(c2_0, v4) != 0)
+                && (ptc_tan4_kept(c2_2, v7) != 0)
+                && (ptc_tan4_kept(c2_4, v9) != 0)
+                && (ptc_tan4_kept(c2_5, k3) != 0)
+                && (ptc_tan4_kept(c2_6, k2) != 0)
+                && (ptc_tan4_kept(c3_1, k4) != 0)
+                && (ptc_tan4_kept(c3_3, k4) != 0)
+                && (ptc_tan4_kept(c3_4, k3) != 0)
+                && (ptc_tan4_kept(c4_0, k4) != 0)
+                && (ptc_tan4_kept(c4_2, k4) != 0)
+                && isfinite(built.c1_4)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
                 && isfinite(built.hold_from)

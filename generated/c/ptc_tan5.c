@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tan5_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -21,12 +27,14 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
         const double k5 = params->k[4];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -37,9 +45,11 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
 
             const double v1 = a * a;
             const double v2 = v1 * v1;
-            const double K1 = k1 / (a * v2);
+            const double v3 = a * v2;
+            const double K1 = k1 / v3;
             const double K2 = k2 / v2;
-            const double K3 = k3 / (a * v1);
+            const double v4 = a * v1;
+            const double K3 = k3 / v4;
             const double K4 = k4 / v1;
             const double K5 = k5 / a;
             const double c1_5 = -K1;
@@ -47,33 +57,39 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            const double v3 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
-            const double v4 = tau * tau;
-            const double v5 = v4 * v4;
-            const double c2_0 = v3 / v5;
-            const double v6 = tau * v4;
-            const double c2_1 = ((7.751569170074955 * K3) - (93.01883004089946 * K5)) / v6;
-            const double v7 = ((-(9.869604401089358 * K2)) - (4.934802200544679 * K4)) + 592.1762640653615;
-            const double c2_2 = v7 / v4;
+            const double v5 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
+            const double v6 = tau * tau;
+            const double v7 = v6 * v6;
+            const double c2_0 = v5 / v7;
+            const double v8 = (7.751569170074955 * K3) - (93.01883004089946 * K5);
+            const double v9 = tau * v6;
+            const double c2_1 = v8 / v9;
+            const double v10 = ((-(9.869604401089358 * K2)) - (4.934802200544679 * K4)) + 592.1762640653615;
+            const double c2_2 = v10 / v6;
             const double c2_3 = (9.42477796076938 * K3) / tau;
             const double c2_4 = ((-(6.0 * K2)) - (10.0 * K4)) - 120.0;
-            const double c2_5 = ((3.819718634205488 * K3) + (15.278874536821952 * K5)) * tau;
-            const double v8 = 2.4317084074161066 * K4;
-            const double c2_6 = ((-(1.6211389382774044 * K2)) - v8) * v4;
-            const double c2_7 = 0.5160245509311918 * K3 * v6;
-            const double c2_8 = (-(0.16425571607494938 * K2)) * v5;
-            const double c3_0 = ((-(3.8757845850374775 * K3)) + (31.00627668029982 * K5)) / v6;
-            const double c3_1 = ((14.804406601634039 * K4) - 394.78417604357435) / v4;
-            const double c3_2 = ((-(4.71238898038469 * K3)) - (43.982297150257104 * K5)) / tau;
+            const double v11 = (3.819718634205488 * K3) + (15.278874536821952 * K5);
+            const double c2_5 = v11 * tau;
+            const double v12 = 2.4317084074161066 * K4;
+            const double v13 = (-(1.6211389382774044 * K2)) - v12;
+            const double c2_6 = v13 * v6;
+            const double c2_7 = 0.5160245509311918 * K3 * v9;
+            const double c2_8 = (-(0.16425571607494938 * K2)) * v7;
+            const double v14 = (-(3.8757845850374775 * K3)) + (31.00627668029982 * K5);
+            const double c3_0 = v14 / v9;
+            const double c3_1 = ((14.804406601634039 * K4) - 394.78417604357435) / v6;
+            const double v15 = (-(4.71238898038469 * K3)) - (43.982297150257104 * K5);
+            const double c3_2 = v15 / tau;
             const double c3_3 = (12.0 * K4) + 240.0;
-            const double c3_4 = ((-(1.909859317102744 * K3)) - (22.91831180523293 * K5)) * tau;
-            const double c3_5 = v8 * v4;
-            const double c3_6 = (-(0.2580122754655959 * K3)) * v6;
-            const double c4_0 = ((-(2.4674011002723395 * K4)) + 49.34802200544679) / v4;
+            const double v16 = (-(1.909859317102744 * K3)) - (22.91831180523293 * K5);
+            const double c3_4 = v16 * tau;
+            const double c3_5 = v12 * v6;
+            const double c3_6 = (-(0.2580122754655959 * K3)) * v9;
+            const double c4_0 = ((-(2.4674011002723395 * K4)) + 49.34802200544679) / v6;
             const double c4_1 = (18.84955592153876 * K5) / tau;
             const double c4_2 = (-(2.0 * K4)) - 120.0;
             const double c4_3 = 7.639437268410976 * K5 * tau;
-            const double c4_4 = (-(0.4052847345693511 * K4)) * v4;
+            const double c4_4 = (-(0.4052847345693511 * K4)) * v6;
             const double c5_0 = (-(1.5707963267948966 * K5)) / tau;
             const double c5_2 = (-(0.6366197723675814 * K5)) * tau;
             built.c1_5 = c1_5;
@@ -111,7 +127,34 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (ptc_tan5_kept(K1, k1) != 0)
+                && (ptc_tan5_kept(K2, k2) != 0)
+                && (v4 >= 1e-200)
+                && (ptc_tan5_kept(K3, k3) != 0)
+                && (ptc_tan5_kept(K4, k4) != 0)
+                && (ptc_tan5_kept(K5, k5) != 0)
+                && (v7 >= 1e-200)
+                && (ptc_tan5_kept(c2_0, v5) != 0)
+                && (v9 >= 1e-200)
+                && (ptc_tan5_kept(c2_1, v8) != 0)
+                && (ptc_tan5_kept(c2_3, k3) != 0)
+                && (ptc_tan5_kept(c2_5, v11) != 0)
+                && (ptc_tan5_kept(c2_6, v13) != 0)
+                && (ptc_tan5_kept(c2_7, k3) != 0)
+                && (ptc_tan5_kept(c2_8, k2) != 0)
+                && (ptc_tan5_kept(c3_0, v14) != 0)
+                && (ptc_tan5_kept(c3_2, v15) != 0)
+                && (ptc_tan5_kept(c3_4, v16) != 0)
+                && (ptc_tan5_kept(c3_5, k4) != 0)
+                && (ptc_tan5_kept(c3_6, k3) != 0)
+                && (ptc_tan5_kept(c4_1, k5) != 0)
+                && (ptc_tan5_kept(c4_3, k5) != 0)
+                && (ptc_tan5_kept(c4_4, k4) != 0)
+                && (ptc_tan5_kept(c5_0, k5) != 0)
+                && (ptc_tan5_kept(c5_2, k5) != 0)
+                && isfinite(built.c1_5)
                 && isfinite(built.angle_rate)
                 && isfinite(built.inv_angle_rate)
                 && isfinite(built.hold_from)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tanh3_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -19,12 +25,14 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
         const double k3 = params->k[2];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -33,19 +41,20 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
 
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
-            const double K1 = k1 / (rate * v1);
+            const double v2 = rate * v1;
+            const double K1 = k1 / v2;
             const double K2 = k2 / v1;
             const double K3 = k3 / rate;
             const double c1_3 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
-            const double v2 = -K2;
-            const double c2_0 = (v2 + K3) - 1.0;
+            const double v3 = -K2;
+            const double c2_0 = (v3 + K3) - 1.0;
             const double c2_1 = (-(2.0 * K2)) + 4.0;
-            const double c2_2 = (v2 - K3) - 1.0;
-            const double v3 = -K3;
-            const double c3_0 = v3 + 3.0;
-            const double c3_1 = v3 - 3.0;
+            const double c2_2 = (v3 - K3) - 1.0;
+            const double v4 = -K3;
+            const double c3_0 = v4 + 3.0;
+            const double c3_1 = v4 - 3.0;
             built.c1_3 = c1_3;
             built.tau = tau;
             built.eps = eps;
@@ -61,7 +70,11 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_3)
+            if ((v2 >= 1e-200)
+                && (ptc_tanh3_kept(K1, k1) != 0)
+                && (ptc_tanh3_kept(K2, k2) != 0)
+                && (ptc_tanh3_kept(K3, k3) != 0)
+                && isfinite(built.c1_3)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.c2_0)

@@ -16,12 +16,14 @@ ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_
         const double a = params->a;
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && (eps < tau)) {
             struct ptc_tanh3_extern built;
 

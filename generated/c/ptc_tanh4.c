@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tanh4_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -20,12 +26,14 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
         const double k4 = params->k[3];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -35,27 +43,29 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
 
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
-            const double K1 = k1 / (v1 * v1);
-            const double K2 = k2 / (rate * v1);
+            const double v2 = v1 * v1;
+            const double K1 = k1 / v2;
+            const double v3 = rate * v1;
+            const double K2 = k2 / v3;
             const double K3 = k3 / v1;
             const double K4 = k4 / rate;
             const double c1_4 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
-            const double v2 = -K2;
-            const double c2_0 = ((v2 + K3) - K4) + 1.0;
-            const double v3 = -(3.0 * K2);
-            const double v4 = 3.0 * K4;
-            const double c2_1 = (v3 + K3 + v4) - 11.0;
-            const double c2_2 = (v3 - K3) + v4 + 11.0;
-            const double c2_3 = ((v2 - K3) - K4) - 1.0;
-            const double v5 = -K3;
-            const double c3_0 = (v5 + v4) - 7.0;
+            const double v4 = -K2;
+            const double c2_0 = ((v4 + K3) - K4) + 1.0;
+            const double v5 = -(3.0 * K2);
+            const double v6 = 3.0 * K4;
+            const double c2_1 = (v5 + K3 + v6) - 11.0;
+            const double c2_2 = (v5 - K3) + v6 + 11.0;
+            const double c2_3 = ((v4 - K3) - K4) - 1.0;
+            const double v7 = -K3;
+            const double c3_0 = (v7 + v6) - 7.0;
             const double c3_1 = (-(2.0 * K3)) + 22.0;
-            const double c3_2 = (v5 - v4) - 7.0;
-            const double v6 = -K4;
-            const double c4_0 = v6 + 6.0;
-            const double c4_1 = v6 - 6.0;
+            const double c3_2 = (v7 - v6) - 7.0;
+            const double v8 = -K4;
+            const double c4_0 = v8 + 6.0;
+            const double c4_1 = v8 - 6.0;
             built.c1_4 = c1_4;
             built.tau = tau;
             built.eps = eps;
@@ -75,7 +85,13 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_4)
+            if ((v2 >= 1e-200)
+                && (ptc_tanh4_kept(K1, k1) != 0)
+                && (v3 >= 1e-200)
+                && (ptc_tanh4_kept(K2, k2) != 0)
+                && (ptc_tanh4_kept(K3, k3) != 0)
+                && (ptc_tanh4_kept(K4, k4) != 0)
+                && isfinite(built.c1_4)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.c2_0)

@@ -4,6 +4,12 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
+static int ptc_tanh5_kept(double product, double factor)
+{
+    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
+}
+
 ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -21,12 +27,14 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
         const double k5 = params->k[4];
 
         if (isfinite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && isfinite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && isfinite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && isfinite(k1)
             && isfinite(k2)
             && isfinite(k3)
@@ -38,41 +46,43 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             const double rate = 2.0 * a;
             const double v1 = rate * rate;
             const double v2 = v1 * v1;
-            const double K1 = k1 / (rate * v2);
+            const double v3 = rate * v2;
+            const double K1 = k1 / v3;
             const double K2 = k2 / v2;
-            const double K3 = k3 / (rate * v1);
+            const double v4 = rate * v1;
+            const double K3 = k3 / v4;
             const double K4 = k4 / v1;
             const double K5 = k5 / rate;
             const double c1_5 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
-            const double v3 = -K2;
-            const double c2_0 = (((v3 + K3) - K4) + K5) - 1.0;
-            const double v4 = -(4.0 * K2);
-            const double v5 = 2.0 * K3;
-            const double v6 = 2.0 * K4;
-            const double v7 = 10.0 * K5;
-            const double c2_1 = ((v4 + v5 + v6) - v7) + 26.0;
+            const double v5 = -K2;
+            const double c2_0 = (((v5 + K3) - K4) + K5) - 1.0;
+            const double v6 = -(4.0 * K2);
+            const double v7 = 2.0 * K3;
+            const double v8 = 2.0 * K4;
+            const double v9 = 10.0 * K5;
+            const double c2_1 = ((v6 + v7 + v8) - v9) + 26.0;
             const double c2_2 = ((-(6.0 * K2)) + (6.0 * K4)) - 66.0;
-            const double c2_3 = (v4 - v5) + v6 + v7 + 26.0;
-            const double c2_4 = (((v3 - K3) - K4) - K5) - 1.0;
-            const double v8 = -K3;
-            const double v9 = 3.0 * K4;
-            const double v10 = 7.0 * K5;
-            const double c3_0 = ((v8 + v9) - v10) + 15.0;
-            const double v11 = -(3.0 * K3);
-            const double v12 = 15.0 * K5;
-            const double c3_1 = (v11 + v9 + v12) - 105.0;
-            const double c3_2 = (v11 - v9) + v12 + 105.0;
-            const double c3_3 = ((v8 - v9) - v10) - 15.0;
-            const double v13 = -K4;
-            const double v14 = 6.0 * K5;
-            const double c4_0 = (v13 + v14) - 25.0;
-            const double c4_1 = (-v6) + 70.0;
-            const double c4_2 = (v13 - v14) - 25.0;
-            const double v15 = -K5;
-            const double c5_0 = v15 + 10.0;
-            const double c5_1 = v15 - 10.0;
+            const double c2_3 = (v6 - v7) + v8 + v9 + 26.0;
+            const double c2_4 = (((v5 - K3) - K4) - K5) - 1.0;
+            const double v10 = -K3;
+            const double v11 = 3.0 * K4;
+            const double v12 = 7.0 * K5;
+            const double c3_0 = ((v10 + v11) - v12) + 15.0;
+            const double v13 = -(3.0 * K3);
+            const double v14 = 15.0 * K5;
+            const double c3_1 = (v13 + v11 + v14) - 105.0;
+            const double c3_2 = (v13 - v11) + v14 + 105.0;
+            const double c3_3 = ((v10 - v11) - v12) - 15.0;
+            const double v15 = -K4;
+            const double v16 = 6.0 * K5;
+            const double c4_0 = (v15 + v16) - 25.0;
+            const double c4_1 = (-v8) + 70.0;
+            const double c4_2 = (v15 - v16) - 25.0;
+            const double v17 = -K5;
+            const double c5_0 = v17 + 10.0;
+            const double c5_1 = v17 - 10.0;
             built.c1_5 = c1_5;
             built.tau = tau;
             built.eps = eps;
@@ -97,7 +107,15 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             built.deadline = 0.0;
             built.correction = 0.0;
 
-            if (isfinite(built.c1_5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (ptc_tanh5_kept(K1, k1) != 0)
+                && (ptc_tanh5_kept(K2, k2) != 0)
+                && (v4 >= 1e-200)
+                && (ptc_tanh5_kept(K3, k3) != 0)
+                && (ptc_tanh5_kept(K4, k4) != 0)
+                && (ptc_tanh5_kept(K5, k5) != 0)
+                && isfinite(built.c1_5)
                 && isfinite(built.hold_from)
                 && isfinite(built.two_tau)
                 && isfinite(built.c2_0)

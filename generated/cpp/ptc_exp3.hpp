@@ -17,11 +17,11 @@
  *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-150 to 1e150
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   a: rate of stretched time [1/s], finite, > 0
+ *   a: rate of stretched time [1/s], from 1e-150 to 1e150
  *   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2
  *       [1/s^2], k[2] is k_3 [1/s]
  *
@@ -87,7 +87,7 @@ enum class Status : int {
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
 };
@@ -109,11 +109,11 @@ struct [[nodiscard]] Rate {
 
 /// Run-time parameters.
 struct PtcExp3Params {
-    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double tau{}; ///< prescribed settling time [s], from 1e-150 to 1e150
     double t0{}; ///< start time [s], finite
-    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    double a{}; ///< rate of stretched time [1/s], finite, > 0
+    double a{}; ///< rate of stretched time [1/s], from 1e-150 to 1e150
     std::array<double, 3> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
 };
 
@@ -177,12 +177,14 @@ public:
         const double k2 = params.k[1];
         const double k3 = params.k[2];
         if (!(finite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && finite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && finite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && finite(k1)
             && finite(k2)
             && finite(k3)
@@ -190,7 +192,8 @@ public:
             return Status::Param;
         }
         const double v1 = a * a;
-        const double K1 = k1 / (a * v1);
+        const double v2 = a * v1;
+        const double K1 = k1 / v2;
         const double K2 = k2 / v1;
         const double K3 = k3 / a;
         const double c1 = -K1;
@@ -205,7 +208,11 @@ public:
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.u_max_ = u_max;
-        if (!(finite(built.c1_)
+        if (!((v2 >= 1e-200)
+            && kept(K1, k1)
+            && kept(K2, k2)
+            && kept(K3, k3)
+            && finite(built.c1_)
             && finite(built.c2_)
             && finite(built.c3_)
             && finite(built.hold_from_))) {
@@ -293,6 +300,17 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
+    static constexpr bool kept(double product, double factor) noexcept
+    {
+        return (absolute(product) >= 1e-200) || (absolute(factor) <= 0.0);
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
     }
 
     double c1_{}; // coefficient of x1

@@ -17,11 +17,11 @@
  *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-18 to 1e18
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-18, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   a: rate of stretched time [1/s], finite, > 0
+ *   a: rate of stretched time [1/s], from 1e-18 to 1e18
  *   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2
  *       [1/s^2], k[2] is k_3 [1/s]
  *
@@ -87,7 +87,7 @@ enum class Status : int {
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
 };
@@ -109,11 +109,11 @@ struct [[nodiscard]] Rate {
 
 /// Run-time parameters.
 struct PtcExp3F32Params {
-    float tau{}; ///< prescribed settling time [s], finite, > 0
+    float tau{}; ///< prescribed settling time [s], from 1e-18 to 1e18
     float t0{}; ///< start time [s], finite
-    float eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    float eps{}; ///< time-to-go at which the gains are held [s], >= 1e-18, < tau
     float u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    float a{}; ///< rate of stretched time [1/s], finite, > 0
+    float a{}; ///< rate of stretched time [1/s], from 1e-18 to 1e18
     std::array<float, 3> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
 };
 
@@ -177,12 +177,14 @@ public:
         const float k2 = params.k[1];
         const float k3 = params.k[2];
         if (!(finite(tau)
-            && (tau > 0.0f)
+            && (tau >= 1e-18f)
+            && (tau <= 1e18f)
             && finite(t0)
-            && (eps > 0.0f)
+            && (eps >= 1e-18f)
             && (u_max > 0.0f)
             && finite(a)
-            && (a > 0.0f)
+            && (a >= 1e-18f)
+            && (a <= 1e18f)
             && finite(k1)
             && finite(k2)
             && finite(k3)
@@ -190,7 +192,8 @@ public:
             return Status::Param;
         }
         const float v1 = a * a;
-        const float K1 = k1 / (a * v1);
+        const float v2 = a * v1;
+        const float K1 = k1 / v2;
         const float K2 = k2 / v1;
         const float K3 = k3 / a;
         const float c1 = -K1;
@@ -205,7 +208,11 @@ public:
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.u_max_ = u_max;
-        if (!(finite(built.c1_)
+        if (!((v2 >= 1e-30f)
+            && kept(K1, k1)
+            && kept(K2, k2)
+            && kept(K3, k3)
+            && finite(built.c1_)
             && finite(built.c2_)
             && finite(built.c3_)
             && finite(built.hold_from_))) {
@@ -293,6 +300,17 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
+    }
+
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
+    static constexpr bool kept(float product, float factor) noexcept
+    {
+        return (absolute(product) >= 1e-30f) || (absolute(factor) <= 0.0f);
+    }
+
+    static constexpr float absolute(float v) noexcept
+    {
+        return (v > 0.0f) ? v : (0.0f - v);
     }
 
     float c1_{}; // coefficient of x1

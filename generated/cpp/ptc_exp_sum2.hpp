@@ -16,12 +16,12 @@
  *       finds it once tau, eps, the gains and --sample-time are given.
  *
  * Parameters:
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-150 to 1e150
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
- *       [1/s]
+ *   rates: rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1]
+ *       is a_2 [1/s]
  *   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
  *
  * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -84,7 +84,7 @@ enum class Status : int {
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
 };
@@ -106,11 +106,11 @@ struct [[nodiscard]] Rate {
 
 /// Run-time parameters.
 struct PtcExpSum2Params {
-    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double tau{}; ///< prescribed settling time [s], from 1e-150 to 1e150
     double t0{}; ///< start time [s], finite
-    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    std::array<double, 2> rates{{}}; ///< rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]
+    std::array<double, 2> rates{{}}; ///< rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]
     std::array<double, 2> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 };
 
@@ -172,14 +172,17 @@ public:
         const double k1 = params.k[0];
         const double k2 = params.k[1];
         if (!(finite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && finite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && finite(a1)
-            && (a1 > 0.0)
+            && (a1 >= 1e-150)
+            && (a1 <= 1e150)
             && finite(a2)
-            && (a2 > 0.0)
+            && (a2 >= 1e-150)
+            && (a2 <= 1e150)
             && finite(k1)
             && finite(k2)
             && (eps < tau))) {
@@ -215,7 +218,11 @@ public:
         built.w1_ = w1;
         built.w2_ = w2;
         built.u_max_ = u_max;
-        if (!(finite(built.hold_from_)
+        if (!((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && kept(w1, k1)
+            && kept(w2, k2)
+            && finite(built.hold_from_)
             && finite(built.target_rate_)
             && finite(built.slowest_)
             && finite(built.mean_period_)
@@ -402,6 +409,12 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
+    static constexpr bool kept(double product, double factor) noexcept
+    {
+        return (absolute(product) >= 1e-200) || (absolute(factor) <= 0.0);
     }
 
     static constexpr double absolute(double v) noexcept

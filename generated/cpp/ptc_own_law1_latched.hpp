@@ -16,9 +16,9 @@
  *
  * Parameters:
  *   a = 1 [1/s], fixed: rate of stretched time
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-150 to 1e150
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
  *
  * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -71,7 +71,7 @@ enum class Status : int {
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
 };
@@ -93,9 +93,9 @@ struct [[nodiscard]] Rate {
 
 /// Run-time parameters.
 struct PtcOwnLaw1LatchedParams {
-    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double tau{}; ///< prescribed settling time [s], from 1e-150 to 1e150
     double t0{}; ///< start time [s], finite
-    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
 };
 
@@ -114,9 +114,10 @@ public:
         const double eps = params.eps;
         const double u_max = params.u_max;
         if (!(finite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && finite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && (eps < tau))) {
             return Status::Param;

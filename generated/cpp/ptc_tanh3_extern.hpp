@@ -16,11 +16,11 @@
  *       is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
  *
  * Parameters:
- *   tau: prescribed settling time [s], finite, > 0
+ *   tau: prescribed settling time [s], from 1e-150 to 1e150
  *   t0: start time [s], finite
- *   eps: time-to-go at which the gains are held [s], > 0, < tau
+ *   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
  *   u_max: bound of |u| [unit of u], > 0, infinity allowed
- *   a: rate of stretched time [1/s], finite, > 0
+ *   a: rate of stretched time [1/s], from 1e-150 to 1e150
  *
  * Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
  *       the stretched time since t0:
@@ -83,7 +83,7 @@ enum class Status : int {
     Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
     After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients that overflow
+    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
     Input = -2,    ///< x or t not finite, or t before t0
     Range = -3     ///< u not finite
 };
@@ -105,11 +105,11 @@ struct [[nodiscard]] Rate {
 
 /// Run-time parameters.
 struct PtcTanh3ExternParams {
-    double tau{}; ///< prescribed settling time [s], finite, > 0
+    double tau{}; ///< prescribed settling time [s], from 1e-150 to 1e150
     double t0{}; ///< start time [s], finite
-    double eps{}; ///< time-to-go at which the gains are held [s], > 0, < tau
+    double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    double a{}; ///< rate of stretched time [1/s], finite, > 0
+    double a{}; ///< rate of stretched time [1/s], from 1e-150 to 1e150
 };
 
 /// Controller: init or arm set it, all else reads it.
@@ -128,12 +128,14 @@ public:
         const double u_max = params.u_max;
         const double a = params.a;
         if (!(finite(tau)
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && finite(t0)
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && finite(a)
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && (eps < tau))) {
             return Status::Param;
         }

@@ -2,15 +2,15 @@ function self = ptc_exp3_init(params) %#codegen
 %PTC_EXP3_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
 %
 %   self = ptc_exp3_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients that overflow, raise an
+%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
 %   error ptc_exp3:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
-%     tau: prescribed settling time [s], finite, > 0
+%     tau: prescribed settling time [s], from 1e-150 to 1e150
 %     t0: start time [s], finite
-%     eps: time-to-go at which the gains are held [s], > 0, < tau
+%     eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %     u_max: bound of |u| [unit of u], > 0, infinity allowed
-%     a: rate of stretched time [1/s], finite, > 0
+%     a: rate of stretched time [1/s], from 1e-150 to 1e150
 %     k(1:3): gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k(1) is k_1 [1/s^3], k(2) is k_2 [1/s^2], k(3) is k_3 [1/s]
 
 % Prescribed-time controller ptc_exp3: order n = 3, mapping exp.
@@ -31,11 +31,11 @@ function self = ptc_exp3_init(params) %#codegen
 %       finds it once tau, eps, the gains and --sample-time are given.
 %
 % Parameters:
-%   tau: prescribed settling time [s], finite, > 0
+%   tau: prescribed settling time [s], from 1e-150 to 1e150
 %   t0: start time [s], finite
-%   eps: time-to-go at which the gains are held [s], > 0, < tau
+%   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %   u_max: bound of |u| [unit of u], > 0, infinity allowed
-%   a: rate of stretched time [1/s], finite, > 0
+%   a: rate of stretched time [1/s], from 1e-150 to 1e150
 %   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k(1) is k_1 [1/s^3], k(2) is k_2
 %       [1/s^2], k(3) is k_3 [1/s]
 %
@@ -94,20 +94,20 @@ k1 = double(params.k(1));
 k2 = double(params.k(2));
 k3 = double(params.k(3));
 
-if ~(isfinite(tau) && (tau > 0.0))
-    error('ptc_exp3:param', 'params.tau is %g; legal: finite, > 0', tau);
+if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
+    error('ptc_exp3:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
 end
 if ~isfinite(t0)
     error('ptc_exp3:param', 'params.t0 is %g; legal: finite', t0);
 end
-if ~(eps > 0.0)
-    error('ptc_exp3:param', 'params.eps is %g; legal: > 0, < tau', eps);
+if ~(eps >= 1e-150)
+    error('ptc_exp3:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
 end
 if ~(u_max > 0.0)
     error('ptc_exp3:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
 end
-if ~(isfinite(a) && (a > 0.0))
-    error('ptc_exp3:param', 'params.a is %g; legal: finite, > 0', a);
+if ~(isfinite(a) && (a >= 1e-150) && (a <= 1e150))
+    error('ptc_exp3:param', 'params.a is %g; legal: from 1e-150 to 1e150', a);
 end
 if ~isfinite(k1)
     error('ptc_exp3:param', 'params.k(1) is %g; legal: finite', k1);
@@ -123,7 +123,8 @@ if ~(eps < tau)
 end
 
 v1 = a * a;
-K1 = k1 / (a * v1);
+v2 = a * v1;
+K1 = k1 / v2;
 K2 = k2 / v1;
 K3 = k3 / a;
 c1 = -K1;
@@ -141,11 +142,20 @@ self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
 
-if ~(isfinite(self.c1) ...
+if ~((v2 >= 1e-200) ...
+        && kept(K1, k1) ...
+        && kept(K2, k2) ...
+        && kept(K3, k3) ...
+        && isfinite(self.c1) ...
         && isfinite(self.c2) ...
         && isfinite(self.c3) ...
         && isfinite(self.hold_from))
-    error('ptc_exp3:param', 'the coefficients overflow: take smaller gains, or rates nearer to 1');
+    error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
 end
 self = ptc_exp3_arm(self, t0);
+end
+
+function yes = kept(product, factor)
+% Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
+yes = abs(product) >= 1e-200 || abs(factor) <= 0.0;
 end

@@ -2,15 +2,15 @@ function self = ptc_exp_sum2_init(params) %#codegen
 %PTC_EXP_SUM2_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
 %
 %   self = ptc_exp_sum2_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients that overflow, raise an
+%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
 %   error ptc_exp_sum2:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
-%     tau: prescribed settling time [s], finite, > 0
+%     tau: prescribed settling time [s], from 1e-150 to 1e150
 %     t0: start time [s], finite
-%     eps: time-to-go at which the gains are held [s], > 0, < tau
+%     eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %     u_max: bound of |u| [unit of u], > 0, infinity allowed
-%     rates(1:2): rates a_i of stretched time, finite, > 0; rates(1) is a_1 [1/s], rates(2) is a_2 [1/s]
+%     rates(1:2): rates a_i of stretched time, from 1e-150 to 1e150; rates(1) is a_1 [1/s], rates(2) is a_2 [1/s]
 %     k(1:2): gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k(1) is k_1 [1/s^2], k(2) is k_2 [1/s]
 
 % Prescribed-time controller ptc_exp_sum2: order n = 2, mapping exp_sum.
@@ -30,12 +30,12 @@ function self = ptc_exp_sum2_init(params) %#codegen
 %       finds it once tau, eps, the gains and --sample-time are given.
 %
 % Parameters:
-%   tau: prescribed settling time [s], finite, > 0
+%   tau: prescribed settling time [s], from 1e-150 to 1e150
 %   t0: start time [s], finite
-%   eps: time-to-go at which the gains are held [s], > 0, < tau
+%   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %   u_max: bound of |u| [unit of u], > 0, infinity allowed
-%   rates: rates a_i of stretched time, finite, > 0; rates(1) is a_1 [1/s], rates(2) is a_2
-%       [1/s]
+%   rates: rates a_i of stretched time, from 1e-150 to 1e150; rates(1) is a_1 [1/s], rates(2)
+%       is a_2 [1/s]
 %   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k(1) is k_1 [1/s^2], k(2) is k_2 [1/s]
 %
 % Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -89,23 +89,23 @@ a2 = double(params.rates(2));
 k1 = double(params.k(1));
 k2 = double(params.k(2));
 
-if ~(isfinite(tau) && (tau > 0.0))
-    error('ptc_exp_sum2:param', 'params.tau is %g; legal: finite, > 0', tau);
+if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
+    error('ptc_exp_sum2:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
 end
 if ~isfinite(t0)
     error('ptc_exp_sum2:param', 'params.t0 is %g; legal: finite', t0);
 end
-if ~(eps > 0.0)
-    error('ptc_exp_sum2:param', 'params.eps is %g; legal: > 0, < tau', eps);
+if ~(eps >= 1e-150)
+    error('ptc_exp_sum2:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
 end
 if ~(u_max > 0.0)
     error('ptc_exp_sum2:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
 end
-if ~(isfinite(a1) && (a1 > 0.0))
-    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: finite, > 0', a1);
+if ~(isfinite(a1) && (a1 >= 1e-150) && (a1 <= 1e150))
+    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: from 1e-150 to 1e150', a1);
 end
-if ~(isfinite(a2) && (a2 > 0.0))
-    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: finite, > 0', a2);
+if ~(isfinite(a2) && (a2 >= 1e-150) && (a2 <= 1e150))
+    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: from 1e-150 to 1e150', a2);
 end
 if ~isfinite(k1)
     error('ptc_exp_sum2:param', 'params.k(1) is %g; legal: finite', k1);
@@ -150,7 +150,11 @@ self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
 
-if ~(isfinite(self.hold_from) ...
+if ~((b2_1 <= -1e-200) ...
+        && (b2_2 <= -1e-200) ...
+        && kept(w1, k1) ...
+        && kept(w2, k2) ...
+        && isfinite(self.hold_from) ...
         && isfinite(self.target_rate) ...
         && isfinite(self.slowest) ...
         && isfinite(self.mean_period) ...
@@ -161,9 +165,14 @@ if ~(isfinite(self.hold_from) ...
         && isfinite(self.b2_2) ...
         && isfinite(self.w1) ...
         && isfinite(self.w2))
-    error('ptc_exp_sum2:param', 'the coefficients overflow: take smaller gains, or rates nearer to 1');
+    error('ptc_exp_sum2:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
 end
 self = ptc_exp_sum2_arm(self, t0);
+end
+
+function yes = kept(product, factor)
+% Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
+yes = abs(product) >= 1e-200 || abs(factor) <= 0.0;
 end
 function r = pick(condition, yes, no)
 if condition

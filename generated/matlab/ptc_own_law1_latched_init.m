@@ -2,13 +2,13 @@ function self = ptc_own_law1_latched_init(params, x0) %#codegen
 %PTC_OWN_LAW1_LATCHED_INIT  Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0.
 %
 %   self = ptc_own_law1_latched_init(params, x0) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients that overflow, raise an
+%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
 %   error ptc_own_law1_latched:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
-%     tau: prescribed settling time [s], finite, > 0
+%     tau: prescribed settling time [s], from 1e-150 to 1e150
 %     t0: start time [s], finite
-%     eps: time-to-go at which the gains are held [s], > 0, < tau
+%     eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %     u_max: bound of |u| [unit of u], > 0, infinity allowed
 
 % Prescribed-time controller ptc_own_law1_latched: order n = 1, mapping exp.
@@ -28,9 +28,9 @@ function self = ptc_own_law1_latched_init(params, x0) %#codegen
 %
 % Parameters:
 %   a = 1 [1/s], fixed: rate of stretched time
-%   tau: prescribed settling time [s], finite, > 0
+%   tau: prescribed settling time [s], from 1e-150 to 1e150
 %   t0: start time [s], finite
-%   eps: time-to-go at which the gains are held [s], > 0, < tau
+%   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %   u_max: bound of |u| [unit of u], > 0, infinity allowed
 %
 % Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -72,14 +72,14 @@ t0 = double(params.t0);
 eps = double(params.eps);
 u_max = double(params.u_max);
 
-if ~(isfinite(tau) && (tau > 0.0))
-    error('ptc_own_law1_latched:param', 'params.tau is %g; legal: finite, > 0', tau);
+if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
+    error('ptc_own_law1_latched:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
 end
 if ~isfinite(t0)
     error('ptc_own_law1_latched:param', 'params.t0 is %g; legal: finite', t0);
 end
-if ~(eps > 0.0)
-    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: > 0, < tau', eps);
+if ~(eps >= 1e-150)
+    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
 end
 if ~(u_max > 0.0)
     error('ptc_own_law1_latched:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
@@ -99,7 +99,7 @@ self.correction = 0.0;
 self.x1_0 = 0.0;
 
 if ~(isfinite(self.hold_from))
-    error('ptc_own_law1_latched:param', 'the coefficients overflow: take smaller gains, or rates nearer to 1');
+    error('ptc_own_law1_latched:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
 end
 self = ptc_own_law1_latched_arm(self, t0, x0);
 end

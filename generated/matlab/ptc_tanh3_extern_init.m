@@ -2,15 +2,15 @@ function self = ptc_tanh3_extern_init(params) %#codegen
 %PTC_TANH3_EXTERN_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
 %
 %   self = ptc_tanh3_extern_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients that overflow, raise an
+%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
 %   error ptc_tanh3_extern:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
-%     tau: prescribed settling time [s], finite, > 0
+%     tau: prescribed settling time [s], from 1e-150 to 1e150
 %     t0: start time [s], finite
-%     eps: time-to-go at which the gains are held [s], > 0, < tau
+%     eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %     u_max: bound of |u| [unit of u], > 0, infinity allowed
-%     a: rate of stretched time [1/s], finite, > 0
+%     a: rate of stretched time [1/s], from 1e-150 to 1e150
 
 % Prescribed-time controller ptc_tanh3_extern: order n = 3, mapping tanh.
 %
@@ -29,11 +29,11 @@ function self = ptc_tanh3_extern_init(params) %#codegen
 %       is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
 %
 % Parameters:
-%   tau: prescribed settling time [s], finite, > 0
+%   tau: prescribed settling time [s], from 1e-150 to 1e150
 %   t0: start time [s], finite
-%   eps: time-to-go at which the gains are held [s], > 0, < tau
+%   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 %   u_max: bound of |u| [unit of u], > 0, infinity allowed
-%   a: rate of stretched time [1/s], finite, > 0
+%   a: rate of stretched time [1/s], from 1e-150 to 1e150
 %
 % Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
 %       the stretched time since t0:
@@ -85,20 +85,20 @@ eps = double(params.eps);
 u_max = double(params.u_max);
 a = double(params.a);
 
-if ~(isfinite(tau) && (tau > 0.0))
-    error('ptc_tanh3_extern:param', 'params.tau is %g; legal: finite, > 0', tau);
+if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
+    error('ptc_tanh3_extern:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
 end
 if ~isfinite(t0)
     error('ptc_tanh3_extern:param', 'params.t0 is %g; legal: finite', t0);
 end
-if ~(eps > 0.0)
-    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: > 0, < tau', eps);
+if ~(eps >= 1e-150)
+    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
 end
 if ~(u_max > 0.0)
     error('ptc_tanh3_extern:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
 end
-if ~(isfinite(a) && (a > 0.0))
-    error('ptc_tanh3_extern:param', 'params.a is %g; legal: finite, > 0', a);
+if ~(isfinite(a) && (a >= 1e-150) && (a <= 1e150))
+    error('ptc_tanh3_extern:param', 'params.a is %g; legal: from 1e-150 to 1e150', a);
 end
 if ~(eps < tau)
     error('ptc_tanh3_extern:param', 'params.eps is %g; legal: > 0, < tau', eps);
@@ -124,7 +124,7 @@ if ~(isfinite(self.hold_from) ...
         && isfinite(self.f22) ...
         && isfinite(self.f24) ...
         && isfinite(self.f29))
-    error('ptc_tanh3_extern:param', 'the coefficients overflow: take smaller gains, or rates nearer to 1');
+    error('ptc_tanh3_extern:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
 end
 self = ptc_tanh3_extern_arm(self, t0);
 end

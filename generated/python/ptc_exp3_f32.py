@@ -17,11 +17,11 @@ SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stabl
       finds it once tau, eps, the gains and --sample-time are given.
 
 Parameters:
-  tau: prescribed settling time [s], finite, > 0
+  tau: prescribed settling time [s], from 1e-18 to 1e18
   t0: start time [s], finite
-  eps: time-to-go at which the gains are held [s], > 0, < tau
+  eps: time-to-go at which the gains are held [s], >= 1e-18, < tau
   u_max: bound of |u| [unit of u], > 0, infinity allowed
-  a: rate of stretched time [1/s], finite, > 0
+  a: rate of stretched time [1/s], from 1e-18 to 1e18
   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2
       [1/s^2], k[2] is k_3 [1/s]
 
@@ -87,6 +87,10 @@ __all__ = ["Control", "Gains", "Params", "PtcExp3F32", "Status"]
 _R = np.float32
 Array = NDArray[np.float32]
 
+def _kept(product: Array, factor: Array) -> bool:
+    """Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor."""
+    return bool(np.abs(product) >= _R(1.0000000031710769e-30) or np.abs(factor) <= _R(0.0))
+
 class Status(IntEnum):
     """Status of u, which is 0 on a negative status."""
 
@@ -116,15 +120,15 @@ class Params:
     """Run-time parameters."""
 
     tau: float
-    """prescribed settling time [s], finite, > 0"""
+    """prescribed settling time [s], from 1e-18 to 1e18"""
     t0: float
     """start time [s], finite"""
     eps: float
-    """time-to-go at which the gains are held [s], > 0, < tau"""
+    """time-to-go at which the gains are held [s], >= 1e-18, < tau"""
     u_max: float
     """bound of |u| [unit of u], > 0, infinity allowed"""
     a: float
-    """rate of stretched time [1/s], finite, > 0"""
+    """rate of stretched time [1/s], from 1e-18 to 1e18"""
     k: Sequence[float]
     """gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]"""
 
@@ -165,7 +169,7 @@ class Gains:
 class PtcExp3F32:
     """The controller: takes the parameters and arms at params.t0, or the fixed t0.
 
-    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
@@ -180,16 +184,16 @@ class PtcExp3F32:
             k1 = np.asarray(params.k[0], dtype=_R)
             k2 = np.asarray(params.k[1], dtype=_R)
             k3 = np.asarray(params.k[2], dtype=_R)
-            if not (np.isfinite(tau) and (tau > _R(0.0))):
-                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not (np.isfinite(tau) and (tau >= _R(1.000000045813705e-18)) and (tau <= _R(9.999999843067494e17))):
+                raise ValueError(f"params.tau is {tau}; legal: from 1e-18 to 1e18")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps > _R(0.0)):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (eps >= _R(1.000000045813705e-18)):
+                raise ValueError(f"params.eps is {eps}; legal: >= 1e-18, < tau")
             if not (u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a) and (a > _R(0.0))):
-                raise ValueError(f"params.a is {a}; legal: finite, > 0")
+            if not (np.isfinite(a) and (a >= _R(1.000000045813705e-18)) and (a <= _R(9.999999843067494e17))):
+                raise ValueError(f"params.a is {a}; legal: from 1e-18 to 1e18")
             if not np.isfinite(k1):
                 raise ValueError(f"params.k[0] is {k1}; legal: finite")
             if not np.isfinite(k2):
@@ -199,7 +203,8 @@ class PtcExp3F32:
             if not (eps < tau):
                 raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
             v1 = a * a
-            K1 = k1 / (a * v1)
+            v2 = a * v1
+            K1 = k1 / v2
             K2 = k2 / v1
             K3 = k3 / a
             c1 = -K1
@@ -217,12 +222,16 @@ class PtcExp3F32:
             self._deadline = np.asarray(_R(0.0))
             self._correction = np.asarray(_R(0.0))
             if not (
-                np.isfinite(self._c1)
+                (v2 >= _R(1.0000000031710769e-30))
+                and _kept(K1, k1)
+                and _kept(K2, k2)
+                and _kept(K3, k3)
+                and np.isfinite(self._c1)
                 and np.isfinite(self._c2)
                 and np.isfinite(self._c3)
                 and np.isfinite(self._hold_from)
             ):
-                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
         self._arm(np.asarray(t0))
 
     def arm(self, t0: float) -> None:

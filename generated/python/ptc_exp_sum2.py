@@ -16,12 +16,12 @@ SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stabl
       finds it once tau, eps, the gains and --sample-time are given.
 
 Parameters:
-  tau: prescribed settling time [s], finite, > 0
+  tau: prescribed settling time [s], from 1e-150 to 1e150
   t0: start time [s], finite
-  eps: time-to-go at which the gains are held [s], > 0, < tau
+  eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
   u_max: bound of |u| [unit of u], > 0, infinity allowed
-  rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
-      [1/s]
+  rates: rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1]
+      is a_2 [1/s]
   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 
 Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -82,6 +82,10 @@ __all__ = ["Control", "Gains", "Params", "PtcExpSum2", "Status"]
 _R = np.float64
 Array = NDArray[np.float64]
 
+def _kept(product: Array, factor: Array) -> bool:
+    """Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor."""
+    return bool(np.abs(product) >= 1e-200 or np.abs(factor) <= 0.0)
+
 class Status(IntEnum):
     """Status of u, which is 0 on a negative status."""
 
@@ -111,15 +115,15 @@ class Params:
     """Run-time parameters."""
 
     tau: float
-    """prescribed settling time [s], finite, > 0"""
+    """prescribed settling time [s], from 1e-150 to 1e150"""
     t0: float
     """start time [s], finite"""
     eps: float
-    """time-to-go at which the gains are held [s], > 0, < tau"""
+    """time-to-go at which the gains are held [s], >= 1e-150, < tau"""
     u_max: float
     """bound of |u| [unit of u], > 0, infinity allowed"""
     rates: Sequence[float]
-    """rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]"""
+    """rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]"""
     k: Sequence[float]
     """gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]"""
 
@@ -159,7 +163,7 @@ class Gains:
 class PtcExpSum2:
     """The controller: takes the parameters and arms at params.t0, or the fixed t0.
 
-    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
@@ -176,18 +180,18 @@ class PtcExpSum2:
             a2 = np.asarray(params.rates[1], dtype=_R)
             k1 = np.asarray(params.k[0], dtype=_R)
             k2 = np.asarray(params.k[1], dtype=_R)
-            if not (np.isfinite(tau) and (tau > 0.0)):
-                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps > 0.0):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (eps >= 1e-150):
+                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
             if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a1) and (a1 > 0.0)):
-                raise ValueError(f"params.rates[0] is {a1}; legal: finite, > 0")
-            if not (np.isfinite(a2) and (a2 > 0.0)):
-                raise ValueError(f"params.rates[1] is {a2}; legal: finite, > 0")
+            if not (np.isfinite(a1) and (a1 >= 1e-150) and (a1 <= 1e150)):
+                raise ValueError(f"params.rates[0] is {a1}; legal: from 1e-150 to 1e150")
+            if not (np.isfinite(a2) and (a2 >= 1e-150) and (a2 <= 1e150)):
+                raise ValueError(f"params.rates[1] is {a2}; legal: from 1e-150 to 1e150")
             if not np.isfinite(k1):
                 raise ValueError(f"params.k[0] is {k1}; legal: finite")
             if not np.isfinite(k2):
@@ -227,7 +231,11 @@ class PtcExpSum2:
             self._deadline = np.asarray(0.0)
             self._correction = np.asarray(0.0)
             if not (
-                np.isfinite(self._hold_from)
+                (b2_1 <= -1e-200)
+                and (b2_2 <= -1e-200)
+                and _kept(w1, k1)
+                and _kept(w2, k2)
+                and np.isfinite(self._hold_from)
                 and np.isfinite(self._target_rate)
                 and np.isfinite(self._slowest)
                 and np.isfinite(self._mean_period)
@@ -239,7 +247,7 @@ class PtcExpSum2:
                 and np.isfinite(self._w1)
                 and np.isfinite(self._w2)
             ):
-                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
         self._arm(np.asarray(t0))
 
     def arm(self, t0: float) -> None:

@@ -16,9 +16,9 @@ SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which
 
 Parameters:
   a = 1 [1/s], fixed: rate of stretched time
-  tau: prescribed settling time [s], finite, > 0
+  tau: prescribed settling time [s], from 1e-150 to 1e150
   t0: start time [s], finite
-  eps: time-to-go at which the gains are held [s], > 0, < tau
+  eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
   u_max: bound of |u| [unit of u], > 0, infinity allowed
 
 Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -99,11 +99,11 @@ class Params:
     """Run-time parameters."""
 
     tau: float
-    """prescribed settling time [s], finite, > 0"""
+    """prescribed settling time [s], from 1e-150 to 1e150"""
     t0: float
     """start time [s], finite"""
     eps: float
-    """time-to-go at which the gains are held [s], > 0, < tau"""
+    """time-to-go at which the gains are held [s], >= 1e-150, < tau"""
     u_max: float
     """bound of |u| [unit of u], > 0, infinity allowed"""
 
@@ -117,7 +117,7 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
 class PtcOwnLaw1Latched:
     """The controller: takes the parameters and arms at params.t0, or the fixed t0, latching x0.
 
-    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params, x0: ArrayLike) -> None:
@@ -126,12 +126,12 @@ class PtcOwnLaw1Latched:
             t0 = np.asarray(params.t0, dtype=_R)
             eps = np.asarray(params.eps, dtype=_R)
             u_max = np.asarray(params.u_max, dtype=_R)
-            if not (np.isfinite(tau) and (tau > 0.0)):
-                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps > 0.0):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (eps >= 1e-150):
+                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
             if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
             if not (eps < tau):
@@ -148,7 +148,7 @@ class PtcOwnLaw1Latched:
             if not (
                 np.isfinite(self._hold_from)
             ):
-                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
         self._arm(np.asarray(t0), np.asarray(x0, dtype=_R))
 
     def arm(self, t0: float, x0: ArrayLike) -> None:

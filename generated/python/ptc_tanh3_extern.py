@@ -16,11 +16,11 @@ SAMPLE PERIOD NOT GIVEN: the gain held at eps limits the sample period for which
       is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
 
 Parameters:
-  tau: prescribed settling time [s], finite, > 0
+  tau: prescribed settling time [s], from 1e-150 to 1e150
   t0: start time [s], finite
-  eps: time-to-go at which the gains are held [s], > 0, < tau
+  eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
   u_max: bound of |u| [unit of u], > 0, infinity allowed
-  a: rate of stretched time [1/s], finite, > 0
+  a: rate of stretched time [1/s], from 1e-150 to 1e150
 
 Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
       the stretched time since t0:
@@ -111,15 +111,15 @@ class Params:
     """Run-time parameters."""
 
     tau: float
-    """prescribed settling time [s], finite, > 0"""
+    """prescribed settling time [s], from 1e-150 to 1e150"""
     t0: float
     """start time [s], finite"""
     eps: float
-    """time-to-go at which the gains are held [s], > 0, < tau"""
+    """time-to-go at which the gains are held [s], >= 1e-150, < tau"""
     u_max: float
     """bound of |u| [unit of u], > 0, infinity allowed"""
     a: float
-    """rate of stretched time [1/s], finite, > 0"""
+    """rate of stretched time [1/s], from 1e-150 to 1e150"""
 
 def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     """The states along the last axis, one by one."""
@@ -131,7 +131,7 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
 class PtcTanh3Extern:
     """The controller: takes the parameters and arms at params.t0, or the fixed t0.
 
-    ValueError where a parameter is outside its domain, or the coefficients overflow.
+    ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
@@ -141,16 +141,16 @@ class PtcTanh3Extern:
             eps = np.asarray(params.eps, dtype=_R)
             u_max = np.asarray(params.u_max, dtype=_R)
             a = np.asarray(params.a, dtype=_R)
-            if not (np.isfinite(tau) and (tau > 0.0)):
-                raise ValueError(f"params.tau is {tau}; legal: finite, > 0")
+            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps > 0.0):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+            if not (eps >= 1e-150):
+                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
             if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a) and (a > 0.0)):
-                raise ValueError(f"params.a is {a}; legal: finite, > 0")
+            if not (np.isfinite(a) and (a >= 1e-150) and (a <= 1e150)):
+                raise ValueError(f"params.a is {a}; legal: from 1e-150 to 1e150")
             if not (eps < tau):
                 raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
             hold_from = -eps
@@ -174,7 +174,7 @@ class PtcTanh3Extern:
                 and np.isfinite(self._f24)
                 and np.isfinite(self._f29)
             ):
-                raise ValueError("the coefficients overflow; take smaller gains, or rates nearer to 1")
+                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
         self._arm(np.asarray(t0))
 
     def arm(self, t0: float) -> None:

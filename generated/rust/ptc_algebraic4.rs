@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is
 //!       k_4 [1/s]
 //!
@@ -110,7 +110,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -168,15 +168,15 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic4Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; `k[0]` is k_1 in 1/s^4, ..., `k[3]` is k_4 in 1/s.
     pub k: [f64; 4],
@@ -252,7 +252,7 @@ impl PtcAlgebraic4 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcAlgebraic4Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -264,12 +264,14 @@ impl PtcAlgebraic4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -279,33 +281,41 @@ impl PtcAlgebraic4 {
             return Err(Error::Param);
         }
         let v1 = a * a;
-        let K1 = k1 / (v1 * v1);
-        let K2 = k2 / (a * v1);
+        let v2 = v1 * v1;
+        let K1 = k1 / v2;
+        let v3 = a * v1;
+        let K2 = k2 / v3;
         let K3 = k3 / v1;
         let K4 = k4 / a;
-        let v2 = tau * tau;
-        let c1_4 = (-K1) / (v2 * v2);
+        let v4 = tau * tau;
+        let v5 = v4 * v4;
+        let c1_4 = (-K1) / v5;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
-        let v3 = -K2;
-        let v4 = tau * v2;
-        let c2_0 = (v3 + (3.0 * K4)) / v4;
-        let v5 = 3.0 * K3;
-        let c2_1 = (v5 - 45.0) / v4;
-        let v6 = -(3.0 * K2);
-        let v7 = 9.0 * K4;
-        let c2_2 = (v6 - v7) / v4;
-        let c2_3 = ((6.0 * K3) + 60.0) / v4;
-        let c2_4 = (v6 - (12.0 * K4)) / v4;
-        let c2_5 = v5 / v4;
-        let c2_6 = v3 / v4;
+        let v6 = -K2;
+        let v7 = v6 + (3.0 * K4);
+        let v8 = tau * v4;
+        let c2_0 = v7 / v8;
+        let v9 = 3.0 * K3;
+        let v10 = v9 - 45.0;
+        let c2_1 = v10 / v8;
+        let v11 = -(3.0 * K2);
+        let v12 = 9.0 * K4;
+        let v13 = v11 - v12;
+        let c2_2 = v13 / v8;
+        let v14 = (6.0 * K3) + 60.0;
+        let c2_3 = v14 / v8;
+        let v15 = v11 - (12.0 * K4);
+        let c2_4 = v15 / v8;
+        let c2_5 = v9 / v8;
+        let c2_6 = v6 / v8;
         let inv_tau = 1.0 / tau;
-        let v8 = -K3;
-        let c3_0 = (v8 + 12.0) / v2;
-        let c3_3 = v7 / v2;
-        let c3_2 = ((-(2.0 * K3)) - 75.0) / v2;
-        let c3_4 = v8 / v2;
+        let v16 = -K3;
+        let c3_0 = (v16 + 12.0) / v4;
+        let c3_3 = v12 / v4;
+        let c3_2 = ((-(2.0 * K3)) - 75.0) / v4;
+        let c3_4 = v16 / v4;
         let c4_2 = (-K4) / tau;
         let c4_1 = 18.0 / tau;
         let mut built = Self {
@@ -334,7 +344,26 @@ impl PtcAlgebraic4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_4.is_finite()
+        if !((v2 >= 1e-200)
+            && Self::kept(K1, k1)
+            && (v3 >= 1e-200)
+            && Self::kept(K2, k2)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && (v5 >= 1e-200)
+            && Self::kept(c1_4, k1)
+            && (v8 >= 1e-200)
+            && Self::kept(c2_0, v7)
+            && Self::kept(c2_1, v10)
+            && Self::kept(c2_2, v13)
+            && Self::kept(c2_3, v14)
+            && Self::kept(c2_4, v15)
+            && Self::kept(c2_5, k3)
+            && Self::kept(c2_6, k2)
+            && Self::kept(c3_3, k4)
+            && Self::kept(c3_4, k3)
+            && Self::kept(c4_2, k4)
+            && built.c1_4.is_finite()
             && built.hold_from.is_finite()
             && built.two_tau.is_finite()
             && built.half_tau.is_finite()
@@ -357,6 +386,11 @@ impl PtcAlgebraic4 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
 //!       k_5 [1/s]
 //!
@@ -120,7 +120,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -178,15 +178,15 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic5Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
     pub k: [f64; 5],
@@ -280,7 +280,7 @@ impl PtcAlgebraic5 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcAlgebraic5Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -293,12 +293,14 @@ impl PtcAlgebraic5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -310,47 +312,62 @@ impl PtcAlgebraic5 {
         }
         let v1 = a * a;
         let v2 = v1 * v1;
-        let K1 = k1 / (a * v2);
+        let v3 = a * v2;
+        let K1 = k1 / v3;
         let K2 = k2 / v2;
-        let K3 = k3 / (a * v1);
+        let v4 = a * v1;
+        let K3 = k3 / v4;
         let K4 = k4 / v1;
         let K5 = k5 / a;
-        let v3 = tau * tau;
-        let v4 = v3 * v3;
-        let c1_5 = (-K1) / (tau * v4);
+        let v5 = tau * tau;
+        let v6 = v5 * v5;
+        let v7 = tau * v6;
+        let c1_5 = (-K1) / v7;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
-        let v5 = -K2;
-        let c2_0 = ((v5 + (3.0 * K4)) - 45.0) / v4;
-        let v6 = 3.0 * K3;
-        let c2_1 = (v6 - (45.0 * K5)) / v4;
-        let v7 = -(4.0 * K2);
-        let c2_2 = ((v7 - (6.0 * K4)) + 540.0) / v4;
-        let v8 = 9.0 * K3;
-        let c2_3 = (v8 + (15.0 * K5)) / v4;
-        let c2_4 = (((-(6.0 * K2)) - (21.0 * K4)) - 360.0) / v4;
-        let c2_5 = (v8 + (60.0 * K5)) / v4;
-        let c2_6 = (v7 - (12.0 * K4)) / v4;
-        let c2_7 = v6 / v4;
-        let c2_8 = v5 / v4;
+        let v8 = -K2;
+        let v9 = (v8 + (3.0 * K4)) - 45.0;
+        let c2_0 = v9 / v6;
+        let v10 = 3.0 * K3;
+        let v11 = v10 - (45.0 * K5);
+        let c2_1 = v11 / v6;
+        let v12 = -(4.0 * K2);
+        let v13 = (v12 - (6.0 * K4)) + 540.0;
+        let c2_2 = v13 / v6;
+        let v14 = 9.0 * K3;
+        let v15 = v14 + (15.0 * K5);
+        let c2_3 = v15 / v6;
+        let v16 = ((-(6.0 * K2)) - (21.0 * K4)) - 360.0;
+        let c2_4 = v16 / v6;
+        let v17 = v14 + (60.0 * K5);
+        let c2_5 = v17 / v6;
+        let v18 = v12 - (12.0 * K4);
+        let c2_6 = v18 / v6;
+        let c2_7 = v10 / v6;
+        let c2_8 = v8 / v6;
         let inv_tau = 1.0 / tau;
-        let v9 = -K3;
-        let v10 = tau * v3;
-        let c3_0 = (v9 + (12.0 * K5)) / v10;
-        let v11 = 9.0 * K4;
-        let c3_1 = (v11 - 315.0) / v10;
-        let v12 = -v6;
-        let c3_2 = (v12 - (63.0 * K5)) / v10;
-        let c3_3 = ((18.0 * K4) + 660.0) / v10;
-        let c3_4 = (v12 - (75.0 * K5)) / v10;
-        let c3_5 = v11 / v10;
-        let c3_6 = v9 / v10;
-        let v13 = -K4;
-        let c4_0 = (v13 + 30.0) / v3;
-        let c4_3 = (18.0 * K5) / v3;
-        let c4_2 = ((-(2.0 * K4)) - 255.0) / v3;
-        let c4_4 = v13 / v3;
+        let v19 = -K3;
+        let v20 = v19 + (12.0 * K5);
+        let v21 = tau * v5;
+        let c3_0 = v20 / v21;
+        let v22 = 9.0 * K4;
+        let v23 = v22 - 315.0;
+        let c3_1 = v23 / v21;
+        let v24 = -v10;
+        let v25 = v24 - (63.0 * K5);
+        let c3_2 = v25 / v21;
+        let v26 = (18.0 * K4) + 660.0;
+        let c3_3 = v26 / v21;
+        let v27 = v24 - (75.0 * K5);
+        let c3_4 = v27 / v21;
+        let c3_5 = v22 / v21;
+        let c3_6 = v19 / v21;
+        let v28 = -K4;
+        let c4_0 = (v28 + 30.0) / v5;
+        let c4_3 = (18.0 * K5) / v5;
+        let c4_2 = ((-(2.0 * K4)) - 255.0) / v5;
+        let c4_4 = v28 / v5;
         let c5_2 = (-K5) / tau;
         let c5_1 = 30.0 / tau;
         let mut built = Self {
@@ -388,7 +405,38 @@ impl PtcAlgebraic5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_5.is_finite()
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && Self::kept(K1, k1)
+            && Self::kept(K2, k2)
+            && (v4 >= 1e-200)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && Self::kept(K5, k5)
+            && (v6 >= 1e-200)
+            && (v7 >= 1e-200)
+            && Self::kept(c1_5, k1)
+            && Self::kept(c2_0, v9)
+            && Self::kept(c2_1, v11)
+            && Self::kept(c2_2, v13)
+            && Self::kept(c2_3, v15)
+            && Self::kept(c2_4, v16)
+            && Self::kept(c2_5, v17)
+            && Self::kept(c2_6, v18)
+            && Self::kept(c2_7, k3)
+            && Self::kept(c2_8, k2)
+            && (v21 >= 1e-200)
+            && Self::kept(c3_0, v20)
+            && Self::kept(c3_1, v23)
+            && Self::kept(c3_2, v25)
+            && Self::kept(c3_3, v26)
+            && Self::kept(c3_4, v27)
+            && Self::kept(c3_5, k4)
+            && Self::kept(c3_6, k3)
+            && Self::kept(c4_3, k5)
+            && Self::kept(c4_4, k4)
+            && Self::kept(c5_2, k5)
+            && built.c1_5.is_finite()
             && built.hold_from.is_finite()
             && built.two_tau.is_finite()
             && built.half_tau.is_finite()
@@ -420,6 +468,11 @@ impl PtcAlgebraic5 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

@@ -16,11 +16,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 //!
 //! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -91,7 +91,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -133,15 +133,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp2Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
     pub k: [f64; 2],
@@ -187,7 +187,7 @@ impl PtcExp2 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExp2Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -197,12 +197,14 @@ impl PtcExp2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && (eps < tau))
@@ -225,7 +227,9 @@ impl PtcExp2 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1.is_finite()
+        if !(Self::kept(K1, k1)
+            && Self::kept(K2, k2)
+            && built.c1.is_finite()
             && built.c2.is_finite()
             && built.hold_from.is_finite())
         {
@@ -233,6 +237,11 @@ impl PtcExp2 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

@@ -98,7 +98,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -168,7 +168,7 @@ impl PtcExp3Fixed {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExp3FixedParams) -> Result<Self, Error> {
         let PtcExp3FixedParams {} = params;
         let mut built = Self {
@@ -179,7 +179,6 @@ impl PtcExp3Fixed {
         built.arm(0.0)?;
         Ok(built)
     }
-
     /// Starts again at `t0`, in s.
     ///
     /// # Errors

@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2
 //!       [1/s^2], k[2] is k_3 [1/s]
 //!
@@ -99,7 +99,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -141,15 +141,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3ResultParams {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; `k[0]` is k_1 in 1/s^3, `k[1]` is k_2 in 1/s^2, `k[2]` is k_3 in 1/s.
     pub k: [f64; 3],
@@ -195,7 +195,7 @@ impl PtcExp3Result {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExp3ResultParams) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -206,12 +206,14 @@ impl PtcExp3Result {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -220,7 +222,8 @@ impl PtcExp3Result {
             return Err(Error::Param);
         }
         let v1 = a * a;
-        let K1 = k1 / (a * v1);
+        let v2 = a * v1;
+        let K1 = k1 / v2;
         let K2 = k2 / v1;
         let K3 = k3 / a;
         let c1 = -K1;
@@ -238,7 +241,11 @@ impl PtcExp3Result {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1.is_finite()
+        if !((v2 >= 1e-200)
+            && Self::kept(K1, k1)
+            && Self::kept(K2, k2)
+            && Self::kept(K3, k3)
+            && built.c1.is_finite()
             && built.c2.is_finite()
             && built.c3.is_finite()
             && built.hold_from.is_finite())
@@ -247,6 +254,11 @@ impl PtcExp3Result {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

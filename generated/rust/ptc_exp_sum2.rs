@@ -16,12 +16,12 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
-//!       [1/s]
+//!   rates: rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1]
+//!       is a_2 [1/s]
 //!   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 //!
 //! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
@@ -93,7 +93,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -163,15 +163,15 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum2Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rates a_i of stretched time, finite, > 0; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
+    /// Rates a_i of stretched time, from 1e-150 to 1e150; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
     pub rates: [f64; 2],
     /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
     pub k: [f64; 2],
@@ -237,7 +237,7 @@ impl PtcExpSum2 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExpSum2Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -248,14 +248,17 @@ impl PtcExpSum2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a1.is_finite()
-            && (a1 > 0.0)
+            && (a1 >= 1e-150)
+            && (a1 <= 1e150)
             && a2.is_finite()
-            && (a2 > 0.0)
+            && (a2 >= 1e-150)
+            && (a2 <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && (eps < tau))
@@ -296,7 +299,11 @@ impl PtcExpSum2 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.hold_from.is_finite()
+        if !((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && Self::kept(w1, k1)
+            && Self::kept(w2, k2)
+            && built.hold_from.is_finite()
             && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
@@ -312,6 +319,11 @@ impl PtcExpSum2 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

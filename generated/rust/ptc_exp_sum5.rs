@@ -17,12 +17,12 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   rates: rates a_i of stretched time, finite, > 0; rates[0] is a_1 [1/s], rates[1] is a_2
-//!       [1/s]
+//!   rates: rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1]
+//!       is a_2 [1/s]
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
 //!       k_5 [1/s]
 //!
@@ -110,7 +110,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -180,15 +180,15 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum5Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rates a_i of stretched time, finite, > 0; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
+    /// Rates a_i of stretched time, from 1e-150 to 1e150; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
     pub rates: [f64; 2],
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
     pub k: [f64; 5],
@@ -272,7 +272,7 @@ impl PtcExpSum5 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExpSum5Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -286,14 +286,17 @@ impl PtcExpSum5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a1.is_finite()
-            && (a1 > 0.0)
+            && (a1 >= 1e-150)
+            && (a1 <= 1e150)
             && a2.is_finite()
-            && (a2 > 0.0)
+            && (a2 >= 1e-150)
+            && (a2 <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -316,14 +319,18 @@ impl PtcExpSum5 {
         let b2_1 = (-0.25) * v3 * tau;
         let v4 = a2 * a2;
         let b2_2 = (-0.25) * v4 * tau;
-        let b3_1 = 0.08333333333333333 * (a1 * v3) * tau;
-        let b3_2 = 0.08333333333333333 * (a2 * v4) * tau;
-        let v5 = v3 * v3;
-        let b4_1 = (-0.020833333333333332) * v5 * tau;
-        let v6 = v4 * v4;
-        let b4_2 = (-0.020833333333333332) * v6 * tau;
-        let b5_1 = 0.004166666666666667 * (a1 * v5) * tau;
-        let b5_2 = 0.004166666666666667 * (a2 * v6) * tau;
+        let v5 = a1 * v3;
+        let b3_1 = 0.08333333333333333 * v5 * tau;
+        let v6 = a2 * v4;
+        let b3_2 = 0.08333333333333333 * v6 * tau;
+        let v7 = v3 * v3;
+        let b4_1 = (-0.020833333333333332) * v7 * tau;
+        let v8 = v4 * v4;
+        let b4_2 = (-0.020833333333333332) * v8 * tau;
+        let v9 = a1 * v7;
+        let b5_1 = 0.004166666666666667 * v9 * tau;
+        let v10 = a2 * v8;
+        let b5_2 = 0.004166666666666667 * v10 * tau;
         let w1 = -k1;
         let w2 = -k2;
         let w3 = (-2.0) * k3;
@@ -359,7 +366,26 @@ impl PtcExpSum5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.hold_from.is_finite()
+        if !((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && (v5 >= 1e-200)
+            && (b3_1 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (b3_2 >= 1e-200)
+            && (v7 >= 1e-200)
+            && (b4_1 <= -1e-200)
+            && (v8 >= 1e-200)
+            && (b4_2 <= -1e-200)
+            && (v9 >= 1e-200)
+            && (b5_1 >= 1e-200)
+            && (v10 >= 1e-200)
+            && (b5_2 >= 1e-200)
+            && Self::kept(w1, k1)
+            && Self::kept(w2, k2)
+            && Self::kept(w3, k3)
+            && Self::kept(w4, k4)
+            && Self::kept(w5, k5)
+            && built.hold_from.is_finite()
             && built.target_rate.is_finite()
             && built.slowest.is_finite()
             && built.mean_period.is_finite()
@@ -384,6 +410,11 @@ impl PtcExpSum5 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

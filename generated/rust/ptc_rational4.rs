@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is
 //!       k_4 [1/s]
 //!
@@ -104,7 +104,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -146,15 +146,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcRational4Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; `k[0]` is k_1 in 1/s^4, ..., `k[3]` is k_4 in 1/s.
     pub k: [f64; 4],
@@ -210,7 +210,7 @@ impl PtcRational4 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcRational4Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -222,12 +222,14 @@ impl PtcRational4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -238,8 +240,10 @@ impl PtcRational4 {
         }
         let rate = a / tau;
         let v1 = rate * rate;
-        let K1 = k1 / (v1 * v1);
-        let K2 = k2 / (rate * v1);
+        let v2 = v1 * v1;
+        let K1 = k1 / v2;
+        let v3 = rate * v1;
+        let K2 = k2 / v3;
         let K3 = k3 / v1;
         let K4 = k4 / rate;
         let c1_4 = -K1;
@@ -266,7 +270,14 @@ impl PtcRational4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_4.is_finite()
+        if !((v1 >= 1e-200)
+            && (v2 >= 1e-200)
+            && Self::kept(K1, k1)
+            && (v3 >= 1e-200)
+            && Self::kept(K2, k2)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && built.c1_4.is_finite()
             && built.hold_from.is_finite()
             && built.c3_1.is_finite()
             && built.c2_1.is_finite()
@@ -279,6 +290,11 @@ impl PtcRational4 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

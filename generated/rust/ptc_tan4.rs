@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is
 //!       k_4 [1/s]
 //!
@@ -111,7 +111,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -153,15 +153,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTan4Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; `k[0]` is k_1 in 1/s^4, ..., `k[3]` is k_4 in 1/s.
     pub k: [f64; 4],
@@ -239,7 +239,7 @@ impl PtcTan4 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcTan4Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -251,12 +251,14 @@ impl PtcTan4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -266,8 +268,10 @@ impl PtcTan4 {
             return Err(Error::Param);
         }
         let v1 = a * a;
-        let K1 = k1 / (v1 * v1);
-        let K2 = k2 / (a * v1);
+        let v2 = v1 * v1;
+        let K1 = k1 / v2;
+        let v3 = a * v1;
+        let K2 = k2 / v3;
         let K3 = k3 / v1;
         let K4 = k4 / a;
         let c1_4 = -K1;
@@ -275,21 +279,24 @@ impl PtcTan4 {
         let inv_angle_rate = 0.6366197723675814 * tau;
         let hold_from = -eps;
         let inv_tau = 1.0 / tau;
-        let v2 = tau * tau;
-        let v3 = tau * v2;
-        let c2_0 = ((-(3.8757845850374775 * K2)) + (7.751569170074955 * K4)) / v3;
-        let c2_1 = ((4.934802200544679 * K3) - 59.217626406536155) / v2;
-        let c2_2 = ((-(4.71238898038469 * K2)) - (6.283185307179586 * K4)) / tau;
+        let v4 = (-(3.8757845850374775 * K2)) + (7.751569170074955 * K4);
+        let v5 = tau * tau;
+        let v6 = tau * v5;
+        let c2_0 = v4 / v6;
+        let c2_1 = ((4.934802200544679 * K3) - 59.217626406536155) / v5;
+        let v7 = (-(4.71238898038469 * K2)) - (6.283185307179586 * K4);
+        let c2_2 = v7 / tau;
         let c2_3 = (4.0 * K3) + 24.0;
-        let v4 = 3.819718634205488 * K4;
-        let c2_4 = ((-(1.909859317102744 * K2)) - v4) * tau;
-        let c2_5 = 0.8105694691387022 * K3 * v2;
-        let c2_6 = (-(0.2580122754655959 * K2)) * v3;
-        let c3_0 = ((-(2.4674011002723395 * K3)) + 19.739208802178716) / v2;
+        let v8 = 3.819718634205488 * K4;
+        let v9 = (-(1.909859317102744 * K2)) - v8;
+        let c2_4 = v9 * tau;
+        let c2_5 = 0.8105694691387022 * K3 * v5;
+        let c2_6 = (-(0.2580122754655959 * K2)) * v6;
+        let c3_0 = ((-(2.4674011002723395 * K3)) + 19.739208802178716) / v5;
         let c3_1 = (9.42477796076938 * K4) / tau;
         let c3_2 = (-(2.0 * K3)) - 36.0;
-        let c3_3 = v4 * tau;
-        let c3_4 = (-(0.4052847345693511 * K3)) * v2;
+        let c3_3 = v8 * tau;
+        let c3_4 = (-(0.4052847345693511 * K3)) * v5;
         let c4_0 = (-(1.5707963267948966 * K4)) / tau;
         let c4_2 = (-(0.6366197723675814 * K4)) * tau;
         let mut built = Self {
@@ -319,7 +326,24 @@ impl PtcTan4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_4.is_finite()
+        if !((v2 >= 1e-200)
+            && Self::kept(K1, k1)
+            && (v3 >= 1e-200)
+            && Self::kept(K2, k2)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && (v6 >= 1e-200)
+            && Self::kept(c2_0, v4)
+            && Self::kept(c2_2, v7)
+            && Self::kept(c2_4, v9)
+            && Self::kept(c2_5, k3)
+            && Self::kept(c2_6, k2)
+            && Self::kept(c3_1, k4)
+            && Self::kept(c3_3, k4)
+            && Self::kept(c3_4, k3)
+            && Self::kept(c4_0, k4)
+            && Self::kept(c4_2, k4)
+            && built.c1_4.is_finite()
             && built.angle_rate.is_finite()
             && built.inv_angle_rate.is_finite()
             && built.hold_from.is_finite()
@@ -343,6 +367,11 @@ impl PtcTan4 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
 //!       k_5 [1/s]
 //!
@@ -124,7 +124,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -166,15 +166,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTan5Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
     pub k: [f64; 5],
@@ -270,7 +270,7 @@ impl PtcTan5 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcTan5Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -283,12 +283,14 @@ impl PtcTan5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -300,9 +302,11 @@ impl PtcTan5 {
         }
         let v1 = a * a;
         let v2 = v1 * v1;
-        let K1 = k1 / (a * v2);
+        let v3 = a * v2;
+        let K1 = k1 / v3;
         let K2 = k2 / v2;
-        let K3 = k3 / (a * v1);
+        let v4 = a * v1;
+        let K3 = k3 / v4;
         let K4 = k4 / v1;
         let K5 = k5 / a;
         let c1_5 = -K1;
@@ -310,33 +314,39 @@ impl PtcTan5 {
         let inv_angle_rate = 0.6366197723675814 * tau;
         let hold_from = -eps;
         let inv_tau = 1.0 / tau;
-        let v3 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
-        let v4 = tau * tau;
-        let v5 = v4 * v4;
-        let c2_0 = v3 / v5;
-        let v6 = tau * v4;
-        let c2_1 = ((7.751569170074955 * K3) - (93.01883004089946 * K5)) / v6;
-        let v7 = ((-(9.869604401089358 * K2)) - (4.934802200544679 * K4)) + 592.1762640653615;
-        let c2_2 = v7 / v4;
+        let v5 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
+        let v6 = tau * tau;
+        let v7 = v6 * v6;
+        let c2_0 = v5 / v7;
+        let v8 = (7.751569170074955 * K3) - (93.01883004089946 * K5);
+        let v9 = tau * v6;
+        let c2_1 = v8 / v9;
+        let v10 = ((-(9.869604401089358 * K2)) - (4.934802200544679 * K4)) + 592.1762640653615;
+        let c2_2 = v10 / v6;
         let c2_3 = (9.42477796076938 * K3) / tau;
         let c2_4 = ((-(6.0 * K2)) - (10.0 * K4)) - 120.0;
-        let c2_5 = ((3.819718634205488 * K3) + (15.278874536821952 * K5)) * tau;
-        let v8 = 2.4317084074161066 * K4;
-        let c2_6 = ((-(1.6211389382774044 * K2)) - v8) * v4;
-        let c2_7 = 0.5160245509311918 * K3 * v6;
-        let c2_8 = (-(0.16425571607494938 * K2)) * v5;
-        let c3_0 = ((-(3.8757845850374775 * K3)) + (31.00627668029982 * K5)) / v6;
-        let c3_1 = ((14.804406601634039 * K4) - 394.78417604357435) / v4;
-        let c3_2 = ((-(4.71238898038469 * K3)) - (43.982297150257104 * K5)) / tau;
+        let v11 = (3.819718634205488 * K3) + (15.278874536821952 * K5);
+        let c2_5 = v11 * tau;
+        let v12 = 2.4317084074161066 * K4;
+        let v13 = (-(1.6211389382774044 * K2)) - v12;
+        let c2_6 = v13 * v6;
+        let c2_7 = 0.5160245509311918 * K3 * v9;
+        let c2_8 = (-(0.16425571607494938 * K2)) * v7;
+        let v14 = (-(3.8757845850374775 * K3)) + (31.00627668029982 * K5);
+        let c3_0 = v14 / v9;
+        let c3_1 = ((14.804406601634039 * K4) - 394.78417604357435) / v6;
+        let v15 = (-(4.71238898038469 * K3)) - (43.982297150257104 * K5);
+        let c3_2 = v15 / tau;
         let c3_3 = (12.0 * K4) + 240.0;
-        let c3_4 = ((-(1.909859317102744 * K3)) - (22.91831180523293 * K5)) * tau;
-        let c3_5 = v8 * v4;
-        let c3_6 = (-(0.2580122754655959 * K3)) * v6;
-        let c4_0 = ((-(2.4674011002723395 * K4)) + 49.34802200544679) / v4;
+        let v16 = (-(1.909859317102744 * K3)) - (22.91831180523293 * K5);
+        let c3_4 = v16 * tau;
+        let c3_5 = v12 * v6;
+        let c3_6 = (-(0.2580122754655959 * K3)) * v9;
+        let c4_0 = ((-(2.4674011002723395 * K4)) + 49.34802200544679) / v6;
         let c4_1 = (18.84955592153876 * K5) / tau;
         let c4_2 = (-(2.0 * K4)) - 120.0;
         let c4_3 = 7.639437268410976 * K5 * tau;
-        let c4_4 = (-(0.4052847345693511 * K4)) * v4;
+        let c4_4 = (-(0.4052847345693511 * K4)) * v6;
         let c5_0 = (-(1.5707963267948966 * K5)) / tau;
         let c5_2 = (-(0.6366197723675814 * K5)) * tau;
         let mut built = Self {
@@ -375,7 +385,34 @@ impl PtcTan5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_5.is_finite()
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && Self::kept(K1, k1)
+            && Self::kept(K2, k2)
+            && (v4 >= 1e-200)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && Self::kept(K5, k5)
+            && (v7 >= 1e-200)
+            && Self::kept(c2_0, v5)
+            && (v9 >= 1e-200)
+            && Self::kept(c2_1, v8)
+            && Self::kept(c2_3, k3)
+            && Self::kept(c2_5, v11)
+            && Self::kept(c2_6, v13)
+            && Self::kept(c2_7, k3)
+            && Self::kept(c2_8, k2)
+            && Self::kept(c3_0, v14)
+            && Self::kept(c3_2, v15)
+            && Self::kept(c3_4, v16)
+            && Self::kept(c3_5, k4)
+            && Self::kept(c3_6, k3)
+            && Self::kept(c4_1, k5)
+            && Self::kept(c4_3, k5)
+            && Self::kept(c4_4, k4)
+            && Self::kept(c5_0, k5)
+            && Self::kept(c5_2, k5)
+            && built.c1_5.is_finite()
             && built.angle_rate.is_finite()
             && built.inv_angle_rate.is_finite()
             && built.hold_from.is_finite()
@@ -408,6 +445,11 @@ impl PtcTan5 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

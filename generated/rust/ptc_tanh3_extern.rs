@@ -16,11 +16,11 @@
 //!       is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!
 //! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
 //!       the stretched time since t0:
@@ -93,7 +93,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -151,15 +151,15 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh3ExternParams {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
 }
 
@@ -198,7 +198,7 @@ impl PtcTanh3Extern {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcTanh3ExternParams) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -206,12 +206,14 @@ impl PtcTanh3Extern {
         let u_max = params.u_max;
         let a = params.a;
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && (eps < tau))
         {
             return Err(Error::Param);
@@ -243,7 +245,6 @@ impl PtcTanh3Extern {
         built.arm(t0)?;
         Ok(built)
     }
-
     /// Starts again at `t0`, in s.
     ///
     /// # Errors

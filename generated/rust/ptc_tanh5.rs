@@ -17,11 +17,11 @@
 //!       finds it once tau, eps, the gains and --sample-time are given.
 //!
 //! Parameters:
-//!   tau: prescribed settling time [s], finite, > 0
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
 //!   t0: start time [s], finite
-//!   eps: time-to-go at which the gains are held [s], > 0, < tau
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
 //!   u_max: bound of |u| [unit of u], > 0, infinity allowed
-//!   a: rate of stretched time [1/s], finite, > 0
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
 //!   k: gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is
 //!       k_5 [1/s]
 //!
@@ -119,7 +119,7 @@ pub struct Control<R = f64> {
 /// Why there is no controller, or no u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// A parameter is outside its domain, or the coefficients derived from it overflow.
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
     Param,
     /// x or t is not finite, or t lies before the start.
     Input,
@@ -161,15 +161,15 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh5Params {
-    /// Prescribed settling time, in s; finite, > 0.
+    /// Prescribed settling time, in s; from 1e-150 to 1e150.
     pub tau: f64,
     /// Start time, in s; finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; > 0, < tau.
+    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
     pub eps: f64,
     /// Bound of |u|, in the unit of u; > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; finite, > 0.
+    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
     pub a: f64,
     /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
     pub k: [f64; 5],
@@ -243,7 +243,7 @@ impl PtcTanh5 {
     /// Takes the parameters and arms at the start time among them (or the fixed one).
     ///
     /// # Errors
-    /// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcTanh5Params) -> Result<Self, Error> {
         let tau = params.tau;
         let t0 = params.t0;
@@ -256,12 +256,14 @@ impl PtcTanh5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau > 0.0)
+            && (tau >= 1e-150)
+            && (tau <= 1e150)
             && t0.is_finite()
-            && (eps > 0.0)
+            && (eps >= 1e-150)
             && (u_max > 0.0)
             && a.is_finite()
-            && (a > 0.0)
+            && (a >= 1e-150)
+            && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -274,41 +276,43 @@ impl PtcTanh5 {
         let rate = 2.0 * a;
         let v1 = rate * rate;
         let v2 = v1 * v1;
-        let K1 = k1 / (rate * v2);
+        let v3 = rate * v2;
+        let K1 = k1 / v3;
         let K2 = k2 / v2;
-        let K3 = k3 / (rate * v1);
+        let v4 = rate * v1;
+        let K3 = k3 / v4;
         let K4 = k4 / v1;
         let K5 = k5 / rate;
         let c1_5 = -K1;
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
-        let v3 = -K2;
-        let c2_0 = (((v3 + K3) - K4) + K5) - 1.0;
-        let v4 = -(4.0 * K2);
-        let v5 = 2.0 * K3;
-        let v6 = 2.0 * K4;
-        let v7 = 10.0 * K5;
-        let c2_1 = ((v4 + v5 + v6) - v7) + 26.0;
+        let v5 = -K2;
+        let c2_0 = (((v5 + K3) - K4) + K5) - 1.0;
+        let v6 = -(4.0 * K2);
+        let v7 = 2.0 * K3;
+        let v8 = 2.0 * K4;
+        let v9 = 10.0 * K5;
+        let c2_1 = ((v6 + v7 + v8) - v9) + 26.0;
         let c2_2 = ((-(6.0 * K2)) + (6.0 * K4)) - 66.0;
-        let c2_3 = (v4 - v5) + v6 + v7 + 26.0;
-        let c2_4 = (((v3 - K3) - K4) - K5) - 1.0;
-        let v8 = -K3;
-        let v9 = 3.0 * K4;
-        let v10 = 7.0 * K5;
-        let c3_0 = ((v8 + v9) - v10) + 15.0;
-        let v11 = -(3.0 * K3);
-        let v12 = 15.0 * K5;
-        let c3_1 = (v11 + v9 + v12) - 105.0;
-        let c3_2 = (v11 - v9) + v12 + 105.0;
-        let c3_3 = ((v8 - v9) - v10) - 15.0;
-        let v13 = -K4;
-        let v14 = 6.0 * K5;
-        let c4_0 = (v13 + v14) - 25.0;
-        let c4_1 = (-v6) + 70.0;
-        let c4_2 = (v13 - v14) - 25.0;
-        let v15 = -K5;
-        let c5_0 = v15 + 10.0;
-        let c5_1 = v15 - 10.0;
+        let c2_3 = (v6 - v7) + v8 + v9 + 26.0;
+        let c2_4 = (((v5 - K3) - K4) - K5) - 1.0;
+        let v10 = -K3;
+        let v11 = 3.0 * K4;
+        let v12 = 7.0 * K5;
+        let c3_0 = ((v10 + v11) - v12) + 15.0;
+        let v13 = -(3.0 * K3);
+        let v14 = 15.0 * K5;
+        let c3_1 = (v13 + v11 + v14) - 105.0;
+        let c3_2 = (v13 - v11) + v14 + 105.0;
+        let c3_3 = ((v10 - v11) - v12) - 15.0;
+        let v15 = -K4;
+        let v16 = 6.0 * K5;
+        let c4_0 = (v15 + v16) - 25.0;
+        let c4_1 = (-v8) + 70.0;
+        let c4_2 = (v15 - v16) - 25.0;
+        let v17 = -K5;
+        let c5_0 = v17 + 10.0;
+        let c5_1 = v17 - 10.0;
         let mut built = Self {
             c1_5,
             tau,
@@ -334,7 +338,15 @@ impl PtcTanh5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.c1_5.is_finite()
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && Self::kept(K1, k1)
+            && Self::kept(K2, k2)
+            && (v4 >= 1e-200)
+            && Self::kept(K3, k3)
+            && Self::kept(K4, k4)
+            && Self::kept(K5, k5)
+            && built.c1_5.is_finite()
             && built.hold_from.is_finite()
             && built.two_tau.is_finite()
             && built.c2_0.is_finite()
@@ -356,6 +368,11 @@ impl PtcTanh5 {
         }
         built.arm(t0)?;
         Ok(built)
+    }
+    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
+    /// factor.
+    fn kept(product: f64, factor: f64) -> bool {
+        product.abs() >= 1e-200 || factor.abs() <= 0.0
     }
 
     /// Starts again at `t0`, in s.

@@ -147,7 +147,7 @@ fn exit_codes_say_what_is_wrong() {
     assert!(design(&["--tau=-1"], 2).contains("error[bad-value]"));
     // Both at once: the input is mended first.
     assert!(!design(&["--tau=-1", "--sample-time", "x"], 2).contains("growth"));
-    let overflow = ["--n", "2", "--mu", "exp(a=1e-300)", "--poles=-4,-5"];
+    let overflow = ["--n", "3", "--mu", "exp(a=1e-140)", "--poles=-4,-5,-6"];
     let emitted = [&["emit", "--lang", "c", "-o", "-"], &overflow[..]].concat();
     assert!(stderr(&emitted, 1).contains("error[overflow]"));
     for help in [&["--help"][..], &["emit", "--help"], &["check", "--help"], &["list", "--help"]] {

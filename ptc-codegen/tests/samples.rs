@@ -391,6 +391,31 @@ fn weights_that_overflow_are_refused() {
     }
 }
 
+/// A period so far from 1 that a weight would be 0, or lose digits, is refused at run time as well.
+#[test]
+fn periods_at_run_time_keep_the_digits() {
+    for (n, precision, legal, illegal) in [
+        ("1", "f64", [1e-149, 1e149], [1e-151, 1e151]),
+        ("3", "f64", [1e-66, 1e66], [1e-67, 1e67]),
+        ("3", "f32", [1e-9, 1e9], [1e-11, 1e11]),
+    ] {
+        let code = code(&[("n", n), ("mu", "exp"), ("precision", precision)]);
+        let k = [5.0; 3];
+        let k = &k[..n.parse().expect("an order")];
+        let with = |h: f64| {
+            let all: [(&str, &[f64]); 5] =
+                [("samples", &[256.0]), ("h", &[h]), ("a", &[1.0]), ("k", k), ("deadbeat", &[0.0])];
+            Instance::new(&code, &all).map(|_| ())
+        };
+        for h in legal {
+            assert_eq!(with(h), Ok(()), "n = {n}, {precision}, h = {h}");
+        }
+        for h in illegal {
+            assert_eq!(with(h), Err(Status::Param), "n = {n}, {precision}, h = {h}");
+        }
+    }
+}
+
 #[test]
 fn mistakes_are_named() {
     let stage = [

@@ -11,22 +11,24 @@ use crate::context::{Context, workspace};
 use crate::harness::command::text;
 use crate::harness::runtime;
 use crate::layer::{Finding, Layer, Table};
-use crate::tool::PYTHON;
+use crate::tool::{GCC, PYTHON};
 
 pub(super) const LAYER: Layer = Layer {
     name: "verdicts",
     claim: "Of random designs and objectives just above and just below the true supremum, which \
             mpmath, NumPy and SciPy compute, `verify` proves none that fails and fails none that \
             holds; `check` is right just inside and outside of what it decides, `simulate` ends \
-            where the plant does, and what `design` chooses meets its objectives.",
-    tools: &[PYTHON],
+            where the plant does, and what `design` chooses meets its objectives. Emitted C whose \
+            `init` takes parameters of any size gives u its digits.",
+    tools: &[PYTHON, GCC],
     run,
 };
 
 const PACKAGES: [&str; 3] = ["mpmath>=1.3", "numpy>=1.26", "scipy>=1.11"];
 
 /// How much is drawn: objectives on each side of the truth, the greatest order, designs for `check`,
-/// runs of `simulate`, wishes for `design`, and suprema that are computed by another route.
+/// runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of
+/// parameters of each emitted controller.
 struct Size {
     each_way: usize,
     order: usize,
@@ -34,14 +36,23 @@ struct Size {
     simulate: usize,
     design: usize,
     attained: usize,
+    digits: usize,
 }
 
-const FULL: Size =
-    Size { each_way: 500, order: 8, checks: 600, simulate: 100, design: 20, attained: 40 };
+const FULL: Size = Size {
+    each_way: 500,
+    order: 8,
+    checks: 600,
+    simulate: 100,
+    design: 20,
+    attained: 40,
+    digits: 40,
+};
 const BRIEF: Size =
-    Size { each_way: 40, order: 4, checks: 60, simulate: 16, design: 4, attained: 8 };
+    Size { each_way: 40, order: 4, checks: 60, simulate: 16, design: 4, attained: 8, digits: 5 };
 /// Enough to meet a truth that is wrong by 3 %, where what is drawn is off by 1 % to 5 %.
-const SEED: Size = Size { each_way: 12, order: 2, checks: 60, simulate: 4, design: 0, attained: 0 };
+const SEED: Size =
+    Size { each_way: 12, order: 2, checks: 60, simulate: 4, design: 0, attained: 0, digits: 2 };
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("verdicts"), &PACKAGES)?;
@@ -53,8 +64,12 @@ fn run(context: &Context) -> Result<Finding> {
     for (scale, proved) in [(1.03, "falsely proved"), (0.97, "falsely failed")] {
         let wrong = attack.run(&format!("scaled by {scale}"), &SEED, scale)?;
         let told = faults(&wrong);
-        let kinds =
-            [(proved, "suprema"), ("its condition", "edges of checks"), ("is off", "states")];
+        let kinds = [
+            (proved, "suprema"),
+            ("its condition", "edges of checks"),
+            ("is off", "states"),
+            ("lost digits", "controls"),
+        ];
         for (kind, what) in kinds {
             let caught = told.iter().find(|fault| fault.contains(kind));
             let first_line = caught.and_then(|fault| fault.lines().next()).map(str::to_owned);
@@ -85,6 +100,7 @@ impl Attack<'_> {
             ("--simulate", size.simulate),
             ("--design", size.design),
             ("--attained", size.attained),
+            ("--digits", size.digits),
         ];
         for (flag, number) in numbers {
             run.arg(flag).arg(number.to_string());
@@ -130,6 +146,10 @@ fn faults(found: &Value) -> Vec<String> {
             "design chose what reaches {most} of a bound: {name}\n{}",
             shown(result)
         ));
+    }
+    for result in list(&found["digits"]["false"]) {
+        let name = result["name"].as_str().unwrap_or_default();
+        faults.push(format!("u has lost digits: {name}\n{}", shown(result)));
     }
     let missed = found["attained"]["miss"].as_f64().unwrap_or(0.0);
     if missed > 1e-6 {
@@ -198,6 +218,15 @@ fn tables(found: &Value, finding: &mut Finding) {
         design["wishes"],
         number(&design["most"])
     ));
+    let digits = &found["digits"];
+    finding.notes.push(format!(
+        "Of {} sets of parameters of any size `init` took {}; {} calls of `step` gave u its digits or, \
+         {} times, no u.",
+        digits["accepted"].as_u64().unwrap_or(0) + digits["refused"].as_u64().unwrap_or(0),
+        digits["accepted"],
+        digits["calls"],
+        digits["range"]
+    ));
     finding.notes.push(format!(
         "{} objectives that fail by 1 % or 5 % were held by sampling, which claims a probability; \
          {} routes by SciPy to the truth differ from it by at most {}.",
@@ -218,6 +247,7 @@ mod tests {
         let clean = json!({
             "verify": { "false": [] }, "checks": { "false": [], "unconfirmed": [] },
             "simulate": { "false": [] }, "design": { "false": [] }, "attained": { "miss": 1e-9 },
+            "digits": { "false": [] },
         });
         assert_eq!(faults(&clean), Vec::<String>::new());
         let wrong = json!({
@@ -229,6 +259,7 @@ mod tests {
             "simulate": { "false": [{ "name": "simulate4", "error": 30.0, "words": [] }] },
             "design": { "false": [{ "name": "design5", "most": 1.01 }] },
             "attained": { "miss": 1e-3 },
+            "digits": { "false": [{ "name": "exp, n = 2, f32", "printed": "tau = 1" }] },
         });
         let told = faults(&wrong);
         let kinds = [
@@ -238,6 +269,7 @@ mod tests {
             "two computations",
             "simulate is off by 3.0e1",
             "design chose what reaches 1.01",
+            "u has lost digits: exp, n = 2, f32",
             "two routes",
         ];
         assert_eq!(told.len(), kinds.len());
@@ -247,7 +279,7 @@ mod tests {
     #[test]
     fn the_page_has_the_numbers_of_a_full_run() {
         let page = include_str!("../../../docs/checks/soundness.md");
-        let Size { each_way, checks, simulate, design, attained, order } = FULL;
+        let Size { each_way, checks, simulate, design, attained, order, digits } = FULL;
         let numbers = [
             format!("until {each_way} objectives above and {each_way} below"),
             format!("n = 1..{order} "),
@@ -255,6 +287,7 @@ mod tests {
             format!("for `simulate`: {simulate} runs"),
             format!("for `design`: {design} wishes"),
             format!("for the truth itself: {attained} suprema"),
+            format!("for the emitted C: {digits} sets of parameters"),
             // Two draws of six are for growth, one for each other check.
             format!("| {} designs in over 50 spellings", checks / 3),
             format!("| {} mappings that stop rising", checks / 6),

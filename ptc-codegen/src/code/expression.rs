@@ -81,6 +81,8 @@ pub enum Test {
     NotNumber(Expr),
     /// All of them; holds where there is none.
     All(Vec<Test>),
+    /// One of them, at least; fails where there is none.
+    Any(Vec<Test>),
 }
 
 impl Expr {
@@ -317,6 +319,7 @@ impl Test {
             Self::Finite(a) => Self::Finite(a.local_fields()),
             Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
             Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
+            Self::Any(tests) => Self::Any(tests.iter().map(Self::local_fields).collect()),
         }
     }
 
@@ -331,7 +334,7 @@ impl Test {
                 b.visit(visit);
             }
             Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
-            Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
+            Self::All(tests) | Self::Any(tests) => tests.iter().for_each(|test| test.visit(visit)),
         }
     }
 }

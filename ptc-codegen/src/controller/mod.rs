@@ -6,7 +6,8 @@ pub(crate) mod plan;
 
 use crate::check::examine::Report;
 use crate::law::Law;
-use crate::program::{Op, Program, Value};
+use crate::program::digits::{self, Condition};
+use crate::program::{Op, Program};
 use crate::request::Spec;
 use measured::Measured;
 use plan::{Field, Plan};
@@ -31,15 +32,17 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// What `init`, and then `arm`, must find finite: each value in the order of its check, with the
-/// name of its field.
-pub fn checked_fields(program: &Program) -> [Vec<(Value, String)>; 2] {
-    let fields = Plan::new(program).fields;
-    let derived = |field: &&Field| is_derived(program, field);
-    [false, true].map(|armed| {
-        let own = fields.iter().filter(|field| field.armed == armed).filter(derived);
-        own.map(|field| (field.value, field.name.clone())).collect()
-    })
+/// What `init`, and then `arm`, check of what they compute, in the order of the checks: products that
+/// keep their digits, then fields that are finite.
+pub fn checked(controller: &Controller<'_>) -> [Vec<Condition>; 2] {
+    let program = controller.program;
+    let plan = Plan::new(program);
+    let finite = |armed: bool| {
+        let fields = plan.fields.iter().filter(move |field| field.armed == armed);
+        fields.filter(|f| is_derived(program, f)).map(|f| Condition::Finite(f.value))
+    };
+    let kept = digits::checks(controller.spec(), program);
+    [kept.into_iter().chain(finite(false)).collect(), finite(true).collect()]
 }
 
 /// Whether a field is to be checked: one that is a parameter as it was given has been checked by

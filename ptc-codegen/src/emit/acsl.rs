@@ -142,7 +142,12 @@ fn domain(spec: &Spec, parameter: Parameter) -> Vec<String> {
     let finite = format!("\\is_finite({place})");
     match spec.domain(parameter) {
         Domain::Finite => vec![finite],
-        Domain::Positive | Domain::BelowTau => vec![finite, format!("{place} > 0.0")],
+        Domain::Positive | Domain::BelowTau => {
+            let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, f64::INFINITY));
+            let [least, greatest] =
+                [least, greatest].map(|end| number::literal(end, Precision::F64));
+            vec![finite, format!("{least} <= {place}"), format!("{place} <= {greatest}")]
+        }
         Domain::PositiveOrInfinite => vec![format!("{place} > 0.0")],
         Domain::Within => {
             let bounds = spec.bounds.get(&parameter);

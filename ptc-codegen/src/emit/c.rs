@@ -57,7 +57,8 @@ fn sources(controller: &Controller<'_>, annotated: bool) -> Vec<File> {
     let mut lines = frame.step.iter().chain(&frame.functions);
     let loops = lines.any(|line| line.contains("uint32_t"));
     let pad = if spec.guard == Guard::Full { "        " } else { "    " };
-    let source = Source { name: &name, loops, pad, hold, externs: &externs, frame: &frame };
+    let abs = if spec.precision == Precision::F32 { "fabsf" } else { "fabs" };
+    let source = Source { name: &name, loops, pad, hold, abs, externs: &externs, frame: &frame };
     let proof = annotated.then(|| eva::harness(controller, &frame, &externs));
     [(format!("{name}.h"), header.render()), (format!("{name}.c"), source.render())]
         .into_iter()
@@ -132,6 +133,10 @@ impl Syntax for C<'_> {
 
     fn finite(&self, name: &str) -> String {
         format!("isfinite({name})")
+    }
+
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("({}_kept({product}, {factor}) != 0)", self.spec.name())
     }
 
     fn call(&self, function: &str, arguments: &[String]) -> String {
@@ -290,6 +295,8 @@ struct Source<'a> {
     pad: &'static str,
     /// Status where the gains are held or the deadline is over.
     hold: String,
+    /// The absolute value of the precision.
+    abs: &'static str,
     externs: &'a [(String, &'static str)],
     frame: &'a Frame,
 }

@@ -109,6 +109,10 @@ impl Syntax for Cpp<'_> {
         format!("finite({name})")
     }
 
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("kept({product}, {factor})")
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let function = if function == "ln" { "log" } else { function };
         format!("std::{function}({})", arguments.join(", "))

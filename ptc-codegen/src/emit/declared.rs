@@ -74,10 +74,7 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
 
 /// The legal values of a parameter in words.
 pub(super) fn domain(spec: &Spec, parameter: Parameter) -> String {
-    match spec.bounds.get(&parameter) {
-        Some((least, greatest)) => format!("from {least} to {greatest}"),
-        None => spec.domain(parameter).text().to_owned(),
-    }
+    spec.legal(parameter)
 }
 
 /// The linear law of order `n`.

@@ -7,6 +7,7 @@ use crate::controller::plan::{Field, Plan, Routine, parameter_name};
 use crate::controller::{Controller, is_derived};
 use crate::internal::fault;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
+use crate::program::digits::{self, Condition};
 use crate::program::{Input, Op, Value, number};
 use crate::request::{After, Feedback, Guard, Spec, What};
 
@@ -58,8 +59,11 @@ pub(super) struct Frame {
     pub(super) functions: Vec<String>,
     pub(super) init: Vec<String>,
     pub(super) init_fields: Vec<Assignment>,
-    /// Conditions that the fields derived by `init` must meet.
+    /// Conditions that what `init` derives must meet: products that keep their digits, and fields
+    /// that are finite.
     pub(super) finite: Vec<String>,
+    /// The least magnitude of a product, where a function decides whether one keeps its digits.
+    pub(super) least_kept: Option<String>,
     /// Start time at which `init` arms.
     pub(super) start: String,
     pub(super) arm: Vec<String>,
@@ -107,7 +111,8 @@ impl Frame {
         let (spec, program) = (controller.spec(), controller.program);
         let plan = Plan::new(program, |name| syntax.name(name));
         let body = |function| print::print(&plan, function, syntax);
-        let (init, arm) = (body(Routine::Init), body(Routine::Arm));
+        let digits = Digits::new(spec, &plan, syntax);
+        let (init, arm) = (digits.init, body(Routine::Arm));
         let (step, tick, axis) = (body(Routine::Step), body(Routine::Tick), body(Routine::Axis));
         let assign = |roots: Vec<String>, armed: bool| {
             let fields = plan.fields.iter().filter(|field| field.armed == armed);
@@ -161,7 +166,12 @@ impl Frame {
             functions: functions.unwrap_or_default(),
             init: init.lines,
             init_fields: assign(init.roots, false),
-            finite: finite.map(|f| syntax.finite(&syntax.built(&f.name))).collect(),
+            finite: digits
+                .tests
+                .into_iter()
+                .chain(finite.map(|f| syntax.finite(&syntax.built(&f.name))))
+                .collect(),
+            least_kept: digits.least_kept,
             start: parameter_text(spec, Parameter::StartTime, syntax),
             arm: arm.lines,
             arm_fields: assign(arm.roots, true),
@@ -212,6 +222,43 @@ impl Frame {
     }
 }
 
+/// What `init` computes, and its tests of the products that it forms.
+struct Digits {
+    init: print::Body,
+    tests: Vec<String>,
+    least_kept: Option<String>,
+}
+
+impl Digits {
+    fn new(spec: &Spec, plan: &Plan<'_>, syntax: &dyn Syntax) -> Self {
+        let checks = digits::checks(spec, plan.program);
+        let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
+        let mut init = print::print_with(plan, Routine::Init, &values, syntax);
+        let texts = init.roots.split_off(init.roots.len() - values.len());
+        let number = |value| literal(value, spec.precision, syntax);
+        let least = number(digits::least(spec.precision));
+        let large = number(digits::large(spec.precision));
+        let mut texts = texts.into_iter();
+        let mut test = |check: &Condition| {
+            let texts: Vec<_> = texts.by_ref().take(check.values().len()).collect();
+            let value = &texts[0];
+            match check {
+                Condition::Finite(_) => syntax.finite(value),
+                Condition::Above(_) => format!("({value} >= {least})"),
+                Condition::Below(_) => format!("({value} <= -{least})"),
+                Condition::Kept(..) => {
+                    let factors = texts[1..].iter().cloned();
+                    let all = factors.reduce(|a, b| format!("({a}) * {large} * ({b})"));
+                    syntax.kept(value, &all.unwrap_or_default())
+                }
+            }
+        };
+        let tests = checks.iter().map(&mut test).collect();
+        let kept = checks.iter().any(|check| matches!(check, Condition::Kept(..)));
+        Self { init, tests, least_kept: kept.then_some(least) }
+    }
+}
+
 /// A number as an expression in the language.
 pub(super) fn literal(value: f64, precision: Precision, syntax: &dyn Syntax) -> String {
     let text = syntax.literal(&number::literal(value.abs(), precision));
@@ -246,18 +293,20 @@ fn domain(controller: &Controller<'_>, syntax: &dyn Syntax) -> Vec<Requirement> 
     let mut tests = Vec::new();
     for parameter in spec.run_time_parameters() {
         let name = local_name(parameter, syntax);
-        let positive = format!("({name} > {zero})");
-        let domain = spec.domain(parameter);
-        let own = match domain {
+        let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, f64::INFINITY));
+        let end = |value| literal(value, spec.precision, syntax);
+        let own = match spec.domain(parameter) {
             Domain::Finite => vec![syntax.finite(&name)],
-            Domain::Positive => vec![syntax.finite(&name), positive],
+            Domain::Positive => vec![
+                syntax.finite(&name),
+                format!("({name} >= {})", end(least)),
+                format!("({name} <= {})", end(greatest)),
+            ],
             Domain::Within => within(spec, parameter, syntax),
-            Domain::PositiveOrInfinite | Domain::BelowTau => vec![positive],
+            Domain::PositiveOrInfinite => vec![format!("({name} > {zero})")],
+            Domain::BelowTau => vec![format!("({name} >= {})", end(least))],
         };
-        let legal = match spec.bounds.get(&parameter) {
-            Some((least, greatest)) => format!("from {least} to {greatest}"),
-            None => domain.text().to_owned(),
-        };
+        let legal = spec.legal(parameter);
         let place = place(parameter, syntax);
         let require = |test| Requirement {
             test,

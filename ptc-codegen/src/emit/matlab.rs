@@ -199,6 +199,10 @@ impl Syntax for Matlab<'_> {
         format!("isfinite({name})")
     }
 
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("kept({product}, {factor})")
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let function = match function {
             "sqrt" => "real_sqrt",

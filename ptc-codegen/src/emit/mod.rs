@@ -33,7 +33,7 @@ use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
 use crate::parameter::Parameter;
-use crate::program::Program;
+use crate::program::{Program, digits};
 use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
 use declared::{Declared, declared};
@@ -204,6 +204,11 @@ fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<()
         }
     }
     (target.refuse)(spec, program, &mut found);
+    if let Some(message) = program.and_then(digits::lost) {
+        let help = "the fixed parameters and gains are too far from 1 together: take other units, of \
+                    time for example, or leave some of them to run time";
+        found.push("no-digits", "gains", None, message, help);
+    }
     found.finish(Some(()))
 }
 

@@ -26,6 +26,8 @@ pub(super) trait Syntax {
     fn gains_field(&self, name: &str) -> String;
     /// Whether a number is finite.
     fn finite(&self, name: &str) -> String;
+    /// Whether a product keeps its digits, by the function of the emitted file that decides it.
+    fn kept(&self, product: &str, factor: &str) -> String;
     /// A call of a function by its mathematical name: `sqrt`, `ln`, `pow`.
     fn call(&self, function: &str, arguments: &[String]) -> String;
     /// |a|.
@@ -120,7 +122,17 @@ pub(super) struct Body {
 
 /// Prints what `function` computes.
 pub(super) fn print(plan: &Plan<'_>, function: Routine, syntax: &dyn Syntax) -> Body {
-    let roots = plan.roots(function);
+    print_with(plan, function, &[], syntax)
+}
+
+/// The same with further values of the function, whose expressions follow those of its roots.
+pub(super) fn print_with(
+    plan: &Plan<'_>,
+    function: Routine,
+    further: &[Value],
+    syntax: &dyn Syntax,
+) -> Body {
+    let roots = [plan.roots(function).as_slice(), further].concat();
     let mut printer = Printer {
         plan,
         function,

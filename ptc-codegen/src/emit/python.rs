@@ -108,6 +108,10 @@ impl Syntax for Python<'_> {
         format!("np.isfinite({name})")
     }
 
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("_kept({product}, {factor})")
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let function = match function {
             "ln" => "log",

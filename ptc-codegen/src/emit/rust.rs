@@ -142,6 +142,10 @@ impl Syntax for Rust<'_> {
         format!("{name}.is_finite()")
     }
 
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("Self::kept({product}, {factor})")
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let path = match self.runtime {
             "" => "math".to_owned(),

@@ -9,7 +9,7 @@ use crate::parameter::Precision;
 use crate::program::number;
 use crate::reference::tolerance;
 use crate::request::{After, Feedback, Guard, Spec};
-use crate::selftest::{Call, SelfTest, Session, Unreachable};
+use crate::selftest::{Always, Call, SelfTest, Session, Unreachable};
 
 /// The header and the source.
 pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
@@ -17,7 +17,7 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     let name = spec.name();
     let numbers = Numbers { spec };
     let frame = Frame::new(controller, c::real(spec), &c::C::new(spec));
-    let unreachable = wrapped(&test.unreachable);
+    let unreachable = wrapped(&test.unreachable, &frame);
     let header = Header {
         name: &name,
         command: &spec.command(),
@@ -78,10 +78,15 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
 }
 
 /// The conditions with their reasons in lines of a comment.
-fn wrapped(all: &[Unreachable]) -> Vec<Unreachable> {
+fn wrapped(all: &[Unreachable], frame: &Frame) -> Vec<(String, String)> {
     let wrap = |one: &Unreachable| {
+        let condition = match &one.condition {
+            Always::Init(at) => frame.finite[*at].clone(),
+            Always::Arm(at) => format!("isfinite({})", frame.latched_fields[*at]),
+            Always::Written(text) => text.clone(),
+        };
         let mut reason = String::new();
-        let mut column = one.condition.len() + 6;
+        let mut column = condition.len() + 6;
         for word in one.reason.split(' ') {
             if column + word.len() > 96 {
                 reason.push_str("\n *    ");
@@ -91,7 +96,7 @@ fn wrapped(all: &[Unreachable]) -> Vec<Unreachable> {
             reason.push_str(word);
             column += word.len() + 1;
         }
-        Unreachable { condition: one.condition.clone(), reason }
+        (condition, reason)
     };
     all.iter().map(wrap).collect()
 }
@@ -174,7 +179,8 @@ struct Header<'a> {
     refused: usize,
     digits: usize,
     tolerance: &'a str,
-    unreachable: &'a [Unreachable],
+    /// Conditions that always hold, with the reasons.
+    unreachable: &'a [(String, String)],
 }
 
 #[derive(Template)]

@@ -274,6 +274,10 @@ impl Syntax for StructuredText<'_> {
         format!("(ABS({name}) <= {})", greatest(self.spec.precision))
     }
 
+    fn kept(&self, product: &str, factor: &str) -> String {
+        format!("{}_kept(product := {product}, factor := {factor})", self.name)
+    }
+
     fn call(&self, function: &str, arguments: &[String]) -> String {
         let function = if function == "pow" { "EXPT".to_owned() } else { function.to_uppercase() };
         format!("{function}({})", arguments.join(", "))

@@ -87,6 +87,19 @@ impl Domain {
         }
     }
 
+    /// The least and the greatest value in a precision: between them the product and the quotient
+    /// of any two of them are normal numbers, so that `step` keeps its digits. None where 0 or
+    /// infinity is legal.
+    pub fn ends(self, precision: Precision) -> Option<(f64, f64)> {
+        match (self, precision) {
+            (Self::Positive | Self::BelowTau, Precision::F64) => Some((1e-150, 1e150)),
+            (Self::Positive | Self::BelowTau, Precision::F32) => {
+                Some((f64::from(1e-18_f32), f64::from(1e18_f32)))
+            }
+            (Self::Finite | Self::PositiveOrInfinite | Self::Within, _) => None,
+        }
+    }
+
     /// Whether `value` lies in the domain, as far as it alone decides.
     pub fn admits(self, value: &Fixed) -> bool {
         match (self, value) {
@@ -229,6 +242,16 @@ impl Fixed {
         match self {
             Self::Number { value, .. } => Some(value),
             Self::Infinite => None,
+        }
+    }
+
+    /// The number nearest to a finite one in `precision`, up to a second rounding in f32.
+    pub(crate) fn rounded(&self, precision: Precision) -> Option<f64> {
+        let nearest = self.number()?.to_f64()?;
+        #[allow(clippy::cast_possible_truncation)]
+        match precision {
+            Precision::F64 => Some(nearest),
+            Precision::F32 => Some(f64::from(nearest as f32)),
         }
     }
 

@@ -12,6 +12,7 @@
 
 mod arithmetic;
 pub mod cost;
+pub mod digits;
 pub mod dump;
 pub mod interpret;
 pub mod kink;

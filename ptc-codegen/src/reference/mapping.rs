@@ -14,7 +14,7 @@ use crate::request::Spec;
 
 /// Most rounds in which the root of mu is found: 64 that halve, and as many for the rest.
 const ROUNDS: usize = 200;
-/// Most doublings of stretched time in search of the root.
+/// Greatest binary exponent of stretched time in the search of the root.
 const DOUBLINGS: i32 = 8192;
 
 /// The mapping of a controller, as it is defined.
@@ -143,7 +143,7 @@ impl Arithmetic {
     }
 
     /// The stretched time at which tau - mu is `to_go`: mu grows to tau, so it is bracketed by
-    /// doubling, then found by Newton's method on ln(tau - mu), halving where that leaves the bracket.
+    /// powers of 2, then found by Newton's method on ln(tau - mu), halving where that leaves the bracket.
     fn root(
         &mut self,
         mu: &Expression,
@@ -154,15 +154,8 @@ impl Arithmetic {
         if !below(to_go, &tau) {
             return Some(self.integer(0));
         }
-        let (mut low, mut high) = (self.integer(0), self.integer(1));
-        let mut doublings = 0;
-        while below(to_go, &self.left(mu, &high, &tau, parameter)[0]) {
-            doublings += 1;
-            if doublings > DOUBLINGS {
-                return None;
-            }
-            low = std::mem::replace(&mut high, self.two_to(doublings));
-        }
+        let [low, high] = self.powers(mu, to_go, &tau, parameter)?;
+        let (mut low, mut high) = (self.two_to(low), self.two_to(high));
         let target = self.ln(to_go);
         let mut y = high.clone();
         let places = i32::try_from(self.bits()).ok()?;
@@ -187,10 +180,41 @@ impl Arithmetic {
             y = next;
             let last_place = self.mul(&y, &self.two_to(4 - places));
             if !below(&last_place, &moved) {
-                break;
+                return Some(y);
             }
         }
-        Some(y)
+        None
+    }
+
+    /// The binary exponents of two neighbouring powers of 2 between which the root lies: first by
+    /// exponents that double, then by halving.
+    fn powers(
+        &mut self,
+        mu: &Expression,
+        to_go: &BigFloat,
+        tau: &BigFloat,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<[i32; 2]> {
+        let mut late = |exponent: i32| {
+            let y = self.two_to(exponent);
+            !below(to_go, &self.left(mu, &y, tau, parameter)[0])
+        };
+        let is_late = late(0);
+        let (mut near, mut far, mut step) = (0, 0, 1);
+        while near == far {
+            far = if is_late { -step } else { step };
+            if late(far) == is_late {
+                near = far;
+            }
+            step *= 2;
+            (step <= DOUBLINGS).then_some(())?;
+        }
+        let [mut low, mut high] = if is_late { [far, near] } else { [near, far] };
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if late(middle) { high = middle } else { low = middle }
+        }
+        Some([low, high])
     }
 
     /// tau - mu and its derivative at `y`.

@@ -285,9 +285,9 @@ fn admitted(spec: &Spec, parameter: Parameter, value: &dyn Fn(Parameter) -> f64)
     let own = value(parameter);
     match spec.domain(parameter) {
         Domain::Finite => own.is_finite(),
-        Domain::Positive => own.is_finite() && own > 0.0,
+        Domain::Positive => spec.keeps_digits(parameter, own),
         Domain::PositiveOrInfinite => own > 0.0,
-        Domain::BelowTau => own > 0.0 && own < value(Parameter::Tau),
+        Domain::BelowTau => spec.keeps_digits(parameter, own) && own < value(Parameter::Tau),
         Domain::Within => spec.bounds.get(&parameter).is_some_and(|(least, greatest)| {
             let bound = |bound: &Fixed| {
                 bound.number().map(|n| crate::program::number::round(n, spec.precision))

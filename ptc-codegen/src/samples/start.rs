@@ -1,9 +1,11 @@
 //! The parameters, and `init`: their tests, the fields, and the tests of these.
 
 use super::controller::Builder;
-use crate::algebra::integer;
+use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Status, Test, Variable};
+use crate::internal::fault;
 use crate::parameter::Parameter;
+use crate::program::digits::least;
 
 impl Builder<'_> {
     /// The parameters left to run time.
@@ -14,7 +16,7 @@ impl Builder<'_> {
                 Parameter::Samples => {
                     format!("at least {}", self.sampled.least_samples(self.spec.n))
                 }
-                parameter => parameter.domain().text().to_owned(),
+                parameter => self.spec.legal(parameter),
             };
             let unit = parameter.unit_for(self.spec.n + self.sampled.delay);
             let about = format!("{} [{unit}], {domain}", parameter.meaning());
@@ -42,8 +44,9 @@ impl Builder<'_> {
                     tests.push(Test::CountLess(Expr::Count(least - 1), value));
                 }
                 Parameter::SampleTime | Parameter::A => {
-                    tests.push(Test::Finite(value.clone()));
-                    tests.push(Test::Less(zero.clone(), value));
+                    let (least, greatest) = self.spec.ends(parameter).unwrap_or((0.0, f64::MAX));
+                    tests.push(Test::AtMost(number(least), value.clone()));
+                    tests.push(Test::AtMost(value, number(greatest)));
                 }
                 Parameter::UMax => tests.push(Test::Less(zero.clone(), value)),
                 Parameter::Deadbeat => {
@@ -67,6 +70,14 @@ impl Builder<'_> {
                 }
             }
         }
+        // The weights hold the period in powers up to the order, of either sign: one that is too large
+        // is not finite, one that is too small shows by its power alone.
+        if self.fixed(Parameter::SampleTime).is_none() {
+            let order = i64::try_from(self.spec.n).unwrap_or(i64::MAX);
+            for power in [order, -order] {
+                finite.push(Test::AtMost(number(least(self.spec.precision)), self.period(power)));
+            }
+        }
         // Below this the gains of the observer do not exist.
         if self.fields.iter().any(|field| field.name == "hold_o") {
             let order = self.sampled.observer.as_ref().map_or(0, |observer| observer.poles.len());
@@ -84,5 +95,13 @@ impl Builder<'_> {
             body.push(Statement::Set(Place::Field(name.clone()), value));
         }
         body
+    }
+}
+
+/// A finite number.
+fn number(value: f64) -> Expr {
+    match BigRational::from_float(value) {
+        Some(exact) => Expr::Number(exact),
+        None => fault("a bound that is not finite"),
     }
 }

@@ -1,7 +1,7 @@
 //! The branches of the program: calls that take those that no other call took, and which are left.
 
 use super::maker::Maker;
-use super::{CANDIDATES, Call, Draw, Session, Unreachable};
+use super::{Always, CANDIDATES, Call, Draw, Session, Unreachable};
 use crate::parameter::Parameter;
 use crate::program::Op;
 use crate::program::number::settle;
@@ -18,7 +18,7 @@ impl Maker<'_> {
         let mut add = |condition: String, what: &str| {
             let tried = if self.spec().is_iterated() { ITERATED } else { CANDIDATES };
             let reason = format!("{what} in {tried} random calls, nor at the ends of the range");
-            never.push(Unreachable { condition, reason });
+            never.push(Unreachable { condition: Always::Written(condition), reason });
         };
         for value in program.needed(&[program.step]) {
             let missing = |way| !self.taken.contains(&(value, way));

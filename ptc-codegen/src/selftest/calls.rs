@@ -6,8 +6,9 @@ use std::collections::BTreeSet;
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
 use super::{CANDIDATES, Call, Draw, Session, Unreachable};
-use crate::controller::Controller;
+use crate::controller::{Controller, checked};
 use crate::parameter::Parameter;
+use crate::program::digits::Condition;
 use crate::program::machine::Machine;
 use crate::program::number::settle;
 use crate::reference::{Reference, Status};
@@ -27,9 +28,12 @@ pub(super) fn sessions(
     armed.fixed.remove(&Parameter::StartTime);
     let Some(reference) = Reference::new(&armed) else { return (Vec::new(), Vec::new()) };
     let reference = RefCell::new(reference);
-    let mut maker = Maker { controller, machine, chosen, reference, taken: BTreeSet::new() };
+    let checked = checked(controller);
+    let mut maker =
+        Maker { controller, machine, chosen, reference, taken: BTreeSet::new(), checked };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
     sessions.extend(maker.bounded());
+    sessions.extend(maker.without_gains());
     sessions.extend(maker.out_of_range());
     sessions.extend(maker.branches());
     sessions.retain(|session| !session.calls.is_empty());
@@ -142,6 +146,27 @@ impl Maker<'_> {
             self.ask(&mut session, t, &x);
         }
         session
+    }
+
+    /// Gains of 0, with which products in `init` are 0 by right.
+    fn without_gains(&mut self) -> Option<Session> {
+        let n = self.spec().n;
+        self.checked[0].iter().find(|check| matches!(check, Condition::Kept(..)))?;
+        let mut session = self.session(0.0625);
+        let all = self.spec().run_time_parameters();
+        for (value, parameter) in session.parameters.iter_mut().zip(all) {
+            if matches!(parameter, Parameter::Gain(_)) {
+                *value = self.chosen.legal(parameter, 0.0);
+            }
+        }
+        if !self.is_taken(&session) {
+            return None;
+        }
+        let tau = self.parameter(&session, Parameter::Tau);
+        let t = self.time(&session, 0.5 * tau);
+        let x = self.within(&session, t, &state(n, 1.0));
+        self.ask(&mut session, t, &x);
+        Some(session)
     }
 
     /// u at its bound from both sides, while tracking, in the hold and after the deadline.

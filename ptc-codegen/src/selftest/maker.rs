@@ -7,8 +7,9 @@ use std::collections::BTreeSet;
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
 use super::{Call, Session, greatest, own_law, own_rest};
-use crate::controller::{Controller, checked_fields};
+use crate::controller::Controller;
 use crate::parameter::{Parameter, Precision};
+use crate::program::digits::Condition;
 use crate::program::interpret::Decision;
 use crate::program::machine::Machine;
 use crate::program::number::settle;
@@ -25,6 +26,8 @@ pub(super) struct Maker<'a> {
     pub(super) reference: RefCell<Reference<'a>>,
     /// The branches that were taken so far.
     pub(super) taken: BTreeSet<Decision>,
+    /// What `init` and `arm` check of what they compute.
+    pub(super) checked: [Vec<Condition>; 2],
 }
 
 impl<'a> Maker<'a> {
@@ -142,7 +145,7 @@ impl<'a> Maker<'a> {
         Some(status)
     }
 
-    /// Whether `init` takes the parameters: neither a coefficient nor the deadline overflows.
+    /// Whether `init` takes the parameters: neither a coefficient nor the deadline leaves the range.
     pub(super) fn is_taken(&self, session: &Session) -> bool {
         let zeros = vec![0.0; self.spec().n];
         let start = self.parameter(session, Parameter::StartTime);
@@ -151,9 +154,12 @@ impl<'a> Maker<'a> {
         let (controller, machine, x0) = (self.controller, self.machine, session.x0.as_slice());
         let parameters = &session.parameters;
         let trial = Trial { controller, machine, parameters, x0, start, t: start, x: &zeros };
-        let [fields, armed] = checked_fields(controller.program);
-        let excess = trial.first_excess(&fields).or_else(|| trial.first_excess(&armed));
-        deadline.is_finite() && excess.is_none()
+        let legal = |p: Parameter| self.spec().keeps_digits(p, self.parameter(session, p));
+        let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(session, p));
+        let in_domain = eps < tau && self.spec().run_time_parameters().all(legal);
+        in_domain
+            && deadline.is_finite()
+            && self.checked.iter().all(|checks| trial.first_failure(checks).is_none())
     }
 
     pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {

@@ -53,11 +53,22 @@ pub struct Session {
     pub calls: Vec<Call>,
 }
 
-/// A condition of the emitted code that no input makes false, and the reason.
+/// A condition of the emitted code that no input makes false.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Always {
+    /// Of the [checks](crate::controller::checked) of `init`, by its index.
+    Init(usize),
+    /// Of those of `arm`.
+    Arm(usize),
+    /// Another, as it is emitted in C.
+    Written(String),
+}
+
+/// Such a condition, and the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreachable {
-    /// The condition as it is emitted in C.
-    pub condition: String,
+    /// The condition.
+    pub condition: Always,
     /// Why it holds always.
     pub reason: String,
 }

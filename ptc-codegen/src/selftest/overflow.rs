@@ -3,9 +3,10 @@
 
 use super::parameters::Chosen;
 use super::trial::Trial;
-use super::{Draw, Unreachable, greatest};
-use crate::controller::{Controller, checked_fields};
+use super::{Always, Draw, Unreachable, greatest};
+use crate::controller::{Controller, checked};
 use crate::parameter::{Domain, Parameter, Precision};
+use crate::program::digits::Condition;
 use crate::program::machine::Machine;
 use crate::program::number::settle;
 use crate::program::{Op, Program, Value};
@@ -27,7 +28,7 @@ pub(super) struct Found {
 pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chosen<'_>) -> Found {
     let (spec, program) = (controller.spec(), controller.program);
     let mut draw = Draw(1);
-    let [fields, armed] = checked_fields(program);
+    let [fields, armed] = checked(controller);
     let mut found = Found::default();
     let usual = chosen.run_time(0.0625);
     let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.n]);
@@ -36,7 +37,7 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
         let set = extreme(spec, chosen, &usual, round, &mut draw);
         let trial =
             Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
-        if let Some(index) = trial.first_excess(&fields) {
+        if let Some(index) = trial.first_failure(&fields) {
             first[index].get_or_insert(set);
         }
         if first.iter().all(Option::is_some) {
@@ -47,23 +48,22 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
         match set {
             Some(set) => found.parameters.push(set),
             None => found.unreachable.push(Unreachable {
-                condition: format!("isfinite(built.{})", fields[at].1),
+                condition: Always::Init(at),
                 reason: reason(program, &fields, at),
             }),
         }
     }
-    found.parameters.extend(beyond(controller, machine, chosen, &fields));
     // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
     let keeps_tau = spec.run_time_parameters().any(|p| p == Parameter::Tau);
     if !keeps_tau {
         found.unreachable.push(Unreachable {
-            condition: "isfinite(deadline)".to_owned(),
+            condition: Always::Written("isfinite(deadline)".to_owned()),
             reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
         });
     }
     if found.parameters.is_empty() && !spec.latches() {
         found.unreachable.push(Unreachable {
-            condition: "(status == PTC_OK)".to_owned(),
+            condition: Always::Written("(status == PTC_OK)".to_owned()),
             reason: "neither a coefficient nor the deadline overflows".to_owned(),
         });
     }
@@ -73,7 +73,7 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
         let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
         let trial =
             Trial { controller, machine, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
-        if let Some(index) = trial.first_excess(&armed) {
+        if let Some(index) = trial.first_failure(&armed) {
             first[index].get_or_insert((start, x0));
         }
     }
@@ -81,7 +81,7 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
         match x0 {
             Some(x0) => found.states.push(x0),
             None => found.unreachable.push(Unreachable {
-                condition: format!("isfinite({})", armed[at].1),
+                condition: Always::Arm(at),
                 reason: reason(program, &armed, at),
             }),
         }
@@ -89,40 +89,18 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
     found
 }
 
-/// A start and a tau whose sum overflows where nothing else does.
-fn beyond(
-    controller: &Controller<'_>,
-    machine: &Machine,
-    chosen: &Chosen<'_>,
-    fields: &[(Value, String)],
-) -> Option<Vec<f64>> {
-    let spec = controller.spec();
-    let mut set = chosen.run_time(0.0625);
-    for wanted in [Parameter::Tau, Parameter::StartTime] {
-        let at = spec.run_time_parameters().position(|p| p == wanted)?;
-        set[at] = chosen.legal(wanted, greatest(spec));
-    }
-    let start = greatest(spec);
-    let zeros = vec![0.0; spec.n];
-    let trial =
-        Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
-    let tau = chosen.legal(Parameter::Tau, start);
-    let overflows = !settle(start + tau, spec.precision).is_finite();
-    (overflows && trial.first_excess(fields).is_none()).then_some(set)
-}
-
 /// Why a value is never the first that is not finite, as far as it is known.
-fn reason(program: &Program, fields: &[(Value, String)], at: usize) -> String {
-    let value = fields[at].0;
+fn reason(program: &Program, fields: &[Condition], at: usize) -> String {
+    let value = fields[at].values()[0];
     let of_input = |v: Value| matches!(program.get(v).op, Op::Input(_) | Op::Number(_));
     match program.get(value).op {
         Op::Neg(a) if of_input(a) => "the negative of a parameter that is finite".to_owned(),
         _ if at > 0 => format!(
-            "among {TRIALS} sets of parameters, drawn up to the ends of the range, what overflows it \
-             overflows one of the {at} before it"
+            "among {TRIALS} sets of parameters, drawn up to the ends of the range, what fails it \
+             fails one of the {at} before it"
         ),
         _ => format!(
-            "none of {TRIALS} sets of parameters, drawn up to the ends of the range, overflows it"
+            "none of {TRIALS} sets of parameters, drawn up to the ends of the range, fails it"
         ),
     }
 }
@@ -156,7 +134,10 @@ pub(super) fn extreme(
     if let Some(eps) = place(Parameter::Eps) {
         let tau = place(Parameter::Tau).map_or(chosen.value(Parameter::Tau, 0.0625), |at| set[at]);
         if set[eps] >= tau {
-            set[eps] = settle(tau / 16.0, spec.precision).max(least(spec));
+            set[eps] = chosen.legal(Parameter::Eps, tau / 16.0);
+        }
+        if let Some(at) = place(Parameter::Tau).filter(|at| set[eps] >= set[*at]) {
+            set[at] = chosen.legal(Parameter::Tau, 16.0 * set[eps]);
         }
     }
     set

@@ -47,7 +47,7 @@ impl<'a> Chosen<'a> {
     /// `wanted` in the precision, as near as the domain of the parameter lets it be.
     pub(super) fn legal(&self, parameter: Parameter, wanted: f64) -> f64 {
         let mut value = settle(wanted, self.spec.precision);
-        if let Some((least, greatest)) = self.bounds(parameter) {
+        if let Some((least, greatest)) = self.bounds(parameter).or(self.spec.ends(parameter)) {
             value = value.max(least).min(greatest);
         }
         self.greatest(parameter).map_or(value, |bound| value.min(bound))

@@ -69,7 +69,9 @@ impl Maker<'_> {
                 // A time-to-go that has no reciprocal, and no share of tau.
                 Parameter::Eps if round % 4 == 3 => least(spec),
                 Parameter::Tau if round % 4 == 3 && round % 16 > 8 => largest / 8.0,
-                Parameter::Tau if round % 4 == 3 && round % 16 > 4 => 8.0 * least(spec),
+                Parameter::Tau if round % 4 == 3 && round % 16 > 4 => {
+                    8.0 * self.chosen.legal(Parameter::Eps, least(spec))
+                }
                 Parameter::Gain(_) if round % 8 == 7 => 0.0,
                 _ => continue,
             };

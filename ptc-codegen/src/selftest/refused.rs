@@ -31,11 +31,16 @@ pub(super) fn parameters(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Ve
 fn illegal(spec: &Spec, chosen: &Chosen<'_>, parameter: Parameter) -> Vec<f64> {
     let (nan, inf) = (f64::NAN, f64::INFINITY);
     let tau = chosen.value(Parameter::Tau, 0.0625);
+    let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, inf));
+    let (below, above) =
+        (settle(0.75 * least, spec.precision), settle(1.25 * greatest, spec.precision));
     let mut values = match spec.domain(parameter) {
         Domain::Finite => vec![nan, inf, -inf],
-        Domain::Positive => vec![nan, inf, 0.0, -1.0],
+        Domain::Positive => vec![nan, inf, 0.0, -1.0, below, above],
         Domain::PositiveOrInfinite => vec![nan, 0.0, -1.0, -inf],
-        Domain::BelowTau => vec![nan, inf, 0.0, -1.0, tau, settle(2.0 * tau, spec.precision)],
+        Domain::BelowTau => {
+            vec![nan, inf, 0.0, -1.0, below, tau, settle(2.0 * tau, spec.precision)]
+        }
         Domain::Within => {
             let (least, greatest) = chosen.bounds(parameter).unwrap_or((-inf, inf));
             let outside =

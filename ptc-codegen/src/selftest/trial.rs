@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use crate::controller::Controller;
 use crate::parameter::Parameter;
+use crate::program::digits::Condition;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::machine::Machine;
-use crate::program::{Input, Program, Value};
+use crate::program::{Input, Program};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
 
@@ -59,12 +60,14 @@ impl Trial<'_> {
         at.map_or(f64::NAN, |at| self.parameters[at])
     }
 
-    /// The first of some values that is not finite, by its index.
-    pub(super) fn first_excess(&self, values: &[(Value, String)]) -> Option<usize> {
+    /// The first of some checks that fails, by its index.
+    pub(super) fn first_failure(&self, checks: &[Condition]) -> Option<usize> {
         let input = |input| self.input(input, &[]);
         let mut interpreter = Interpreter::on(self.program(), self.machine.clone(), &input);
-        let wanted: Vec<_> = values.iter().map(|(value, _)| *value).collect();
-        interpreter.values(&wanted).into_iter().position(|number| !number.is_finite())
+        let precision = self.spec().precision;
+        checks
+            .iter()
+            .position(|check| !check.holds(&interpreter.values(&check.values()), precision))
     }
 
     /// Runs `step`, and `tick` with `axis` where there are gains.

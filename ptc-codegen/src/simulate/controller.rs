@@ -4,6 +4,7 @@ use super::{Failure, Values};
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Domain, Parameter};
+use crate::program::digits::{self, Condition};
 use crate::program::kink::Kink;
 use crate::program::machine::{Machine, Slot};
 use crate::program::{Input, Limits, Stage, Value, passes};
@@ -25,7 +26,10 @@ pub struct Controller {
     after: After,
     time: Option<Slot>,
     state: Vec<Option<Slot>>,
-    parameters: Vec<(Parameter, Domain)>,
+    spec: Spec,
+    /// What `init` checks of what it computes, and what computes that.
+    checks: Vec<Condition>,
+    checked: Machine,
     start: f64,
 }
 
@@ -42,7 +46,11 @@ impl Controller {
         outputs.retain(|value| Some(*value) != program.axis && !program.gains.contains(value));
         outputs.push(program.step);
         let machine = Machine::new(&program, &outputs);
+        let checks = digits::checks(&spec, &program);
+        let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
         Ok(Self {
+            checked: Machine::new(&program, &checked),
+            checks,
             time: machine.slot(Input::Time),
             state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
             smooth: machine.clone(),
@@ -53,7 +61,7 @@ impl Controller {
             step: program.step,
             guard: spec.guard,
             after: spec.after,
-            parameters: spec.run_time_parameters().map(|p| (p, spec.domain(p))).collect(),
+            spec,
             start: f64::NAN,
         })
     }
@@ -65,21 +73,38 @@ impl Controller {
     pub fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.machine)?;
         values.give(&mut self.smooth)?;
-        for (parameter, domain) in &self.parameters {
-            let value = values.get(*parameter);
-            let legal = match domain {
+        for parameter in self.spec.run_time_parameters() {
+            let value = values.get(parameter);
+            let legal = match self.spec.domain(parameter) {
                 Domain::Finite | Domain::Within => value.is_finite(),
-                Domain::Positive => value.is_finite() && value > 0.0,
+                Domain::Positive => self.spec.keeps_digits(parameter, value),
                 Domain::PositiveOrInfinite => value > 0.0,
-                Domain::BelowTau => value > 0.0 && value < values.get(Parameter::Tau),
+                Domain::BelowTau => {
+                    self.spec.keeps_digits(parameter, value) && value < values.get(Parameter::Tau)
+                }
             };
             if !legal {
                 let name = parameter.spelling();
                 return Err(Failure::input(
                     format!("{name} = {value} is outside its domain"),
-                    format!("{name} ({}) is {}", parameter.meaning(), domain.text()),
+                    format!("{name} ({}) is {}", parameter.meaning(), self.spec.legal(parameter)),
                 ));
             }
+        }
+        values.give(&mut self.checked)?;
+        self.checked.run(Stage::Init, None);
+        let holds = |check: &Condition| {
+            let numbers: Vec<_> = check.values().iter().map(|v| self.checked.get(*v)).collect();
+            check.holds(&numbers, self.spec.precision)
+        };
+        if !self.checks.iter().all(holds) {
+            let precision = self.spec.precision.name();
+            return Err(Failure::input(
+                format!("a coefficient of u leaves the range in which {precision} keeps its digits"),
+                "the parameters and gains are too far from 1 together: take other units, of time for \
+                 example"
+                    .to_owned(),
+            ));
         }
         for machine in [&mut self.machine, &mut self.smooth] {
             machine.run(Stage::Init, None);

@@ -16,9 +16,15 @@ pub(super) struct Body {
 }
 
 /// What `routine` computes. Its states are local values or, where nothing has checked them, elements of
-/// x; the array xi is given to the infinite-time system.
-pub(super) fn body(plan: &Plan<'_>, routine: Routine, local_states: bool, xi_is_given: bool) -> Body {
-    let roots = plan.roots(routine);
+/// x; the array xi is given to the infinite-time system. Behind the roots of the routine stand those of
+/// `further` values.
+pub(super) fn body(
+    plan: &Plan<'_>,
+    routine: Routine,
+    (local_states, xi_is_given): (bool, bool),
+    further: &[Value],
+) -> Body {
+    let roots = [plan.roots(routine).as_slice(), further].concat();
     let mut writer = Writer {
         plan,
         routine,

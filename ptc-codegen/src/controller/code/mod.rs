@@ -62,7 +62,7 @@ impl Builder<'_> {
 
     fn body(&self, routine: Routine) -> Body {
         let given = self.spec.what == What::Associated;
-        body(&self.plan, routine, self.guarded(), given)
+        body(&self.plan, routine, (self.guarded(), given), &[])
     }
 
     /// Whether arguments are checked.

@@ -1,12 +1,16 @@
 //! `init` and `arm`: parameters and start time to fields.
 
-use super::{Body, Builder, Field};
+use super::{Body, Builder, Field, body};
+use crate::algebra::BigRational;
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Start, Statement, Status, Test, Variable,
 };
 use crate::controller::is_derived;
 use crate::controller::plan::{Routine, parameter_name};
+use crate::expression::Function as Math;
+use crate::internal::fault;
 use crate::parameter::{Domain, Fixed, Parameter};
+use crate::program::digits::{self, Condition};
 use crate::request::What;
 
 impl Builder<'_> {
@@ -25,7 +29,14 @@ impl Builder<'_> {
         if !domain.is_empty() {
             statements.push(Statement::Require(Test::All(domain), Status::Param));
         }
-        statements.extend(self.fields(self.body(Routine::Init), false, Vec::new()));
+        let checks = digits::checks(self.spec, self.controller.program);
+        let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
+        let mut body = body(&self.plan, Routine::Init, (false, false), &values);
+        let checked = body.roots.split_off(body.roots.len() - values.len());
+        let mut checked = checked.into_iter();
+        let kept = |check: &Condition| self.kept(check, &mut checked);
+        let kept = checks.iter().map(kept).collect();
+        statements.extend(self.fields(body, false, kept));
         let armed = self.plan.fields.iter().filter(|field| field.armed);
         let unset = |field: &Field| {
             Statement::Set(Place::Field(field.name.clone()), Expr::integer(0))
@@ -56,6 +67,31 @@ impl Builder<'_> {
         }
         statements.extend(set);
         statements
+    }
+
+    /// The test of a product; `values` are those it looks at.
+    fn kept(&self, check: &Condition, values: &mut impl Iterator<Item = Expr>) -> Test {
+        let mut values = values.take(check.values().len());
+        let value = values.next().unwrap_or_else(|| fault("a condition on nothing"));
+        let least = || self.number(digits::least(self.spec.precision));
+        let size = |value: Expr| Expr::Call(Math::Abs, Box::new(value));
+        match check {
+            Condition::Finite(_) => Test::Finite(value),
+            Condition::Above(_) => Test::AtMost(least(), value),
+            Condition::Below(_) => Test::AtMost(value, -least()),
+            Condition::Kept(..) => {
+                let zero = values.map(|factor| Test::AtMost(size(factor), Expr::integer(0)));
+                Test::Any(std::iter::once(Test::AtMost(least(), size(value))).chain(zero).collect())
+            }
+        }
+    }
+
+    /// A number of the precision.
+    fn number(&self, value: f64) -> Expr {
+        match BigRational::from_float(value) {
+            Some(exact) => Expr::Number(exact),
+            None => fault(format!("{value} is no bound")),
+        }
     }
 
     /// How `init` ends.
@@ -111,12 +147,16 @@ impl Builder<'_> {
         let mut tests = Vec::new();
         for parameter in spec.run_time_parameters() {
             let value = || Expr::local(parameter_name(parameter));
-            let finite = || Test::Finite(value());
-            let positive = || Test::Less(Expr::integer(0), value());
+            let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, f64::MAX));
+            let above = || Test::AtMost(self.number(least), value());
             match spec.domain(parameter) {
-                Domain::Finite => tests.push(finite()),
-                Domain::Positive => tests.extend([finite(), positive()]),
-                Domain::PositiveOrInfinite | Domain::BelowTau => tests.push(positive()),
+                Domain::Finite => tests.push(Test::Finite(value())),
+                Domain::Positive => {
+                    tests.push(Test::Finite(value()));
+                    tests.extend([above(), Test::AtMost(value(), self.number(greatest))]);
+                }
+                Domain::PositiveOrInfinite => tests.push(Test::Less(Expr::integer(0), value())),
+                Domain::BelowTau => tests.push(above()),
                 Domain::Within => {
                     let Some((least, greatest)) = spec.bounds.get(&parameter) else { continue };
                     let number = |bound: &Fixed| bound.number().cloned().map(Expr::Number);

@@ -147,6 +147,9 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         if let Some((least, greatest)) = spec.bounds.get(&parameter) {
             attributes.extend(round(least).map(|least| ("min", least)));
             attributes.extend(round(greatest).map(|greatest| ("max", greatest)));
+        } else if let Some((least, greatest)) = spec.ends(parameter) {
+            let end = |value| number::literal(value, spec.precision);
+            attributes.extend([("min", end(least)), ("max", end(greatest))]);
         } else if domain != Domain::Finite {
             attributes.push(("min", "0".to_owned()));
         }
@@ -162,7 +165,7 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
                 "{} [{}], {}",
                 parameter.meaning(),
                 parameter.unit_for(n),
-                domain.text()
+                spec.legal(parameter)
             ),
             attributes,
             parameter: Some(parameter),

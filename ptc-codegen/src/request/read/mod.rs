@@ -168,7 +168,7 @@ impl<'a> Reader<'a> {
             true => self.sampled(&mut spec),
             false => self.not_sampled(),
         }
-        self.representable(&spec.fixed, precision);
+        self.representable(&spec);
         (n.is_some() && mapping.is_some()).then_some(spec)
     }
 

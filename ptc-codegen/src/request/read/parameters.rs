@@ -1,6 +1,6 @@
 //! The parameters: values, bounds, and what must hold between them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::Zero;
 
@@ -8,7 +8,7 @@ use super::{FixedValues, Reader, shown, suggestion};
 use crate::diagnostic::{near_miss, shorten};
 use crate::expression::Expression;
 use crate::keys::KeyInfo;
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Spec};
 use crate::syntax::{Node, Value, real};
 
@@ -199,21 +199,41 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn representable(&mut self, fixed: &FixedValues, precision: Precision) {
-        for (parameter, value) in fixed {
-            if value.leaves(precision) {
-                let key = match parameter {
-                    Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
-                    Parameter::Gain(_) => "gains",
-                    Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
-                    _ => parameter.key(),
-                };
-                let place = self.keys.get(key).map(|node| node.place);
-                let name = precision.name();
+    /// Notes fixed values and bounds that the precision does not hold, or with which the emitted
+    /// code would not keep its digits.
+    pub(super) fn representable(&mut self, spec: &Spec) {
+        let name = spec.precision.name();
+        let bounds =
+            spec.bounds.iter().flat_map(|(p, (least, greatest))| [(p, least), (p, greatest)]);
+        for (parameter, value) in spec.fixed.iter().chain(bounds) {
+            let shown = parameter.spelling();
+            let (message, help) = if value.leaves(spec.precision) {
+                let message = format!("{shown} = {value} is no finite nonzero number in {name}");
+                (message, format!("give a value within the range of {name}"))
+            } else if let Some(legal) = spec.ends_of_kind(*parameter)
+                && value.rounded(spec.precision).is_some_and(|v| !(legal.0..=legal.1).contains(&v))
+            {
                 let message =
-                    format!("{} = {value} is no finite nonzero number in {name}", parameter.key());
-                self.wrong(key, place, message, format!("give a value within the range of {name}"));
-            }
+                    format!("{shown} = {value}: the emitted {name} code would lose digits of u");
+                let legal = Spec { bounds: BTreeMap::new(), ..spec.clone() }.legal(*parameter);
+                let help = match parameter {
+                    Parameter::M => "; the exponent multiplies the rounding error of T/tau",
+                    _ => "; take other units, of time for example",
+                };
+                (message, format!("{shown} ({}) is {legal}{help}", parameter.meaning()))
+            } else {
+                continue;
+            };
+            let own = format!("params.{}", parameter.key());
+            let key = match parameter {
+                Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
+                Parameter::Gain(_) => "gains",
+                Parameter::Named(_) => &own,
+                Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
+                _ => parameter.key(),
+            };
+            let place = self.keys.get(key).map(|node| node.place);
+            self.wrong(key, place, message, help);
         }
     }
 }
