@@ -91,9 +91,8 @@ impl<'a> Instance<'a> {
     /// The gains that a call gave, for the functions that belong to them.
     pub fn gains(&self, outcome: &Outcome) -> Self {
         let values = |name: &str| outcome.results.get(name).map_or(&[][..], Vec::as_slice);
-        let field = |of: &'a Variable| {
-            (of.name.as_str(), held(of, values(&of.name), self.code.precision))
-        };
+        let field =
+            |of: &'a Variable| (of.name.as_str(), held(of, values(&of.name), self.code.precision));
         let fields = self.code.gains.iter().map(field).collect();
         Self { code: self.code, fields, status: outcome.status }
     }
@@ -299,7 +298,8 @@ impl<'b> Frame<'_, 'b> {
                 result.unwrap_or(f64::NAN)
             }
             Expr::Callback(name, array, time) => {
-                let Some((_, called)) = self.callbacks.iter().find(|(known, _)| known == name) else {
+                let Some((_, called)) = self.callbacks.iter().find(|(known, _)| known == name)
+                else {
                     fault(format!("no function {name}"))
                 };
                 match self.locals.get(array.as_str()) {

@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expression::Function;
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Program, Stage, Value};
 
@@ -40,11 +39,6 @@ enum Phase {
     Init,
     Arm,
     Call,
-}
-
-impl Routine {
-    /// Every one.
-    pub(crate) const ALL: [Self; 5] = [Self::Init, Self::Arm, Self::Step, Self::Tick, Self::Axis];
 }
 
 impl Phase {
@@ -137,27 +131,6 @@ impl<'a> Plan<'a> {
             }
             Routine::Axis => self.program.axis.into_iter().collect(),
         }
-    }
-
-    /// The values that `function` computes itself, in order.
-    fn computed(&self, function: Routine) -> Vec<Value> {
-        let roots = self.roots(function);
-        let mut wanted: BTreeSet<Value> = roots.iter().copied().collect();
-        for value in self.program.needed(&roots).into_iter().rev() {
-            if wanted.contains(&value) && !self.is_field(function, value) {
-                wanted.extend(self.program.get(value).op.operands());
-            }
-        }
-        wanted.into_iter().filter(|value| !self.is_field(function, *value)).collect()
-    }
-
-    /// Whether `function` calls a function of the mathematical library.
-    pub(crate) fn calls_library(&self, function: Routine) -> bool {
-        let own = |op: &Op| matches!(op, Op::Call(Function::Abs | Function::Sign, _));
-        self.computed(function).into_iter().any(|value| {
-            let op = &self.program.get(value).op;
-            matches!(op, Op::Call(..) | Op::Pow(..)) && !own(op)
-        })
     }
 
     /// Whether `function` reads `value` from a field instead of computing it.

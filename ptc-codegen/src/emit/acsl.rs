@@ -1,59 +1,50 @@
 //! ACSL in comments: contracts for the header, and the cases that Eva has to look at apart.
 
 use super::Controller;
-use super::frame::Frame;
-use crate::controller::plan::Field;
+use super::code::Notes;
+use crate::code::Code;
+use crate::controller::plan::Plan;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::{Input, Op, number};
 use crate::request::{Guard, Spec, What};
 
-/// Contracts of the emitted functions, each a comment that stands before a prototype; all empty
-/// where none is asked for.
-#[derive(Default)]
-pub(super) struct Contracts {
-    /// Predicates that the contracts use.
-    pub(super) predicates: String,
-    pub(super) init: String,
-    pub(super) arm: String,
-    /// Of `step`, or of `rate`.
-    pub(super) step: String,
-    pub(super) tick: String,
-    pub(super) axis: String,
-}
-
-impl Contracts {
-    pub(super) fn new(controller: &Controller<'_>, frame: &Frame) -> Self {
-        let spec = controller.spec();
-        let (name, n) = (spec.name(), spec.n);
-        let state = |array: &str| Pointer { name: array.to_owned(), count: Some(n), out: false };
-        let one = |name: &str, out| Pointer { name: name.to_owned(), count: None, out };
-        let full = spec.guard == Guard::Full || spec.what == What::Associated;
-        let built = format!(
-            "ensures \\result == PTC_OK || \\result == PTC_E_PARAM;\n\
-             ensures \\result == PTC_OK ==> {name}_set(self);"
-        );
-        let x0: Vec<_> = frame.latches.then(|| state("x0")).into_iter().collect();
-        let mut init = vec![one("self", true)];
-        if !frame.locals.is_empty() {
-            init.push(one("params", false));
-        }
-        init.extend(state_if(&x0));
-        let mut arm = vec![one("self", true)];
-        arm.extend(state_if(&x0));
-        // arm reads what init has set.
-        let mut arm_requires = requires(&arm, true);
-        arm_requires.push(format!("requires self == \\null || {name}_set(self);"));
-        Self {
-            predicates: predicates(controller, frame),
-            init: comment(&requires(&init, true), "*self", &built),
-            arm: comment(&arm_requires, "*self", &built),
-            step: match spec.what {
-                What::Associated => rate(&name, n, &state("xi")),
-                What::Controller => step(spec, full, &state("x")),
-            },
-            tick: tick(&name, n, full),
-            axis: axis(n, full, spec.guard, &state("x")),
-        }
+/// The contracts of a controller, and its case splits.
+pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
+    let spec = controller.spec();
+    let (name, n) = (spec.name(), spec.n);
+    let state = |array: &str| Pointer { name: array.to_owned(), count: Some(n), out: false };
+    let one = |name: &str, out| Pointer { name: name.to_owned(), count: None, out };
+    let full = spec.guard == Guard::Full || spec.what == What::Associated;
+    let built = format!(
+        "ensures \\result == PTC_OK || \\result == PTC_E_PARAM;\n\
+         ensures \\result == PTC_OK ==> {name}_set(self);"
+    );
+    let x0: Vec<_> = spec.latches().then(|| state("x0")).into_iter().collect();
+    let mut init = vec![one("self", true)];
+    if !program.parameters.is_empty() {
+        init.push(one("params", false));
+    }
+    init.extend(state_if(&x0));
+    let mut arm = vec![one("self", true)];
+    arm.extend(state_if(&x0));
+    // arm reads what init has set.
+    let mut arm_requires = requires(&arm, true);
+    arm_requires.push(format!("requires self == \\null || {name}_set(self);"));
+    let step = match spec.what {
+        What::Associated => ("rate", rate(&name, n, &state("xi"))),
+        What::Controller => ("step", step(spec, full, &state("x"))),
+    };
+    let contracts = [
+        ("init", comment(&requires(&init, true), "*self", &built)),
+        ("arm", comment(&arm_requires, "*self", &built)),
+        step,
+        ("tick", tick(&name, n, full)),
+        ("axis", axis(n, full, spec.guard, &state("x"))),
+    ];
+    Notes {
+        predicates: predicates(controller, program),
+        contracts: contracts.into_iter().collect(),
+        behind: Some(|solve, tolerance, real| split_root(&solve.unknown, tolerance, real)),
     }
 }
 
@@ -101,7 +92,7 @@ fn comment(requires: &[String], assigns: &str, ensures: &str) -> String {
 }
 
 /// Legal parameters, and a controller that `init` and `arm` have set.
-fn predicates(controller: &Controller<'_>, frame: &Frame) -> String {
+fn predicates(controller: &Controller<'_>, program: &Code) -> String {
     let spec = controller.spec();
     let name = spec.name();
     let mut text = String::new();
@@ -119,7 +110,7 @@ fn predicates(controller: &Controller<'_>, frame: &Frame) -> String {
             legal.join("\n      && ")
         ));
     }
-    let seen = frame.fields.iter().filter(|field| is_seen(controller, field));
+    let seen = program.fields.iter().filter(|field| is_seen(controller, &field.name));
     let set: Vec<_> = seen.map(|field| format!("\\is_finite(c->{})", field.name)).collect();
     let set = if set.is_empty() { "\\true".to_owned() } else { set.join("\n      && ") };
     text.push_str(&format!("/*@ predicate {name}_set({name} *c) =\n      {set};\n */"));
@@ -127,12 +118,14 @@ fn predicates(controller: &Controller<'_>, frame: &Frame) -> String {
 }
 
 /// Whether Eva sees that a field is finite: `init` or `arm` has asked `isfinite` of a variable that it
-/// is. That it was asked of a member, as in `isfinite(built.c1)`, is lost on Eva.
-fn is_seen(controller: &Controller<'_>, field: &Field) -> bool {
+/// is.
+fn is_seen(controller: &Controller<'_>, name: &str) -> bool {
+    let plan = Plan::new(controller.program);
+    let Some(field) = plan.fields.iter().find(|field| field.name == name) else { return false };
     let tested = |p| matches!(controller.spec().domain(p), Domain::Finite | Domain::Positive);
     match controller.program.get(field.value).op {
         Op::Input(Input::Parameter(parameter)) => tested(parameter),
-        _ => matches!(field.name.as_str(), "t0" | "deadline"),
+        _ => matches!(name, "t0" | "deadline"),
     }
 }
 
@@ -249,7 +242,7 @@ const ROOT_CASES: u32 = 16;
 const ROOT_CASE: u32 = 16;
 
 /// Splits the values of the root `y` into narrow cases, in units of the iteration's tolerance.
-pub(super) fn split_root(y: &str, tolerance: &str, real: &str) -> Vec<String> {
+fn split_root(y: &str, tolerance: &str, real: &str) -> Vec<String> {
     let edge = |k: u32| format!("({real})({}.0 * {tolerance})", ROOT_CASE * k);
     let merge = "/*@ slevel merge; */".to_owned();
     let cases = (1..=ROOT_CASES).map(|k| format!("/*@ split {y} <= {}; */", edge(k)));

@@ -1,50 +1,28 @@
 //! The run-time parameters as the emitted code declares them, with meaning, unit and domain.
 
 use super::Language;
+use crate::code::{Shape, Variable};
 use crate::expression::Expression;
 use crate::parameter::Parameter;
 use crate::request::{Feedback, Spec};
 
-/// A parameter as an emitted struct declares it.
-pub(super) struct Declared {
-    pub(super) name: &'static str,
-    /// Length of an array; none for a scalar.
-    pub(super) length: Option<usize>,
-    /// Meaning, unit and domain, for a comment.
-    pub(super) about: String,
-    /// The same as a sentence of rustdoc, which takes brackets for links.
-    pub(super) doc: String,
-}
-
 /// The run-time parameters in the order of the emitted struct, arrays taken together.
-pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Declared> {
+pub(super) fn declared(spec: &Spec, language: Language) -> Vec<Variable> {
     let parameters: Vec<_> = spec.run_time_parameters().collect();
     let declare = |group: &[Parameter]| {
         let first = *group.first()?;
         let (meaning, domain) = (meaning(spec, first), domain(spec, first));
         let unit = first.unit_for(spec.n);
-        let (about, doc) = match first {
+        let about = match first {
             Parameter::Gain(_) | Parameter::Rate(_) => {
-                let (text, doc) = elements(spec, group, language);
-                (format!("{meaning}, {domain}; {text}"), format!("{meaning}, {domain}; {doc}"))
+                format!("{meaning}, {domain}; {}", elements(spec, group, language))
             }
-            Parameter::Named(_) => {
-                let text = format!("{meaning}, {domain}");
-                (text.clone(), text)
-            }
-            Parameter::M => {
-                (format!("{meaning} [1], {domain}"), format!("{meaning}, dimensionless; {domain}"))
-            }
-            Parameter::UMax => (
-                format!("{meaning} [{unit}], {domain}"),
-                format!("{meaning}, in the {unit}; {domain}"),
-            ),
-            _ => {
-                (format!("{meaning} [{unit}], {domain}"), format!("{meaning}, in {unit}; {domain}"))
-            }
+            Parameter::Named(_) => format!("{meaning}, {domain}"),
+            Parameter::M => format!("{meaning} [1], {domain}"),
+            _ => format!("{meaning} [{unit}], {domain}"),
         };
-        let length = first.index().map(|_| group.len());
-        Some(Declared { name: first.key(), length, about, doc: format!("{}.", capital(&doc)) })
+        let shape = first.index().map_or(Shape::Real, |_| Shape::Reals(group.len()));
+        Some(Variable::new(first.key(), shape, about))
     };
     parameters.chunk_by(|a, b| a.key() == b.key()).filter_map(declare).collect()
 }
@@ -86,30 +64,19 @@ pub(super) fn linear(n: usize) -> String {
     }
 }
 
-/// Which element of an array is which parameter, in which unit: as text and as rustdoc. Where there
-/// are more than three, the first and the last show the rule.
-fn elements(spec: &Spec, group: &[Parameter], language: Language) -> (String, String) {
-    let one = |parameter: &Parameter, doc: bool| {
-        let index = parameter.index().unwrap_or(0);
-        let element = language.element(parameter.key(), index);
-        let (symbol, unit) = (parameter.symbol(), parameter.unit_for(spec.n));
-        match doc {
-            true => format!("`{element}` is {symbol} in {unit}"),
-            false => format!("{element} is {symbol} [{unit}]"),
-        }
+/// Which element of an array is which parameter, in which unit. Where there are more than three, the
+/// first and the last show the rule.
+fn elements(spec: &Spec, group: &[Parameter], language: Language) -> String {
+    let one = |parameter: &Parameter| {
+        let element = language.element(parameter.key(), parameter.index().unwrap_or(0));
+        format!("{element} is {} [{}]", parameter.symbol(), parameter.unit_for(spec.n))
     };
-    let list = |doc: bool| match group {
+    match group {
         [first, _, _, .., last] if group.len() > 3 => {
-            format!("{}, ..., {}", one(first, doc), one(last, doc))
+            format!("{}, ..., {}", one(first), one(last))
         }
-        all => all.iter().map(|p| one(p, doc)).collect::<Vec<_>>().join(", "),
-    };
-    (list(false), list(true))
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
+        all => all.iter().map(one).collect::<Vec<_>>().join(", "),
+    }
 }
 
 impl Language {

@@ -3,8 +3,12 @@
 use askama::Template;
 
 use super::acsl::place;
-use super::frame::Frame;
-use super::{Controller, File, c, text_of, tidy};
+use super::apart::apart;
+use super::code::externs;
+use super::outline::Outline;
+use super::{Controller, File, literal, text_of, tidy};
+use crate::code::{Code, Expr};
+use crate::expression::Function as Math;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
 use crate::request::{Guard, Spec};
@@ -28,14 +32,14 @@ struct Range {
     open: bool,
 }
 
-/// The harness of a controller with the parts `frame`, beside its annotated source.
-pub(super) fn harness(
-    controller: &Controller<'_>,
-    frame: &Frame,
-    externs: &[(String, &'static str)],
-) -> File {
+/// The harness of a controller, beside its annotated source.
+pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let spec = controller.spec();
     let name = spec.name();
+    let frame = &Outline::new(controller, program);
+    let callbacks = program.functions.iter().flat_map(|function| &function.callbacks);
+    let callbacks: Vec<_> = callbacks.cloned().collect();
+    let externs = &externs(&name, &callbacks);
     let prefix = format!("{}_EVA", name.to_uppercase());
     let text = |value: f64| literal(value, spec.precision);
     let ranges = ranges(controller, &prefix);
@@ -73,7 +77,7 @@ pub(super) fn harness(
             .iter()
             .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))
             .collect(),
-        without_contract: without_contract(frame, spec.precision),
+        without_contract: without_contract(program),
         state_calls: with("x"),
         timed_calls: with("t"),
         all_places: spec.run_time_parameters().map(|p| place("params.", p)).collect(),
@@ -94,11 +98,11 @@ pub(super) fn harness(
         one: text(1.0),
         long: text(1e6),
     };
-    File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }
+    apart(File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }, &name)
 }
 
 fn literal(value: f64, precision: Precision) -> String {
-    c::number(&number::literal(value, precision), precision)
+    literal::c(value, precision)
 }
 
 fn rounded(value: &Fixed, spec: &Spec) -> f64 {
@@ -164,20 +168,17 @@ fn handed(name: &str, externs: &[(String, &'static str)]) -> String {
 }
 
 /// Functions of the C library that the code calls and Frama-C has no contract for.
-fn without_contract(frame: &Frame, precision: Precision) -> Vec<String> {
-    let lines = [&frame.functions, &frame.init, &frame.arm, &frame.step, &frame.tick, &frame.axis];
-    let results = [&frame.step_u, &frame.axis_u].into_iter().chain(&frame.gains);
-    let text: Vec<_> = lines.into_iter().flatten().chain(results).map(String::as_str).collect();
-    let text = text.join("\n");
-    let suffix = if precision == Precision::F32 { "f" } else { "" };
-    let called = |name: &&str| {
-        let call = format!("{name}{suffix}(");
-        let mut calls = text.match_indices(&call);
-        // Not the end of another name, as tanh is of atanh.
-        calls.any(|(at, _)| !text[..at].ends_with(|c: char| c.is_alphanumeric()))
-    };
-    let all = ["sinh", "cosh", "tanh", "atanh"].into_iter().filter(called);
-    all.map(|name| format!("{name}{suffix}")).collect()
+fn without_contract(program: &Code) -> Vec<String> {
+    let suffix = if program.precision == Precision::F32 { "f" } else { "" };
+    let mut called = Vec::new();
+    program.visit(&mut |value| {
+        if let Expr::Call(function, _) = value {
+            called.push(*function);
+        }
+    });
+    let all = [Math::Sinh, Math::Cosh, Math::Tanh, Math::Atanh];
+    let all = all.into_iter().filter(|function| called.contains(function));
+    all.map(|function| format!("{}{suffix}", function.name())).collect()
 }
 
 /// A function of the controller: what it is called with, and which of that are pointers.
@@ -198,11 +199,11 @@ impl Call {
 }
 
 /// The calls of all functions that take time or a state.
-fn calls(name: &str, frame: &Frame, externs: &[(String, &'static str)]) -> Vec<Call> {
+fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec<Call> {
     let mut arguments = vec!["&self".to_owned(), "t".to_owned(), "x".to_owned()];
     let mut pointers = vec![0, 2];
     if frame.associated {
-        arguments.push(frame.zero.clone());
+        arguments.push(frame.zero.to_owned());
     }
     for (_, argument) in externs {
         if *argument == "context" {
@@ -232,7 +233,7 @@ struct Harness<'a> {
     name: &'a str,
     /// What macros begin with.
     prefix: &'a str,
-    frame: &'a Frame,
+    frame: &'a Outline,
     /// Whether every pointer and input is checked.
     full: bool,
     /// Whether x and t are trusted to be finite.

@@ -13,10 +13,10 @@ mod eva;
 mod example;
 pub mod fmu;
 mod formulas;
-mod frame;
 mod header;
+mod literal;
 mod matlab;
-mod print;
+mod outline;
 mod project;
 mod python;
 mod rust;
@@ -29,14 +29,15 @@ mod table;
 pub use project::Project;
 
 use crate::check::examine::Report;
-use crate::controller::Controller;
+use crate::code::Code;
+use crate::controller::{self, Controller};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::{Program, digits};
 use crate::request::{After, Feedback, Spec, What};
 use crate::selftest::SelfTest;
-use declared::{Declared, declared};
+use declared::declared;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -131,8 +132,16 @@ struct Target {
     is_word: fn(&str) -> bool,
     /// Notes what it cannot express.
     refuse: fn(&Spec, Option<&Program>, &mut Diagnostics),
-    /// The files of a controller.
-    files: fn(&Controller<'_>) -> Vec<File>,
+    /// How its files are made.
+    print: Print,
+}
+
+/// How files are made.
+enum Print {
+    /// A program is printed.
+    Program(fn(&Code) -> Vec<File>),
+    /// Files stand around the C of a controller.
+    Around(fn(&Controller<'_>) -> Vec<File>),
 }
 
 /// A generated file.
@@ -142,6 +151,18 @@ pub struct File {
     pub name: String,
     /// Contents.
     pub text: String,
+}
+
+/// The program of a controller, with its head and parameters in the words of `language`.
+fn program(controller: &Controller<'_>, language: Language) -> Code {
+    let head = header::lines(controller, language);
+    let parameters = declared(controller.spec(), language);
+    code::short(controller::code::code(controller, head, parameters))
+}
+
+/// The C of a controller.
+fn c_files(controller: &Controller<'_>) -> Vec<File> {
+    code::c(&program(controller, Language::C), &code::Notes::default())
 }
 
 /// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
@@ -172,7 +193,11 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
 pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     let target = language.target();
     accepts(target, controller.spec(), Some(controller.program))?;
-    named_apart(language, controller.spec(), (target.files)(controller))
+    let files = match target.print {
+        Print::Program(print) => print(&program(controller, language)),
+        Print::Around(files) => files(controller),
+    };
+    named_apart(language, controller.spec(), files)
 }
 
 /// `files`, unless a word that is only known once they are printed has two meanings in them.
@@ -221,14 +246,9 @@ pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Ve
     let Some(controller) = sampled::program(report, language) else {
         fault("a controller without samples")
     };
-    let files = match language {
-        Language::C => code::c(&controller),
-        Language::Rust => vec![code::rust(&controller)],
-        Language::Cpp => vec![code::cpp(&controller)],
-        Language::Matlab => code::matlab(&controller),
-        Language::Python => vec![code::python(&controller)],
-        Language::StructuredText => vec![code::st(&controller)],
-        Language::Fmu2 | Language::Fmu3 => fault("an FMU refuses a clock in samples"),
+    let files = match language.target().print {
+        Print::Program(print) => print(&controller),
+        Print::Around(_) => fault("an FMU refuses a clock in samples"),
     };
     named_apart(language, &report.spec, files)
 }
@@ -276,7 +296,7 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
 
 /// The items of the Rust file on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
-    rust::items(controller)
+    code::rust_items(&program(controller, Language::Rust))
 }
 
 /// The text of a template.

@@ -3,8 +3,8 @@
 use askama::Template;
 
 use super::apart::apart;
-use super::frame::Frame;
-use super::{Controller, File, Language, c, declared, text_of, tidy};
+use super::outline::Outline;
+use super::{Controller, File, Language, code, declared, program, text_of, tidy};
 use crate::parameter::Precision;
 use crate::program::number;
 use crate::reference::tolerance;
@@ -16,8 +16,9 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
     let numbers = Numbers { spec };
-    let frame = Frame::new(controller, c::real(spec), &c::C::new(spec));
-    let unreachable = wrapped(&test.unreachable, &frame);
+    let program = program(controller, Language::C);
+    let frame = Outline::new(controller, &program);
+    let unreachable = wrapped(&test.unreachable, &code::start_tests(&program));
     let header = Header {
         name: &name,
         command: &spec.command(),
@@ -78,11 +79,11 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
 }
 
 /// The conditions with their reasons in lines of a comment.
-fn wrapped(all: &[Unreachable], frame: &Frame) -> Vec<(String, String)> {
+fn wrapped(all: &[Unreachable], [init, arm]: &[Vec<String>; 2]) -> Vec<(String, String)> {
     let wrap = |one: &Unreachable| {
         let condition = match &one.condition {
-            Always::Init(at) => frame.finite[*at].clone(),
-            Always::Arm(at) => format!("isfinite({})", frame.latched_fields[*at]),
+            Always::Init(at) => init[*at].clone(),
+            Always::Arm(at) => arm[*at].clone(),
             Always::Written(text) => text.clone(),
         };
         let mut reason = String::new();
@@ -129,10 +130,10 @@ impl Numbers<'_> {
         let mut rest = values;
         let mut fields = Vec::new();
         for field in declared(self.spec, Language::C) {
-            let (own, others) = rest.split_at(field.length.unwrap_or(1).min(rest.len()));
+            let (own, others) = rest.split_at(field.shape.length().unwrap_or(1).min(rest.len()));
             rest = others;
             let list = self.list(own);
-            let value = if field.length.is_some() { format!("{{ {list} }}") } else { list };
+            let value = if field.shape.length().is_some() { format!("{{ {list} }}") } else { list };
             fields.push(format!(".{} = {value}", field.name));
         }
         if fields.is_empty() { ".none = (char)0".to_owned() } else { fields.join(", ") }
@@ -206,5 +207,5 @@ struct Source<'a> {
     calls: &'a [String],
     refused: &'a [String],
     states: &'a [String],
-    frame: &'a Frame,
+    frame: &'a Outline,
 }

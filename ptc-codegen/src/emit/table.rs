@@ -3,60 +3,73 @@
 use std::fs;
 use std::path::Path;
 
-use super::c::C;
-use super::cpp::Cpp;
-use super::matlab::Matlab;
-use super::print::Syntax;
-use super::python::Python;
-use super::rust::Rust;
-use super::st::StructuredText;
-use crate::family::Family;
-use crate::request::Spec;
-
-/// How one operation, on operands called a and b, is written.
-type Row = (&'static str, fn(&dyn Syntax) -> String);
-
-const ROWS: [Row; 19] = [
-    ("Number 0.5", |s| s.literal("0.5")),
-    ("Neg, Add, Sub, Mul, Div", |_| "-a, a + b, a - b, a * b, a / b".to_owned()),
-    ("Quotient", |s| s.quotient("a", "b", "zero")),
-    ("Max", |s| s.max("a", "b")),
-    ("Min", |s| s.min("a", "b")),
-    ("Call(Abs)", |s| s.abs("a")),
-    ("Call(Sign)", |s| s.sign("a", "zero", "one")),
-    ("Call(Sqrt)", |s| call(s, "sqrt")),
-    ("Call(Exp)", |s| call(s, "exp")),
-    ("Call(Ln)", |s| call(s, "ln")),
-    ("Call(Atan)", |s| call(s, "atan")),
-    ("Pow", |s| s.call("pow", &["a".to_owned(), "b".to_owned()])),
-    ("Law", |s| s.law(&["a".to_owned(), "b".to_owned()], "t").1),
-    ("Element", |s| s.element("row", 0)),
-    ("a definition", |s| s.define("v", "a")),
-    ("a choice", |s| s.select("condition", "a", "b")),
-    ("a field", |s| s.field("c1")),
-    ("is a finite", |s| s.finite("a")),
-    ("the law after the deadline", |s| s.after()),
-];
-
-fn call(syntax: &dyn Syntax, function: &str) -> String {
-    syntax.call(function, &["a".to_owned()])
-}
+use super::code;
+use crate::algebra::BigRational;
+use crate::code::{Code, Expr, Operator, Test};
+use crate::expression::Function;
+use crate::parameter::Precision;
 
 fn table() -> String {
-    let spec = Spec::new(2, Family::Exp);
-    let (c, rust, cpp) = (C::new(&spec), Rust::new(&spec, ""), Cpp::new(&spec));
-    let (matlab, python, st) = (Matlab::new(&spec), Python::new(&spec), StructuredText::new(&spec));
-    let languages: [&dyn Syntax; 6] = [&c, &rust, &cpp, &matlab, &python, &st];
-    // An FMU is made of C.
-    let printed = super::TARGETS.iter().take(languages.len());
-    let names: Vec<_> = printed.map(|target| target.name).collect();
+    let code = Code {
+        name: "name".to_owned(),
+        precision: Precision::F64,
+        head: Vec::new(),
+        parameters: Vec::new(),
+        fields: Vec::new(),
+        gains: Vec::new(),
+        init: Vec::new(),
+        start: None,
+        functions: Vec::new(),
+    };
+    let (a, b) = (|| Expr::local("a"), || Expr::local("b"));
+    let call = |function| Expr::Call(function, Box::new(a()));
+    let less = || Test::Less(a(), b());
+    let operations = [
+        ("Number 1/2", Expr::Number(BigRational::new(1.into(), 2.into()))),
+        ("Neg", Expr::Neg(Box::new(a()))),
+        ("Binary(Add)", Expr::binary(Operator::Add, a(), b())),
+        ("Binary(Mul)", Expr::binary(Operator::Mul, a(), b())),
+        ("Quotient", Expr::Quotient(Box::new(a()), Box::new(b()))),
+        ("Choose(Less)", Expr::choose(less(), a(), b())),
+        ("Call(Abs)", call(Function::Abs)),
+        ("Call(Sign)", call(Function::Sign)),
+        ("Call(Sqrt)", call(Function::Sqrt)),
+        ("Call(Ln)", call(Function::Ln)),
+        ("Call(Atan)", call(Function::Atan)),
+        ("Pow", Expr::Pow(Box::new(a()), Box::new(b()))),
+        ("Callback", Expr::Callback("pi0", "xi".to_owned(), Box::new(Expr::local("t")))),
+        ("Element", Expr::Element("row".to_owned(), 0)),
+        ("Field", Expr::field("c1")),
+        ("FieldElement", Expr::FieldElement("gain".to_owned(), 0)),
+        ("CountSub", a().count_sub(b())),
+        ("CountLeft", a().count_left(b())),
+        ("Real", a().real()),
+    ];
+    let tests = [
+        ("All(Less, Finite)", Test::All(vec![less(), Test::Finite(a())])),
+        ("Any(Less, Less)", Test::Any(vec![less(), Test::Less(b(), a())])),
+        ("NotNumber", Test::NotNumber(a())),
+        ("CountEqual", Test::CountEqual(a(), b())),
+    ];
+    let notes = code::Notes::default();
+    let printers = code::texts(&code, &notes);
+    let names: Vec<_> = printers.iter().map(|(name, _)| *name).collect();
     let mut lines = vec![
         format!("| operation | {} |", names.join(" | ")),
         format!("| --- |{}", " --- |".repeat(names.len())),
     ];
-    for (operation, write) in ROWS {
-        let cells = languages.map(|language| format!("`{}`", write(language).replace('|', "\\|")));
-        lines.push(format!("| {operation} | {} |", cells.join(" | ")));
+    let rows = operations.iter().map(|(name, e)| {
+        let cells: Vec<_> = printers.iter().map(|(_, text)| text.alone(e)).collect();
+        (name, cells)
+    });
+    let tests = tests.iter().map(|(name, test)| {
+        let cells: Vec<_> = printers.iter().map(|(_, text)| text.test(test)).collect();
+        (name, cells)
+    });
+    for (name, cells) in rows.chain(tests) {
+        let cells: Vec<_> =
+            cells.iter().map(|cell| format!("`{}`", cell.replace('|', "\\|"))).collect();
+        lines.push(format!("| {name} | {} |", cells.join(" | ")));
     }
     lines.join("\n")
 }

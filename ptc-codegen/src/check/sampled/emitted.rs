@@ -48,8 +48,7 @@ pub(super) fn steps(
         let mut sample = Sample::new(&code, &kept, sampled.measured, k, seen)?;
         sample.block(&code.init)?;
         sample.block(&code.function("step")?.body)?;
-        let [given] = code.function("step")?.results.as_slice() else { return None };
-        let u = sample.real(given.values.first()?)?;
+        let u = sample.real(code.function("step")?.finish.results()?.first()?)?;
         let u = sample.row(&u, chain.n, true)?;
         let rows: Option<Vec<_>> = kept
             .iter()
@@ -156,6 +155,8 @@ impl<'a> Sample<'a> {
                     self.block(block)?;
                 }
                 Statement::Require(..) | Statement::Variable(..) | Statement::Note(_) => {}
+                // No part of a controller in samples.
+                Statement::Array(..) | Statement::Rows { .. } | Statement::Solve(_) => return None,
             }
         }
         Some(())
@@ -179,6 +180,10 @@ impl<'a> Sample<'a> {
                 _ => Some(false),
             },
             Test::Finite(_) => Some(true),
+            Test::NotNumber(_) => Some(false),
+            Test::Any(tests) => {
+                tests.iter().try_fold(false, |any, test| Some(any || self.test(test)?))
+            }
             Test::All(tests) => {
                 tests.iter().try_fold(true, |all, test| Some(all && self.test(test)?))
             }

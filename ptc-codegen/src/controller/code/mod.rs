@@ -14,7 +14,11 @@ use crate::request::{After, Feedback, Guard, Spec, What};
 use body::{Body, body};
 
 /// The controller as a program, with the head of its file and its parameters as they are declared.
-pub(crate) fn code(controller: &Controller<'_>, head: Vec<String>, parameters: Vec<Variable>) -> Code {
+pub(crate) fn code(
+    controller: &Controller<'_>,
+    head: Vec<String>,
+    parameters: Vec<Variable>,
+) -> Code {
     let builder = Builder {
         controller,
         spec: controller.spec(),

@@ -38,9 +38,8 @@ impl Builder<'_> {
         let kept = checks.iter().map(kept).collect();
         statements.extend(self.fields(body, false, kept));
         let armed = self.plan.fields.iter().filter(|field| field.armed);
-        let unset = |field: &Field| {
-            Statement::Set(Place::Field(field.name.clone()), Expr::integer(0))
-        };
+        let unset =
+            |field: &Field| Statement::Set(Place::Field(field.name.clone()), Expr::integer(0));
         statements.extend(armed.map(unset));
         statements
     }

@@ -2,7 +2,8 @@
 
 use super::Builder;
 use crate::code::{
-    Access, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test, Variable,
+    Access, Expr, Finish, Function, Operator, Owner, Place, Shape, Statement, Status, Test,
+    Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
@@ -21,20 +22,25 @@ impl Builder<'_> {
         let [law, late, past @ ..] = body.roots.as_slice() else { fault("a step without a law") };
         let past = past.first();
         let zero = || Expr::integer(0);
+        let t = || Expr::local("t");
         let mut v = match past {
             None => law.clone(),
             Some(past) => {
-                let next = match self.spec.after {
+                let over = Test::AtMost(zero(), past.clone());
+                match self.spec.after {
                     After::Extern => {
-                        let time = Box::new(Expr::local("t"));
-                        Expr::Callback("after", "x".to_owned(), time)
+                        // The user's function is called where it is needed alone.
+                        let next = Expr::Callback("after", "x".to_owned(), Box::new(t()));
+                        let set =
+                            |value| vec![Statement::Set(Place::Local("law".to_owned()), value)];
+                        statements.push(Statement::Variable("law".to_owned(), Shape::Real));
+                        statements.push(Statement::If(over, set(next), set(law.clone())));
+                        Expr::local("law")
                     }
-                    After::Hold | After::Zero => zero(),
-                };
-                Expr::choose(Test::AtMost(zero(), past.clone()), next, law.clone())
+                    After::Hold | After::Zero => Expr::choose(over, zero(), law.clone()),
+                }
             }
         };
-        let t = || Expr::local("t");
         if self.spec.guard == Guard::Result {
             // t itself may cancel in u.
             let unknown = Expr::binary(Operator::Sub, t(), t());
@@ -56,7 +62,8 @@ impl Builder<'_> {
             let legal = Finish::choose(tracks, give(Status::Ok), held);
             Finish::choose(Test::Finite(Expr::local("v")), legal, range)
         } else {
-            let about = "Time-to-go, or no number where v is not finite: one comparison detects tracking.";
+            let about =
+                "Time-to-go, or no number where v is not finite: one comparison detects tracking.";
             statements.push(Statement::Note(about.to_owned()));
             let v = || Expr::local("v");
             let nothing = Expr::binary(Operator::Sub, v(), v());

@@ -3,10 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::text::{Lines, Text};
-use crate::expression::Function as Math;
-use crate::code::{Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test};
 use crate::algebra::BigRational;
+use crate::code::{
+    Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
+};
+use crate::expression::Function as Math;
 use crate::internal::fault;
+use crate::parameter::Precision;
+use crate::program::number;
 
 /// The words around a test and its two blocks.
 pub(super) struct Branch {
@@ -290,7 +294,8 @@ pub(super) fn either(text: &(impl Text + ?Sized), tests: &[&Test]) -> String {
     match tests {
         [one] => text.test(one),
         several => {
-            let each: Vec<_> = several.iter().map(|test| format!("({})", text.test(test))).collect();
+            let each: Vec<_> =
+                several.iter().map(|test| format!("({})", text.test(test))).collect();
             each.join(&format!(" {} ", text.or()))
         }
     }
@@ -382,12 +387,21 @@ pub(super) fn checks(test: &Test, copies: &BTreeMap<String, Expr>) -> Vec<Check>
         match checks.last_mut() {
             Some(last) if last.parameter == parameter => {
                 last.test = last.test.clone().and(part.clone());
-                last.legal = [last.legal.clone(), legal].join(", ");
+                last.legal = both(&last.legal, &legal);
             }
             _ => checks.push(Check { test: part.clone(), parameter, legal }),
         }
     }
     checks
+}
+
+/// What two tests of one parameter ask for.
+fn both(first: &str, second: &str) -> String {
+    match (first, second, first.strip_prefix(">= "), second.strip_prefix("<= ")) {
+        (_, _, Some(least), Some(greatest)) => format!("from {least} to {greatest}"),
+        ("finite", bound, ..) if bound.starts_with(">= ") => bound.to_owned(),
+        _ => format!("{first}, {second}"),
+    }
 }
 
 /// The local values of `init` that are parameters.
@@ -404,7 +418,7 @@ pub(super) fn copies(init: &[Statement]) -> BTreeMap<String, Expr> {
 /// What a test asks for of the first parameter in it.
 fn legal(test: &Test, parameter: Option<&(String, Option<usize>)>) -> String {
     let text = |value: &Expr| match value {
-        Expr::Number(number) => Some(number.to_string()),
+        Expr::Number(number) => Some(decimal(number)),
         Expr::Local(name) | Expr::Parameter(name) => {
             let own = parameter.is_some_and(|(own, index)| own == name && index.is_none());
             (!own).then(|| name.clone())
@@ -423,4 +437,13 @@ fn legal(test: &Test, parameter: Option<&(String, Option<usize>)>) -> String {
         _ => None,
     };
     found.unwrap_or_else(|| "as documented".to_owned())
+}
+
+/// A number as one writes it.
+fn decimal(number: &BigRational) -> String {
+    let value = number::round(number, Precision::F64);
+    match value.abs() {
+        size if size != 0.0 && !(1e-4..1e6).contains(&size) => format!("{value:e}"),
+        _ => value.to_string(),
+    }
 }

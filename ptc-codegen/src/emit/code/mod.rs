@@ -12,10 +12,26 @@ mod short;
 mod st;
 mod text;
 
-pub(super) use c::files as c;
+pub(super) use c::{Condition, Notes, domain, externs, files as c, start_tests};
 pub(super) use cpp::file as cpp;
 pub(super) use matlab::files as matlab;
 pub(super) use python::file as python;
 pub(super) use rust::{file as rust, items as rust_items};
 pub(super) use short::short;
 pub(super) use st::file as st;
+
+/// Every language by name, and how it writes expressions.
+#[cfg(test)]
+pub(super) fn texts<'a>(
+    code: &'a crate::code::Code,
+    notes: &'a Notes,
+) -> Vec<(&'static str, Box<dyn text::Text + 'a>)> {
+    vec![
+        ("C", Box::new(c::C::new(code, notes))),
+        ("Rust", Box::new(rust::Rust::new(code, ""))),
+        ("C++", Box::new(cpp::Cpp::new(code))),
+        ("MATLAB", Box::new(matlab::Matlab::new(code, crate::code::Owner::Controller))),
+        ("Python", Box::new(python::Python::new(code))),
+        ("Structured Text", Box::new(st::StructuredText::new(code))),
+    ]
+}

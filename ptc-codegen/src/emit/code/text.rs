@@ -145,16 +145,18 @@ pub(in crate::emit) trait Text {
             }
             Expr::Neg(a) => (Level::Sign, format!("-{}", self.within(a, Level::Atom))),
             Expr::Binary(operator, a, b) => {
-                let (sign, level, right) = match operator {
-                    Operator::Add => ("+", Level::Sum, Level::Product),
-                    Operator::Sub => ("-", Level::Sum, Level::Product),
-                    Operator::Mul => ("*", Level::Product, Level::Sign),
-                    Operator::Div => ("/", Level::Product, Level::Sign),
+                let (sign, level) = match operator {
+                    Operator::Add => ("+", Level::Sum),
+                    Operator::Sub => ("-", Level::Sum),
+                    Operator::Mul => ("*", Level::Product),
+                    Operator::Div => ("/", Level::Product),
                 };
-                // What binds tighter is in brackets too, except products in a sum and signs in
-                // front, so that no rule of precedence has to be known.
-                let text = format!("{} {sign} {}", self.within(a, level), self.within(b, right));
-                (level, text)
+                // Brackets around all but a + b + c and a * b * c, so that no rule of precedence has to
+                // be known.
+                let same = matches!(a.as_ref(), Expr::Binary(of, ..) if of == operator)
+                    && matches!(operator, Operator::Add | Operator::Mul);
+                let left = if same { self.alone(a) } else { self.within(a, Level::Atom) };
+                (level, format!("{left} {sign} {}", self.within(b, Level::Atom)))
             }
             Expr::Call(Function::Abs, a) => (Level::Atom, self.abs(&self.alone(a))),
             Expr::Call(Function::Sign, a) => self.sign(&self.within(a, Level::Atom)),
@@ -325,6 +327,29 @@ impl Lines {
         self.close(text);
         self.depth += 1;
         self.opened = true;
+    }
+
+    /// Where the next line stands.
+    pub(in crate::emit) fn here(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// Puts `before` and `behind` around the lines since `here`, in one line where they are no longer
+    /// than `width` together.
+    pub(in crate::emit) fn wrap(&mut self, here: usize, before: &str, behind: &str, width: usize) {
+        let parts: Vec<_> = self.lines[here..].iter().map(|line| line.trim()).collect();
+        let one = parts.join(" ");
+        if one.len() <= width && !one.contains(';') {
+            self.lines.truncate(here);
+            return self.line(format!("{before}{one}{behind}"));
+        }
+        if let Some(first) = self.lines.get_mut(here) {
+            let pad = " ".repeat(first.len() - first.trim_start().len());
+            *first = format!("{pad}{before}{}", first.trim_start());
+        }
+        if let Some(last) = self.lines.last_mut() {
+            last.push_str(behind);
+        }
     }
 
     /// The text.

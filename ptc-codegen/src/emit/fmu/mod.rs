@@ -7,10 +7,13 @@ mod variables;
 use askama::Template;
 
 use super::apart::apart;
-use super::c;
+use super::code::{Condition, domain};
 use super::example::Example;
-use super::frame::{Frame, Requirement, literal, parameter_text};
-use super::{Controller, File, Language, Target, stands_alone, text_of, tidy};
+use super::outline::Outline;
+use super::{
+    Controller, File, Language, Print, Target, c_files, literal, program, stands_alone, text_of,
+    tidy,
+};
 use crate::diagnostic::Diagnostics;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Program, number};
@@ -51,7 +54,7 @@ pub(super) const TARGET_2: Target = Target {
     language: Language::Fmu2,
     name: "fmu2",
     about: "an FMU for co-simulation after FMI 2.0",
-    files: |controller| files(controller, Version::Two),
+    print: Print::Around(|controller| files(controller, Version::Two)),
     ..TARGET_3
 };
 
@@ -63,7 +66,7 @@ pub(super) const TARGET_3: Target = Target {
     comment: ("/* ", " */"),
     is_word,
     refuse,
-    files: |controller| files(controller, Version::Three),
+    print: Print::Around(|controller| files(controller, Version::Three)),
 };
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
@@ -89,7 +92,7 @@ fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
     let token = token(unsigned.iter().map(|file| file.text.as_str()));
     let mut files = with_token(controller, version, &example, &token);
     let at_source = |file: File| File { name: format!("sources/{}", file.name), ..file };
-    files.extend(c::files(controller).into_iter().map(at_source));
+    files.extend(c_files(controller).into_iter().map(at_source));
     if version == Version::Three {
         let build = Build { name: &name };
         files.push(file("sources/buildDescription.xml", build.render()));
@@ -106,16 +109,17 @@ fn with_token(
 ) -> Vec<File> {
     let spec = controller.spec();
     let name = spec.name();
-    let syntax = c::C::new(spec);
-    let frame = Frame::new(controller, c::real(spec), &syntax);
+    let program = program(controller, Language::C);
+    let frame = Outline::new(controller, &program);
     let variables = variables::variables(spec, example);
-    let real = |p: Parameter| literal(example.value(p), spec.precision, &syntax);
+    let number = |value: f64| literal::c(value, spec.precision);
+    let real = |p: Parameter| number(example.value(p));
     let place = |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
     let starts = frame.locals.iter().zip(spec.run_time_parameters());
     let constants = variables.iter().filter_map(|v| {
         let number = spec.fixed.get(&v.parameter?).and_then(Fixed::number)?;
-        let value = literal(number::round(number, spec.precision), spec.precision, &syntax);
-        Some(Constant { reference: v.reference, literal: value })
+        let literal = literal::c(number::round(number, spec.precision), spec.precision);
+        Some(Constant { reference: v.reference, literal })
     });
     let of_start = |v: &&Variable| v.parameter == Some(Parameter::StartTime) && v.place.is_some();
     let start_reference = variables.iter().find(of_start).map(|v| v.reference);
@@ -128,13 +132,16 @@ fn with_token(
         token,
         start: match start_reference {
             Some(_) => "state->params.t0".to_owned(),
-            None => parameter_text(spec, Parameter::StartTime, &syntax),
+            None => real(Parameter::StartTime),
         },
         time_to_go: "-((t - state->controller.deadline) - state->controller.correction)",
         starts: starts
             .map(|(local, p)| Start { place: local.value.clone(), value: real(p) })
             .collect(),
-        conditions: frame.domain.iter().filter_map(|r| Judged::of(r, &variables, spec.n)).collect(),
+        conditions: domain(&program)
+            .iter()
+            .filter_map(|condition| Judged::of(condition, &variables, spec.n))
+            .collect(),
         kept: variables.iter().filter_map(place).collect(),
         constants: constants.collect(),
         start_reference,
@@ -245,8 +252,8 @@ struct Judged {
 }
 
 impl Judged {
-    fn of(requirement: &Requirement, variables: &[Variable], n: usize) -> Option<Self> {
-        let Requirement { test, parameter, legal, .. } = requirement;
+    fn of(condition: &Condition, variables: &[Variable], n: usize) -> Option<Self> {
+        let Condition { test, parameter, legal } = condition;
         let place = format!("params.{parameter}");
         let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
         let about = variable.parameter?;
@@ -277,7 +284,7 @@ struct Core<'a> {
     kept: Vec<Kept>,
     constants: Vec<Constant>,
     start_reference: Option<usize>,
-    frame: &'a Frame,
+    frame: &'a Outline,
 }
 
 #[derive(Template)]
@@ -286,7 +293,7 @@ struct Fmi2<'a> {
     name: &'a str,
     core: &'a str,
     single: bool,
-    frame: &'a Frame,
+    frame: &'a Outline,
 }
 
 #[derive(Template)]
@@ -295,7 +302,7 @@ struct Fmi3<'a> {
     name: &'a str,
     core: &'a str,
     single: bool,
-    frame: &'a Frame,
+    frame: &'a Outline,
 }
 
 #[derive(Template)]

@@ -1,8 +1,7 @@
 //! The values with which a project runs, as text in its language.
 
 use super::super::example::{DEFAULTS, Example};
-use super::super::frame::literal;
-use super::super::{Controller, Language, c, declared, rust};
+use super::super::{Controller, Language, c, declared, literal, rust};
 use super::constant;
 use crate::parameter::Parameter;
 use crate::program::number;
@@ -10,7 +9,7 @@ use crate::request::Spec;
 
 /// A run-time parameter, or an array of them.
 pub(super) struct Setting {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     /// Its value as an initialiser in C.
     pub(super) c: String,
     /// Its value in Rust.
@@ -51,14 +50,9 @@ impl Config {
         let spec = controller.spec();
         let name = spec.name();
         let example = Example::of(controller.report);
-        let text = |value: f64| -> String {
-            match language {
-                Language::C => literal(value, spec.precision, &c::C::new(spec)),
-                _ => {
-                    let sign = if value.is_sign_negative() { "-" } else { "" };
-                    format!("{sign}{}", number::literal(value.abs(), spec.precision))
-                }
-            }
+        let text = |value: f64| match language {
+            Language::C => literal::c(value, spec.precision),
+            _ => literal::plain(value, spec.precision),
         };
         let known = |parameter: Parameter, field: &str| match spec.fixed.contains_key(&parameter) {
             true => (text(example.value(parameter)), true),
@@ -98,15 +92,16 @@ impl Config {
 
 fn settings(spec: &Spec, example: &Example, text: &dyn Fn(f64) -> String) -> Vec<Setting> {
     let parameters = spec.parameters();
-    let of = |name: &'static str, length: Option<usize>| -> Vec<String> {
+    let of = |name: &str, length: Option<usize>| -> Vec<String> {
         let own = parameters.iter().filter(|p| p.key() == name);
         own.map(|p| text(example.value(*p))).take(length.unwrap_or(1)).collect()
     };
     declared(spec, Language::C)
         .into_iter()
         .map(|parameter| {
-            let values = of(parameter.name, parameter.length).join(", ");
-            let array = parameter.length.is_some();
+            let length = parameter.shape.length();
+            let values = of(&parameter.name, length).join(", ");
+            let array = length.is_some();
             Setting {
                 name: parameter.name,
                 c: if array { format!("{{ {values} }}") } else { values.clone() },

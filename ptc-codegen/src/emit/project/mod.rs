@@ -8,7 +8,7 @@ mod templates;
 use askama::Template;
 
 use super::apart::apart;
-use super::{Controller, File, Language, c, rust, stands_alone, text_of, tidy};
+use super::{Controller, File, Language, c_files, code, program, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
@@ -123,7 +123,7 @@ fn emitted(controller: &Controller<'_>, header: &str, source: &str) -> Vec<File>
         let folder = if file.name.ends_with(".h") { header } else { source };
         File { name: format!("{folder}/{}", file.name), ..file }
     };
-    c::files(controller).into_iter().map(place).collect()
+    c_files(controller).into_iter().map(place).collect()
 }
 
 fn cortex_m(controller: &Controller<'_>) -> Vec<File> {
@@ -154,7 +154,7 @@ fn cortex_m(controller: &Controller<'_>) -> Vec<File> {
 fn rust_embedded(controller: &Controller<'_>) -> Vec<File> {
     let config = Config::of(controller, Language::Rust);
     let name = config.name.as_str();
-    let module = rust::file(controller);
+    let module = code::rust(&program(controller, Language::Rust));
     let libm = module.text.contains("feature = \"libm\"");
     vec![
         file("Cargo.toml", &Cargo { name, libm }),

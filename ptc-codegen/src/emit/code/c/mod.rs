@@ -1,10 +1,13 @@
 //! C99: a header and a source file.
 
+mod conditions;
 mod header;
 mod rows;
 mod source;
 
 use std::collections::BTreeMap;
+
+pub(in crate::emit) use conditions::{Condition, domain, start_tests};
 
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status};
@@ -25,7 +28,7 @@ pub(in crate::emit) struct Notes {
 /// The header and the source of a controller.
 pub(in crate::emit) fn files(code: &Code, notes: &Notes) -> Vec<File> {
     let name = &code.name;
-    let printer = || C { code, notes, owner: "self->", standing: None, zeroed: false, out: Lines::default() };
+    let printer = || C::new(code, notes);
     let (header, source) = (printer().header(), printer().source());
     [(format!("{name}.h"), header), (format!("{name}.c"), source)]
         .into_iter()
@@ -43,7 +46,7 @@ pub(in crate::emit) fn externs(name: &str, callbacks: &[Callback]) -> Vec<(Strin
     externs
 }
 
-struct C<'a> {
+pub(super) struct C<'a> {
     code: &'a Code,
     notes: &'a Notes,
     /// What leads to a field.
@@ -103,7 +106,12 @@ impl Text for C<'_> {
     }
 }
 
-impl C<'_> {
+impl<'a> C<'a> {
+    pub(super) fn new(code: &'a Code, notes: &'a Notes) -> Self {
+        let out = Lines::default();
+        Self { code, notes, owner: "self->", standing: None, zeroed: false, out }
+    }
+
     fn type_of(&self, shape: Shape) -> String {
         match (shape, self.code.precision) {
             (Shape::Gains, _) => format!("{}_gains", self.code.name),

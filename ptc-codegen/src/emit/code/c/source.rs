@@ -90,7 +90,12 @@ impl C<'_> {
             let tests = self.pointers(function);
             self.out.open(format!("if ({tests}) {{"));
         }
-        self.block(&function.body, &mut |this| this.finish(function, &function.finish, false));
+        self.block(&function.body, &mut |this| {
+            this.finish(function, &function.finish, false);
+            if function.results.iter().any(|result| result.shape == Shape::Gains) {
+                this.out.line("gains->status = status;");
+            }
+        });
         if function.guarded {
             self.out.close("}");
         }
@@ -124,7 +129,7 @@ impl C<'_> {
                 if !done {
                     self.hand_over(function, values);
                 }
-                self.settle(function, *ending);
+                self.settle(*ending);
             }
             Finish::Fail(status) => self.fail(function, *status),
             Finish::If(..) => {
@@ -154,15 +159,12 @@ impl C<'_> {
         self.out.close("}");
     }
 
-    fn settle(&mut self, function: &Function, ending: Ending) {
+    fn settle(&mut self, ending: Ending) {
         let status = match ending {
             Ending::Known(status) => word(status),
             Ending::OfGains => "gains->status",
         };
         self.out.line(format!("status = {status};"));
-        if function.results.iter().any(|result| result.shape == Shape::Gains) {
-            self.out.line("gains->status = status;");
-        }
     }
 
     fn fail(&mut self, function: &Function, status: Status) {
@@ -176,7 +178,8 @@ impl C<'_> {
     }
 
     fn hand_over(&mut self, function: &Function, values: &[Expr]) {
-        let mut values = values.iter().map(|value| self.alone(value)).collect::<Vec<_>>().into_iter();
+        let mut values =
+            values.iter().map(|value| self.alone(value)).collect::<Vec<_>>().into_iter();
         for result in &function.results {
             let name = &result.name;
             let places: Vec<String> = match result.shape {

@@ -58,7 +58,9 @@ impl Cpp<'_> {
         for field in &code.gains {
             self.member(field, "", "///<");
         }
-        self.out.line("Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains");
+        self.out.line(
+            "Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains",
+        );
         self.suffix = "";
         for function in code.functions.iter().filter(|f| f.owner == Owner::Gains) {
             self.function(function);

@@ -11,11 +11,10 @@ use crate::parameter::Precision;
 
 /// The header of a controller.
 pub(in crate::emit) fn file(code: &Code) -> File {
-    let cpp = Cpp { code, gives: Gives::Status, prefix: "", suffix: "_", out: Lines::default() };
-    File { name: format!("{}.hpp", code.name), text: cpp.header() }
+    File { name: format!("{}.hpp", code.name), text: Cpp::new(code).header() }
 }
 
-struct Cpp<'a> {
+pub(super) struct Cpp<'a> {
     code: &'a Code,
     /// What the function gives that is being printed.
     gives: Gives,
@@ -159,7 +158,11 @@ impl Block for Cpp<'_> {
     }
 }
 
-impl Cpp<'_> {
+impl<'a> Cpp<'a> {
+    pub(super) fn new(code: &'a Code) -> Self {
+        Self { code, gives: Gives::Status, prefix: "", suffix: "_", out: Lines::default() }
+    }
+
     fn real_type(&self) -> &'static str {
         if self.code.precision == Precision::F32 { "float" } else { "double" }
     }
@@ -214,7 +217,8 @@ impl Cpp<'_> {
             let kinds: Vec<_> = kinds.iter().map(|kind| format!("class {kind}")).collect();
             self.out.line(format!("template <{}>", kinds.join(", ")));
         }
-        let typed = matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing);
+        let typed =
+            matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing);
         let discard = if typed { "" } else { "[[nodiscard]] " };
         let constant = if calls_library(function) { "" } else { "constexpr " };
         let access = if function.access == Access::Read { " const" } else { "" };
@@ -229,7 +233,8 @@ impl Cpp<'_> {
     fn work(&mut self, function: &Function) {
         if function.owner == crate::code::Owner::Gains {
             let zero = self.literal("0.0");
-            self.out.line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
+            self.out
+                .line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
         }
         self.block(&function.body);
         if self.gives == Gives::Gains {

@@ -1,6 +1,6 @@
 //! The files of the functions.
 
-use super::super::block::{Block, Gives};
+use super::super::block::{Block, Gives, copies};
 use super::super::text::Text;
 use super::Matlab;
 use crate::code::{Access, Function, Owner, Shape, Statement, Status};
@@ -16,7 +16,7 @@ impl Matlab<'_> {
         self.out.line(format!("function self = {name}_init({list}) %#codegen"));
         self.out.words("%", &format!("{upper}_INIT  {}", code.starts()));
         self.out.line("%");
-        self.out.words("%   ", &format!("self = {name}_init({given}) is the controller, for the functions that stand beside this one. A parameter outside its domain, or coefficients that overflow, raise an error {name}:param, which names what is wrong and what is legal."));
+        self.out.words("%   ", &format!("self = {name}_init({given}) is the controller, for the functions that stand beside this one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an error {name}:param, which names what is wrong and what is legal."));
         if !code.parameters.is_empty() {
             self.out.line("%\n%   params is a struct:");
         }
@@ -32,8 +32,10 @@ impl Matlab<'_> {
         for parameter in &code.parameters {
             self.given(&parameter.name, parameter.shape);
         }
-        self.raises = Some("the coefficients overflow: take smaller gains, or rates and sample periods nearer to 1".to_owned());
+        self.raises = Some("the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1".to_owned());
+        self.copies = copies(&code.init);
         self.block(&code.init);
+        self.copies.clear();
         if let Some(start) = &code.start {
             let mut list = vec!["self".to_owned(), self.alone(&start.time)];
             list.extend(start.state.iter().map(|state| state.name.clone()));
@@ -94,8 +96,7 @@ impl Matlab<'_> {
         }
         if self.gives == Gives::Status {
             let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
-            self.raises =
-                Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+            self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
         }
         self.block(&function.body);
         if self.gives == Gives::Gains {
@@ -120,7 +121,8 @@ impl Matlab<'_> {
         let (name, upper) = (&self.code.name, self.code.name.to_uppercase());
         let called = function.name;
         let changes = function.access == Access::Change;
-        let mut gives: Vec<_> = function.results.iter().map(|result| result.name.as_str()).collect();
+        let mut gives: Vec<_> =
+            function.results.iter().map(|result| result.name.as_str()).collect();
         gives.extend(self.has_status().then_some("status"));
         gives.extend(changes.then_some("self"));
         let gives = match gives.as_slice() {
@@ -140,7 +142,10 @@ impl Matlab<'_> {
         self.out.line("%");
         self.out.words("%   ", &format!("{signature}, with {owner} from {name}_{from}.{kept}"));
         for callback in &function.callbacks {
-            self.out.words("%   ", &format!("{}, a function handle: {}", callback.name, callback.about));
+            self.out.words(
+                "%   ",
+                &format!("{}, a function handle: {}", callback.name, callback.about),
+            );
         }
         if function.failures.contains(&Status::Range) {
             self.out.line(STATUSES);
@@ -158,7 +163,8 @@ impl Matlab<'_> {
                 None => format!("gains.{name} = {};", self.literal("0.0")),
             });
         }
-        self.out.line(format!("status = int32({});\ngains.status = status;", Status::Input.number()));
+        self.out
+            .line(format!("status = int32({});\ngains.status = status;", Status::Input.number()));
     }
 
     fn gains(&mut self, function: &Function) {

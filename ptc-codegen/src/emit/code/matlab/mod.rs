@@ -4,18 +4,22 @@
 mod functions;
 mod helpers;
 
-use super::block::{Block, Branch, Gives, checks, copies};
+use std::collections::BTreeMap;
+
+use super::block::{Block, Branch, Gives, checks};
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
 
-struct Matlab<'a> {
+pub(super) struct Matlab<'a> {
     code: &'a Code,
     /// What leads to a field.
     owner: &'static str,
     /// Whether the function fails by an error, and what is wrong then.
     raises: Option<String>,
+    /// The local values that are parameters.
+    copies: BTreeMap<String, Expr>,
     /// What the function gives that is being printed, and the name of it.
     gives: Gives,
     result: String,
@@ -24,14 +28,7 @@ struct Matlab<'a> {
 
 /// The function files of a controller.
 pub(in crate::emit) fn files(code: &Code) -> Vec<File> {
-    let printer = |owner| Matlab {
-        code,
-        owner: if owner == Owner::Gains { "gains." } else { "self." },
-        raises: None,
-        gives: Gives::Status,
-        result: String::new(),
-        out: Lines::default(),
-    };
+    let printer = |owner| Matlab::new(code, owner);
     let file = |name: &str, mut text: String| {
         for helper in &helpers::HELPERS {
             if text.contains(&format!("{}(", helper.name)) {
@@ -169,7 +166,7 @@ impl Block for Matlab<'_> {
             return self.out.close("end");
         };
         let name = &self.code.name;
-        for check in checks(test, &copies(&self.code.init)) {
+        for check in checks(test, &self.copies) {
             let line = self.unless("~", &check.test, " ...\n    && ", "");
             self.out.open(line);
             let parameter = check.parameter.map(|(name, index)| match index {
@@ -214,7 +211,9 @@ impl Block for Matlab<'_> {
             Gives::Control | Gives::Number => {
                 self.out.line(format!("{result} = {};", list.join("; ")));
             }
-            Gives::Rate | Gives::Array => self.out.line(format!("{result} = [{}];", list.join("; "))),
+            Gives::Rate | Gives::Array => {
+                self.out.line(format!("{result} = [{}];", list.join("; ")))
+            }
             Gives::Gains => {}
         }
         match ending {
@@ -230,7 +229,19 @@ impl Block for Matlab<'_> {
     }
 }
 
-impl Matlab<'_> {
+impl<'a> Matlab<'a> {
+    pub(super) fn new(code: &'a Code, owner: Owner) -> Self {
+        Self {
+            code,
+            owner: if owner == Owner::Gains { "gains." } else { "self." },
+            raises: None,
+            copies: BTreeMap::new(),
+            gives: Gives::Status,
+            result: String::new(),
+            out: Lines::default(),
+        }
+    }
+
     fn real_type(&self) -> &'static str {
         if self.code.precision == Precision::F32 { "single" } else { "double" }
     }

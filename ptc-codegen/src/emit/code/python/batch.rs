@@ -3,9 +3,7 @@
 use super::super::block::{Block, Gives};
 use super::super::text::Text;
 use super::{Python, word};
-use crate::code::{
-    Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test,
-};
+use crate::code::{Ending, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test};
 use crate::internal::fault;
 
 /// The result and the status of an end, as expressions.
@@ -46,8 +44,7 @@ impl Python<'_> {
             let name = &argument.name;
             match argument.shape {
                 Shape::Reals(n) => {
-                    self.out.line(format!("{name} = np.asarray({name}, dtype=_R)"));
-                    let states: Vec<_> = (1..=n).map(|j| format!("given{j}")).collect();
+                    let states: Vec<_> = (1..=n).map(|j| format!("x{j}")).collect();
                     let comma = if n == 1 { "," } else { "" };
                     let states = states.join(", ");
                     self.out.line(format!("{states}{comma} = _states({name}, \"{name}\")"));
@@ -90,9 +87,6 @@ impl Python<'_> {
                 self.out.line(format!("    {name} = np.where(chosen, {yes}, {name})"));
             }
             Statement::Solve(solve) => self.each_root(solve),
-            Statement::Let(name, _, Expr::Element(array, index)) if self.is_state(array) => {
-                self.out.line(format!("{name} = given{}", index + 1));
-            }
             statement => self.statement(statement),
         }
     }
@@ -171,9 +165,8 @@ if done.all():
                     let own: Vec<_> = values.by_ref().take(n).collect();
                     let own = own.join(", ");
                     let name = &field.name;
-                    self.out.line(format!(
-                        "{name} = np.stack(np.broadcast_arrays({own}), axis=-1)"
-                    ));
+                    self.out
+                        .line(format!("{name} = np.stack(np.broadcast_arrays({own}), axis=-1)"));
                     list.push(name.clone());
                 }
                 None => list.push(format!("np.asarray({})", values.next().unwrap_or_default())),
@@ -192,7 +185,9 @@ if done.all():
                     Ending::OfGains => "self.status".to_owned(),
                 },
             },
-            Finish::Fail(status) => End { value: None, status: format!("Status.{}", word(*status)) },
+            Finish::Fail(status) => {
+                End { value: None, status: format!("Status.{}", word(*status)) }
+            }
             Finish::If(test, yes, no) => {
                 *count += 1;
                 let name = format!("way{count}");
@@ -209,10 +204,6 @@ if done.all():
                 End { value, status }
             }
         }
-    }
-
-    fn is_state(&self, array: &str) -> bool {
-        matches!(array, "x" | "xi")
     }
 }
 

@@ -1,18 +1,18 @@
 //! The class of the controller: its constructor, and functions of one call at a time.
 
-use super::super::block::{Block, Gives};
+use super::super::block::{Block, Gives, copies};
 use super::super::text::Text;
 use super::{Python, annotation};
 use crate::code::{Function, Owner, Shape};
 
 const OVERFLOW: &str =
-    "the coefficients overflow; take smaller gains, or rates and sample periods nearer to 1";
+    "the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1";
 
 impl Python<'_> {
     pub(super) fn class(&mut self, kind: &str) {
         let code = self.code;
         self.out.open(format!("class {kind}:"));
-        self.out.line(format!("\"\"\"The controller. {}\n\nValueError where a parameter is outside its domain, or the coefficients overflow.\n\"\"\"\n", code.starts()));
+        self.out.line(format!("\"\"\"The controller. {}\n\nValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.\n\"\"\"\n", code.starts()));
         self.init();
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
@@ -35,7 +35,9 @@ impl Python<'_> {
             self.given(&parameter.name, parameter.shape);
         }
         self.raises = Some(OVERFLOW.to_owned());
+        self.copies = copies(&code.init);
         self.block(&code.init);
+        self.copies.clear();
         self.raises = None;
         let nothing = code.parameters.is_empty() && code.init.is_empty();
         if nothing {
@@ -60,7 +62,9 @@ impl Python<'_> {
             Shape::Count => {
                 self.out.line(format!("given_{name} = params.{name}.__index__()"));
                 self.out.open(format!("if given_{name} != given_{name} & _WRAP:"));
-                self.out.line(format!("raise ValueError(f\"params.{name} is {{params.{name}}}; legal: 0..2^32 - 1\")"));
+                self.out.line(format!(
+                    "raise ValueError(f\"params.{name} is {{params.{name}}}; legal: 0..2^32 - 1\")"
+                ));
                 self.out.leave();
             }
             Shape::Gains => {}
@@ -115,8 +119,7 @@ impl Python<'_> {
         }
         if self.gives == Gives::Status {
             let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
-            self.raises =
-                Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+            self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
         }
         self.block(&function.body);
         self.raises = None;

@@ -4,18 +4,22 @@ mod batch;
 mod class;
 mod module;
 
-use super::block::{Block, Branch, Gives, checks, copies};
+use std::collections::BTreeMap;
+
+use super::block::{Block, Branch, Gives, checks};
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
+use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
 
-struct Python<'a> {
+pub(super) struct Python<'a> {
     code: &'a Code,
     /// Whether a call takes a batch of times and states.
     batch: bool,
     /// Whether it fails by an exception, and what is wrong then.
     raises: Option<String>,
+    /// The local values that are parameters.
+    copies: BTreeMap<String, Expr>,
     /// What the function gives that is being printed.
     gives: Gives,
     /// What stands before the name of a field.
@@ -25,15 +29,7 @@ struct Python<'a> {
 
 /// The module of a controller.
 pub(in crate::emit) fn file(code: &Code) -> File {
-    let python = Python {
-        code,
-        batch: false,
-        raises: None,
-        gives: Gives::Status,
-        owner: "self._",
-        out: Lines::default(),
-    };
-    File { name: format!("{}.py", code.name), text: python.module() }
+    File { name: format!("{}.py", code.name), text: Python::new(code).module() }
 }
 
 impl Text for Python<'_> {
@@ -60,6 +56,14 @@ impl Text for Python<'_> {
 
     fn parameter(&self, name: &str) -> String {
         format!("given_{name}")
+    }
+
+    /// The states of a batch are taken out one by one.
+    fn element(&self, array: &str, index: usize) -> String {
+        match self.batch && matches!(array, "x" | "xi") {
+            true => format!("x{}", index + 1),
+            false => format!("{array}[{index}]"),
+        }
     }
 
     fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
@@ -106,6 +110,7 @@ impl Text for Python<'_> {
     }
 
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
+        let array = format!("np.asarray({array}, dtype=_R)");
         format!("np.asarray({name}({array}, np.asarray({time})), dtype=_R)")
     }
 
@@ -197,7 +202,7 @@ impl Block for Python<'_> {
             self.fail(status);
             return self.out.leave();
         };
-        for check in checks(test, &copies(&self.code.init)) {
+        for check in checks(test, &self.copies) {
             let line = self.refused(&check.test);
             self.out.open(line);
             let name = match &check.parameter {
@@ -208,7 +213,10 @@ impl Block for Python<'_> {
             self.out.line(match name.as_str() {
                 "" => format!("raise ValueError(\"{wrong}\")"),
                 name => {
-                    format!("raise ValueError(f\"params.{name} is {{params.{name}}}; legal: {}\")", check.legal)
+                    format!(
+                        "raise ValueError(f\"params.{name} is {{params.{name}}}; legal: {}\")",
+                        check.legal
+                    )
                 }
             });
             self.out.leave();
@@ -257,7 +265,19 @@ impl Block for Python<'_> {
     }
 }
 
-impl Python<'_> {
+impl<'a> Python<'a> {
+    pub(super) fn new(code: &'a Code) -> Self {
+        Self {
+            code,
+            batch: false,
+            raises: None,
+            copies: BTreeMap::new(),
+            gives: Gives::Status,
+            owner: "self._",
+            out: Lines::default(),
+        }
+    }
+
     /// The line that opens what happens where `test` does not hold.
     fn refused(&self, test: &Test) -> String {
         let line = self.unless("not ", test, &format!("\n    {} ", self.and()), ":");

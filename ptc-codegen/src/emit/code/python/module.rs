@@ -1,6 +1,5 @@
 //! The module around the classes.
 
-use super::super::text::Text;
 use super::{Python, annotation};
 use crate::code::{Expr, Owner, Shape, Statement};
 use crate::parameter::type_name;
@@ -90,9 +89,7 @@ impl Python<'_> {
         self.out.line("\"\"\"Feedback gains at one or more times.\"\"\"\n");
         let list = code.gains.iter().map(|field| format!("{}: Array", field.name));
         let list = list.collect::<Vec<_>>().join(", ");
-        self.out.open(format!(
-            "def __init__(self, {list}, status: NDArray[np.int8]) -> None:"
-        ));
+        self.out.open(format!("def __init__(self, {list}, status: NDArray[np.int8]) -> None:"));
         for field in &code.gains {
             let (name, about) = (&field.name, &field.about);
             let shape = match field.shape.length() {
@@ -101,7 +98,9 @@ impl Python<'_> {
             };
             self.out.line(format!("self.{name} = {name}\n\"\"\"{about}{shape}\"\"\""));
         }
-        self.out.line("self.status = status\n\"\"\"OK or HOLD, INPUT where the time was not legal.\"\"\"");
+        self.out.line(
+            "self.status = status\n\"\"\"OK or HOLD, INPUT where the time was not legal.\"\"\"",
+        );
         self.out.leave();
         self.owner = "self.";
         for function in code.functions.iter().filter(|f| f.owner == Owner::Gains) {

@@ -2,8 +2,8 @@
 
 use super::super::block::{Block, Gives};
 use super::super::text::Text;
-use super::Rust;
-use crate::code::{Access, Function, Owner, Place, Shape, Statement, Status, Variable};
+use super::{CHOICE, Rust};
+use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};
 use crate::parameter::type_name;
 
 /// Columns of the fields of a structure in one line.
@@ -75,7 +75,7 @@ impl Rust<'_> {
         self.out.words("/// ", &code.starts().replace("params.t0", "`params.t0`"));
         self.out.line("///");
         self.out.line("/// # Errors");
-        self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it overflow.");
+        self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.");
         let result = format!(" -> Result<Self, {runtime}Error>");
         let mut list = vec![format!("params: {kind}Params")];
         let state = code.start.as_ref().and_then(|start| start.state.as_ref());
@@ -135,7 +135,7 @@ impl Rust<'_> {
             Gives::Array | Gives::Number => format!(" -> {given}"),
             _ => format!(" -> Result<{given}, {runtime}Error>"),
         };
-        self.out.line("");
+        self.out.gap();
         self.out.words("/// ", &doc(&function.about));
         for callback in &function.callbacks {
             self.out.words("/// ", &doc(&format!("`{}`: {}", callback.name, callback.about)));
@@ -154,16 +154,33 @@ impl Rust<'_> {
         self.out.line("#[inline]");
         self.signature(function.name, &list, &result);
         self.block(&function.body);
-        if self.gives != Gives::Gains {
-            self.finish(&function.finish);
-            return self.out.close("}");
+        let same = function.finish.results();
+        let here = self.out.here();
+        match self.gives {
+            Gives::Gains => {
+                self.finish(&function.finish);
+                self.out.wrap(here, "let status = ", ";", CHOICE);
+                self.gains(&given, same.unwrap_or_default());
+            }
+            Gives::Control => {
+                self.together = same.is_none();
+                self.finish(&function.finish);
+                let names = if self.together { "(u, status)" } else { "status" };
+                self.out.wrap(here, &format!("let {names} = "), ";", CHOICE);
+                let u = match same {
+                    Some(values) => format!("u: {}", self.list(values).join(", ")),
+                    None => "u".to_owned(),
+                };
+                self.out.line(format!("Ok({runtime}Control {{ {u}, status }})"));
+            }
+            _ => self.finish(&function.finish),
         }
-        self.out.open("let status = {");
-        self.finish(&function.finish);
-        self.out.close("};");
-        let values = function.finish.results().unwrap_or_default();
+        self.out.close("}");
+    }
+
+    fn gains(&mut self, kind: &str, values: &[Expr]) {
         let mut values = self.list(values).into_iter();
-        self.out.open(format!("Ok({given} {{"));
+        self.out.open(format!("Ok({kind} {{"));
         for field in &self.code.gains {
             let name = &field.name;
             let value = match field.shape.length() {
@@ -174,7 +191,6 @@ impl Rust<'_> {
         }
         self.out.line("status,");
         self.out.close("})");
-        self.out.close("}");
     }
 
     /// The type of the states.
@@ -201,27 +217,23 @@ impl Rust<'_> {
         self.out.open(format!("impl {runtime}Controller<{n}> for {kind} {{"));
         self.out.line(format!("type Real = {real};\n"));
         let result = format!(" -> Result<(), {runtime}Error>");
-        self.method("arm", &["&mut self".to_owned(), format!("t0: {real}")], &result);
+        self.method("fn arm", &["&mut self".to_owned(), format!("t0: {real}")], &result);
         self.out.line("Self::arm(self, t0)");
         self.out.close("}");
         self.out.line("");
         let result = format!(" -> Result<{runtime}Control<{real}>, {runtime}Error>");
         let list = ["&self".to_owned(), format!("t: {real}"), format!("x: &{array}")];
-        self.method("step", &list, &result);
+        self.method("fn step", &list, &result);
         self.out.line("Self::step(self, t, x)");
         self.out.close("}");
         self.out.close("}");
     }
 
     fn signature(&mut self, name: &str, list: &[String], result: &str) {
-        self.method(&format!("pub {name}"), list, result);
+        self.method(&format!("pub fn {name}"), list, result);
     }
 
     fn method(&mut self, name: &str, list: &[String], result: &str) {
-        let name = match name.strip_prefix("pub ") {
-            Some(name) => format!("pub fn {name}"),
-            None => format!("fn {name}"),
-        };
         let line = format!("{name}({}){result} {{", list.join(", "));
         if self.out.has_room(&line) {
             return self.out.open(line);

@@ -22,12 +22,14 @@ pub(in crate::emit) fn items(code: &Code) -> String {
     Rust::new(code, "::ptc::").items()
 }
 
-struct Rust<'a> {
+pub(super) struct Rust<'a> {
     code: &'a Code,
     /// Path of the types that the items stand on.
     runtime: &'static str,
     /// What the function gives that is being printed.
     gives: Gives,
+    /// Whether u and its status are chosen together.
+    together: bool,
     out: Lines,
 }
 
@@ -192,11 +194,10 @@ impl Block for Rust<'_> {
         match self.gives {
             Gives::Nothing => {}
             Gives::Status => self.out.line("Ok(())"),
-            Gives::Control => {
-                let value = list.join(", ");
-                let u = if value == "u" { value } else { format!("u: {value}") };
-                self.out.line(format!("Ok({runtime}Control {{ {u}, status: {status} }})"));
+            Gives::Control if self.together => {
+                self.out.line(format!("({}, {status})", list.join(", ")));
             }
+            Gives::Control | Gives::Gains => self.out.line(status),
             Gives::Rate | Gives::Array => {
                 let (before, behind) =
                     if self.gives == Gives::Rate { ("Ok([", "])") } else { ("[", "]") };
@@ -206,13 +207,17 @@ impl Block for Rust<'_> {
                 };
                 self.out.line(line);
             }
-            Gives::Gains => self.out.line(status),
             Gives::Number => self.out.line(list.join(", ")),
         }
     }
 
     fn fail(&mut self, status: Status) {
-        self.out.line(format!("Err({}Error::{})", self.runtime, status.name()));
+        let error = format!("Err({}Error::{})", self.runtime, status.name());
+        // What is chosen is a value, unless the choice ends the call.
+        self.out.line(match self.gives {
+            Gives::Control | Gives::Gains => format!("return {error};"),
+            _ => error,
+        });
     }
 }
 
@@ -223,8 +228,8 @@ const ARRAY: usize = 58;
 const CHOICE: usize = 50;
 
 impl<'a> Rust<'a> {
-    fn new(code: &'a Code, runtime: &'static str) -> Self {
-        Self { code, runtime, gives: Gives::Status, out: Lines::default() }
+    pub(super) fn new(code: &'a Code, runtime: &'static str) -> Self {
+        Self { code, runtime, gives: Gives::Status, together: false, out: Lines::default() }
     }
 
     fn type_of(&self, shape: Shape) -> String {

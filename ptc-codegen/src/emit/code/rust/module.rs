@@ -71,4 +71,3 @@ struct Module<'a> {
     functions: Vec<MathFunction>,
     items: &'a str,
 }
-

@@ -102,11 +102,7 @@ impl StructuredText<'_> {
         self.out.line("ready := TRUE;\nstatus := 0;");
     }
 
-    fn structure<'v>(
-        &mut self,
-        kind: &str,
-        members: impl Iterator<Item = (String, &'v Variable)>,
-    ) {
+    fn structure<'v>(&mut self, kind: &str, members: impl Iterator<Item = (String, &'v Variable)>) {
         self.out.line(format!("TYPE {}_{kind} :", self.code.name));
         self.out.open("STRUCT");
         for (name, member) in members {
@@ -132,7 +128,10 @@ impl StructuredText<'_> {
                 self.out.line(format!("start_time : {real}; (* s *)"));
                 if let Some(state) = &start.state {
                     let kind = self.type_of(state.shape);
-                    self.out.line(format!("{} : {kind}; (* {}, latched by init and arm *)", state.name, state.about));
+                    self.out.line(format!(
+                        "{} : {kind}; (* {}, latched by init and arm *)",
+                        state.name, state.about
+                    ));
                 }
             }
         }

@@ -6,11 +6,11 @@ mod helpers;
 
 use super::block::{Block, Branch, Gives};
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, Finish, Owner, Shape, Status, Test};
+use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, st};
 use crate::parameter::Precision;
 
-struct StructuredText<'a> {
+pub(super) struct StructuredText<'a> {
     code: &'a Code,
     real: &'static str,
     /// The structure whose fields are set.
@@ -20,9 +20,7 @@ struct StructuredText<'a> {
 
 /// The file of a controller.
 pub(in crate::emit) fn file(code: &Code) -> File {
-    let real = if code.precision == Precision::F32 { "REAL" } else { "LREAL" };
-    let text = StructuredText { code, real, owner: "self", out: Lines::default() }.text();
-    File { name: format!("{}.st", code.name), text }
+    File { name: format!("{}.st", code.name), text: StructuredText::new(code).text() }
 }
 
 impl Text for StructuredText<'_> {
@@ -207,3 +205,9 @@ impl Block for StructuredText<'_> {
     }
 }
 
+impl<'a> StructuredText<'a> {
+    pub(super) fn new(code: &'a Code) -> Self {
+        let real = if code.precision == Precision::F32 { "REAL" } else { "LREAL" };
+        Self { code, real, owner: "self", out: Lines::default() }
+    }
+}

@@ -1,0 +1,61 @@
+//! What templates around the emitted C know of it.
+
+use super::c;
+use crate::code::{Code, Expr, Statement, Variable};
+use crate::controller::Controller;
+use crate::parameter::Precision;
+use crate::request::{Feedback, Guard, What};
+
+/// The types and members of a controller in C.
+pub(super) struct Outline {
+    pub(super) n: usize,
+    pub(super) real: &'static str,
+    pub(super) zero: &'static str,
+    pub(super) guard: Guard,
+    /// Whether the state at the start is latched.
+    pub(super) latches: bool,
+    /// Whether it is the associated system, in place of the controller.
+    pub(super) associated: bool,
+    /// Whether the law is a function of the user's.
+    pub(super) extern_law: bool,
+    /// Whether the gains hold u_max.
+    pub(super) run_time_limit: bool,
+    /// The run-time parameters one by one: local name, and place in the parameters.
+    pub(super) locals: Vec<Local>,
+    pub(super) fields: Vec<Variable>,
+    pub(super) gains: Vec<Variable>,
+}
+
+/// A local copy of a parameter.
+pub(super) struct Local {
+    pub(super) name: String,
+    pub(super) value: String,
+}
+
+impl Outline {
+    pub(super) fn new(controller: &Controller<'_>, program: &Code) -> Self {
+        let spec = controller.spec();
+        let copy = |statement: &Statement| match statement {
+            Statement::Let(name, _, Expr::Parameter(key)) => {
+                Some(Local { name: name.clone(), value: key.clone() })
+            }
+            Statement::Let(name, _, Expr::ParameterElement(key, index)) => {
+                Some(Local { name: name.clone(), value: format!("{key}[{index}]") })
+            }
+            _ => None,
+        };
+        Self {
+            n: spec.n,
+            real: c::real(spec),
+            zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },
+            guard: spec.guard,
+            latches: spec.latches(),
+            associated: spec.what == What::Associated,
+            extern_law: spec.feedback == Feedback::Extern,
+            run_time_limit: program.gains.iter().any(|field| field.name == "u_max"),
+            locals: program.init.iter().filter_map(copy).collect(),
+            fields: program.fields.clone(),
+            gains: program.gains.clone(),
+        }
+    }
+}
