@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_algebraic2_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_algebraic2 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -22,21 +17,18 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
         const double a = params->a;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
             && (eps < tau)) {
-            struct ptc_algebraic2 built;
-
             const double K1 = k1 / (a * a);
             const double K2 = k2 / a;
             const double c1_2 = (-K1) / (tau * tau);
@@ -46,35 +38,34 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             const double c2_2 = (-K2) / tau;
             const double c2_1 = 3.0 / tau;
             const double inv_tau = 1.0 / tau;
-            built.tau = tau;
-            built.c1_2 = c1_2;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.two_tau = two_tau;
-            built.half_tau = half_tau;
-            built.c2_2 = c2_2;
-            built.c2_1 = c2_1;
-            built.inv_tau = inv_tau;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((ptc_algebraic2_kept(K1, k1) != 0)
-                && (ptc_algebraic2_kept(K2, k2) != 0)
-                && (ptc_algebraic2_kept(c1_2, k1) != 0)
-                && (ptc_algebraic2_kept(c2_2, k2) != 0)
-                && isfinite(built.c1_2)
-                && isfinite(built.hold_from)
-                && isfinite(built.two_tau)
-                && isfinite(built.half_tau)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_1)
-                && isfinite(built.inv_tau)) {
+            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(c1_2)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(c2_2)) || (fabs(k2) <= 0.0))
+                && (isfinite(c1_2) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(two_tau) != 0)
+                && (isfinite(half_tau) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(inv_tau) != 0)) {
+                built.tau = tau;
+                built.c1_2 = c1_2;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.two_tau = two_tau;
+                built.half_tau = half_tau;
+                built.c2_2 = c2_2;
+                built.c2_1 = c2_1;
+                built.inv_tau = inv_tau;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_algebraic2_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -85,16 +76,17 @@ ptc_status ptc_algebraic2_arm(ptc_algebraic2 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -110,37 +102,34 @@ ptc_status ptc_algebraic2_step(const ptc_algebraic2 *self, double t, const doubl
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
+            const double s1 = self->half_tau / (self->two_tau + late);
+            const double one_plus_y2 = (self->half_tau / T) + s1;
             const double row1 = self->c1_2 * one_plus_y2 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
             const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
-            double v = ((row1 * x1 * sec) + (row2 * x2)) * sec;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = ((row1 * x1 * sec) + (row2 * x2)) * sec;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -150,24 +139,30 @@ ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebra
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
-        const double row1 = self->c1_2 * one_plus_y2 * one_plus_y2;
-        const double sec = sqrt(one_plus_y2);
-        const double y = ((late * self->inv_tau) + 1.0) * sec;
-        const double y_squared = one_plus_y2 - 1.0;
-        const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * sec * sec;
-        gains->gain[1] = row2 * sec;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double s1 = self->half_tau / (self->two_tau + late);
+            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double row1 = self->c1_2 * one_plus_y2 * one_plus_y2;
+            const double sec = sqrt(one_plus_y2);
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
+            const double y_squared = one_plus_y2 - 1.0;
+            const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
+            const double gain1 = row1 * sec * sec;
+            const double gain2 = row2 * sec;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -182,25 +177,20 @@ ptc_status ptc_algebraic2_axis(const ptc_algebraic2_gains *gains, const double x
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(x1)
-            && isfinite(x2)) {
-            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
+            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_algebraic5_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_algebraic5 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -25,24 +20,21 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
-            && isfinite(k5)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
+            && (isfinite(k5) != 0)
             && (eps < tau)) {
-            struct ptc_algebraic5 built;
-
             const double v1 = a * a;
             const double v2 = v1 * v1;
             const double v3 = a * v2;
@@ -103,102 +95,101 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             const double c4_4 = v28 / v5;
             const double c5_2 = (-K5) / tau;
             const double c5_1 = 30.0 / tau;
-            built.tau = tau;
-            built.c1_5 = c1_5;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.two_tau = two_tau;
-            built.half_tau = half_tau;
-            built.c2_0 = c2_0;
-            built.c2_1 = c2_1;
-            built.c2_2 = c2_2;
-            built.c2_3 = c2_3;
-            built.c2_4 = c2_4;
-            built.c2_5 = c2_5;
-            built.c2_6 = c2_6;
-            built.c2_7 = c2_7;
-            built.c2_8 = c2_8;
-            built.inv_tau = inv_tau;
-            built.c3_0 = c3_0;
-            built.c3_1 = c3_1;
-            built.c3_2 = c3_2;
-            built.c3_3 = c3_3;
-            built.c3_4 = c3_4;
-            built.c3_5 = c3_5;
-            built.c3_6 = c3_6;
-            built.c4_0 = c4_0;
-            built.c4_3 = c4_3;
-            built.c4_2 = c4_2;
-            built.c4_4 = c4_4;
-            built.c5_2 = c5_2;
-            built.c5_1 = c5_1;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (v3 >= 1e-200)
-                && (ptc_algebraic5_kept(K1, k1) != 0)
-                && (ptc_algebraic5_kept(K2, k2) != 0)
-                && (v4 >= 1e-200)
-                && (ptc_algebraic5_kept(K3, k3) != 0)
-                && (ptc_algebraic5_kept(K4, k4) != 0)
-                && (ptc_algebraic5_kept(K5, k5) != 0)
-                && (v6 >= 1e-200)
-                && (v7 >= 1e-200)
-                && (ptc_algebraic5_kept(c1_5, k1) != 0)
-                && (ptc_algebraic5_kept(c2_0, v9) != 0)
-                && (ptc_algebraic5_kept(c2_1, v11) != 0)
-                && (ptc_algebraic5_kept(c2_2, v13) != 0)
-                && (ptc_algebraic5_kept(c2_3, v15) != 0)
-                && (ptc_algebraic5_kept(c2_4, v16) != 0)
-                && (ptc_algebraic5_kept(c2_5, v17) != 0)
-                && (ptc_algebraic5_kept(c2_6, v18) != 0)
-                && (ptc_algebraic5_kept(c2_7, k3) != 0)
-                && (ptc_algebraic5_kept(c2_8, k2) != 0)
-                && (v21 >= 1e-200)
-                && (ptc_algebraic5_kept(c3_0, v20) != 0)
-                && (ptc_algebraic5_kept(c3_1, v23) != 0)
-                && (ptc_algebraic5_kept(c3_2, v25) != 0)
-                && (ptc_algebraic5_kept(c3_3, v26) != 0)
-                && (ptc_algebraic5_kept(c3_4, v27) != 0)
-                && (ptc_algebraic5_kept(c3_5, k4) != 0)
-                && (ptc_algebraic5_kept(c3_6, k3) != 0)
-                && (ptc_algebraic5_kept(c4_3, k5) != 0)
-                && (ptc_algebraic5_kept(c4_4, k4) != 0)
-                && (ptc_algebraic5_kept(c5_2, k5) != 0)
-                && isfinite(built.c1_5)
-                && isfinite(built.hold_from)
-                && isfinite(built.two_tau)
-                && isfinite(built.half_tau)
-                && isfinite(built.c2_0)
-                && isfinite(built.c2_1)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_3)
-                && isfinite(built.c2_4)
-                && isfinite(built.c2_5)
-                && isfinite(built.c2_6)
-                && isfinite(built.c2_7)
-                && isfinite(built.c2_8)
-                && isfinite(built.inv_tau)
-                && isfinite(built.c3_0)
-                && isfinite(built.c3_1)
-                && isfinite(built.c3_2)
-                && isfinite(built.c3_3)
-                && isfinite(built.c3_4)
-                && isfinite(built.c3_5)
-                && isfinite(built.c3_6)
-                && isfinite(built.c4_0)
-                && isfinite(built.c4_3)
-                && isfinite(built.c4_2)
-                && isfinite(built.c4_4)
-                && isfinite(built.c5_2)
-                && isfinite(built.c5_1)) {
+            if ((1e-200 <= v2)
+                && (1e-200 <= v3)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= v4)
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= v6)
+                && (1e-200 <= v7)
+                && ((1e-200 <= fabs(c1_5)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(c2_0)) || (fabs(v9) <= 0.0))
+                && ((1e-200 <= fabs(c2_1)) || (fabs(v11) <= 0.0))
+                && ((1e-200 <= fabs(c2_2)) || (fabs(v13) <= 0.0))
+                && ((1e-200 <= fabs(c2_3)) || (fabs(v15) <= 0.0))
+                && ((1e-200 <= fabs(c2_4)) || (fabs(v16) <= 0.0))
+                && ((1e-200 <= fabs(c2_5)) || (fabs(v17) <= 0.0))
+                && ((1e-200 <= fabs(c2_6)) || (fabs(v18) <= 0.0))
+                && ((1e-200 <= fabs(c2_7)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c2_8)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= v21)
+                && ((1e-200 <= fabs(c3_0)) || (fabs(v20) <= 0.0))
+                && ((1e-200 <= fabs(c3_1)) || (fabs(v23) <= 0.0))
+                && ((1e-200 <= fabs(c3_2)) || (fabs(v25) <= 0.0))
+                && ((1e-200 <= fabs(c3_3)) || (fabs(v26) <= 0.0))
+                && ((1e-200 <= fabs(c3_4)) || (fabs(v27) <= 0.0))
+                && ((1e-200 <= fabs(c3_5)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(c3_6)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c4_3)) || (fabs(k5) <= 0.0))
+                && ((1e-200 <= fabs(c4_4)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(c5_2)) || (fabs(k5) <= 0.0))
+                && (isfinite(c1_5) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(two_tau) != 0)
+                && (isfinite(half_tau) != 0)
+                && (isfinite(c2_0) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_4) != 0)
+                && (isfinite(c2_5) != 0)
+                && (isfinite(c2_6) != 0)
+                && (isfinite(c2_7) != 0)
+                && (isfinite(c2_8) != 0)
+                && (isfinite(inv_tau) != 0)
+                && (isfinite(c3_0) != 0)
+                && (isfinite(c3_1) != 0)
+                && (isfinite(c3_2) != 0)
+                && (isfinite(c3_3) != 0)
+                && (isfinite(c3_4) != 0)
+                && (isfinite(c3_5) != 0)
+                && (isfinite(c3_6) != 0)
+                && (isfinite(c4_0) != 0)
+                && (isfinite(c4_3) != 0)
+                && (isfinite(c4_2) != 0)
+                && (isfinite(c4_4) != 0)
+                && (isfinite(c5_2) != 0)
+                && (isfinite(c5_1) != 0)) {
+                built.tau = tau;
+                built.c1_5 = c1_5;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.two_tau = two_tau;
+                built.half_tau = half_tau;
+                built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
+                built.c2_2 = c2_2;
+                built.c2_3 = c2_3;
+                built.c2_4 = c2_4;
+                built.c2_5 = c2_5;
+                built.c2_6 = c2_6;
+                built.c2_7 = c2_7;
+                built.c2_8 = c2_8;
+                built.inv_tau = inv_tau;
+                built.c3_0 = c3_0;
+                built.c3_1 = c3_1;
+                built.c3_2 = c3_2;
+                built.c3_3 = c3_3;
+                built.c3_4 = c3_4;
+                built.c3_5 = c3_5;
+                built.c3_6 = c3_6;
+                built.c4_0 = c4_0;
+                built.c4_3 = c4_3;
+                built.c4_2 = c4_2;
+                built.c4_4 = c4_4;
+                built.c5_2 = c5_2;
+                built.c5_1 = c5_1;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_algebraic5_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -209,16 +200,17 @@ ptc_status ptc_algebraic5_arm(ptc_algebraic5 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -237,50 +229,53 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
-            const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
+            const double s1 = self->half_tau / (self->two_tau + late);
+            const double one_plus_y2 = (self->half_tau / T) + s1;
             const double v1 = one_plus_y2 * one_plus_y2;
             const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
             const double sec = sqrt(one_plus_y2);
             const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
-            const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
-            const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
-            const double row2 = (((v3 * y_squared) + self->c2_2) * y_squared) + self->c2_0 + (((v2 * y_squared) + self->c2_1) * y);
-            const double v4 = (((self->c3_5 * y_squared) + self->c3_3) * y_squared) + self->c3_1;
-            const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
-            const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
-            const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
-            const double row4 = v6 + (((self->c4_3 * y_squared) + self->c4_3) * y);
+            const double s2 = ((self->c2_8 * y_squared) + self->c2_6) * y_squared;
+            const double s3 = (((s2 + self->c2_4) * y_squared) + self->c2_2) * y_squared;
+            const double s4 = ((self->c2_7 * y_squared) + self->c2_5) * y_squared;
+            const double s5 = (((s4 + self->c2_3) * y_squared) + self->c2_1) * y;
+            const double row2 = s3 + self->c2_0 + s5;
+            const double s6 = ((self->c3_6 * y_squared) + self->c3_4) * y_squared;
+            const double s7 = ((self->c3_5 * y_squared) + self->c3_3) * y_squared;
+            const double s8 = ((s6 + self->c3_2) * y_squared) + self->c3_0;
+            const double row3 = s8 + ((s7 + self->c3_1) * y);
+            const double s9 = ((self->c4_4 * y_squared) + self->c4_2) * y_squared;
+            const double row4 = s9 + self->c4_0 + (((self->c4_3 * y_squared) + self->c4_3) * y);
             const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
-            const double v7 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-            double v = ((v7 * sec) + (row5 * x5)) * sec;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s10 = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
+            const double v = (((s10 + (row4 * x4)) * sec) + (row5 * x5)) * sec;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -290,37 +285,49 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double one_plus_y2 = (self->half_tau / T) + (self->half_tau / (self->two_tau + late));
-        const double v1 = one_plus_y2 * one_plus_y2;
-        const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
-        const double sec = sqrt(one_plus_y2);
-        const double y = ((late * self->inv_tau) + 1.0) * sec;
-        const double y_squared = one_plus_y2 - 1.0;
-        const double v2 = (((self->c2_7 * y_squared) + self->c2_5) * y_squared) + self->c2_3;
-        const double v3 = (((self->c2_8 * y_squared) + self->c2_6) * y_squared) + self->c2_4;
-        const double row2 = (((v3 * y_squared) + self->c2_2) * y_squared) + self->c2_0 + (((v2 * y_squared) + self->c2_1) * y);
-        const double v4 = (((self->c3_5 * y_squared) + self->c3_3) * y_squared) + self->c3_1;
-        const double v5 = (((self->c3_6 * y_squared) + self->c3_4) * y_squared) + self->c3_2;
-        const double row3 = (v5 * y_squared) + self->c3_0 + (v4 * y);
-        const double v6 = (((self->c4_4 * y_squared) + self->c4_2) * y_squared) + self->c4_0;
-        const double row4 = v6 + (((self->c4_3 * y_squared) + self->c4_3) * y);
-        const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
-        const double v7 = sec * sec;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * (v7 * sec) * v7;
-        gains->gain[1] = row2 * v7 * v7;
-        gains->gain[2] = row3 * v7 * sec;
-        gains->gain[3] = row4 * sec * sec;
-        gains->gain[4] = row5 * sec;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double s1 = self->half_tau / (self->two_tau + late);
+            const double one_plus_y2 = (self->half_tau / T) + s1;
+            const double v1 = one_plus_y2 * one_plus_y2;
+            const double row1 = self->c1_5 * one_plus_y2 * v1 * v1;
+            const double sec = sqrt(one_plus_y2);
+            const double y = ((late * self->inv_tau) + 1.0) * sec;
+            const double y_squared = one_plus_y2 - 1.0;
+            const double s2 = ((self->c2_8 * y_squared) + self->c2_6) * y_squared;
+            const double s3 = (((s2 + self->c2_4) * y_squared) + self->c2_2) * y_squared;
+            const double s4 = ((self->c2_7 * y_squared) + self->c2_5) * y_squared;
+            const double s5 = (((s4 + self->c2_3) * y_squared) + self->c2_1) * y;
+            const double row2 = s3 + self->c2_0 + s5;
+            const double s6 = ((self->c3_6 * y_squared) + self->c3_4) * y_squared;
+            const double s7 = ((self->c3_5 * y_squared) + self->c3_3) * y_squared;
+            const double s8 = ((s6 + self->c3_2) * y_squared) + self->c3_0;
+            const double row3 = s8 + ((s7 + self->c3_1) * y);
+            const double s9 = ((self->c4_4 * y_squared) + self->c4_2) * y_squared;
+            const double row4 = s9 + self->c4_0 + (((self->c4_3 * y_squared) + self->c4_3) * y);
+            const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
+            const double v2 = sec * sec;
+            const double gain1 = row1 * (v2 * sec) * v2;
+            const double gain2 = row2 * v2 * v2;
+            const double gain3 = row3 * v2 * sec;
+            const double gain4 = row4 * sec * sec;
+            const double gain5 = row5 * sec;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->gain[3] = gain4;
+            gains->gain[4] = gain5;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -338,29 +345,26 @@ ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            const double v = s2 + (gains->gain[4] * x5);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

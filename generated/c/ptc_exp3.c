@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_exp3_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp3 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -23,22 +18,19 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
         const double k1 = params->k[0];
         const double k2 = params->k[1];
         const double k3 = params->k[2];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
             && (eps < tau)) {
-            struct ptc_exp3 built;
-
             const double v1 = a * a;
             const double v2 = a * v1;
             const double K1 = k1 / v2;
@@ -48,29 +40,28 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             const double c2 = ((-K2) + K3) - 1.0;
             const double c3 = (-K3) + 3.0;
             const double hold_from = -eps;
-            built.c1 = c1;
-            built.c2 = c2;
-            built.c3 = c3;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (ptc_exp3_kept(K1, k1) != 0)
-                && (ptc_exp3_kept(K2, k2) != 0)
-                && (ptc_exp3_kept(K3, k3) != 0)
-                && isfinite(built.c1)
-                && isfinite(built.c2)
-                && isfinite(built.c3)
-                && isfinite(built.hold_from)) {
+            if ((1e-200 <= v2)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (isfinite(c1) != 0)
+                && (isfinite(c2) != 0)
+                && (isfinite(c3) != 0)
+                && (isfinite(hold_from) != 0)) {
+                built.c1 = c1;
+                built.c2 = c2;
+                built.c3 = c3;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_exp3_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -81,16 +72,17 @@ ptc_status ptc_exp3_arm(ptc_exp3 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -107,33 +99,32 @@ ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], doub
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
-            const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-            double v = v1 * inv_T;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s1 = ((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T;
+            const double v = (s1 + (self->c3 * x3)) * inv_T;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -143,19 +134,25 @@ ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
-        gains->gain[1] = self->c2 * inv_T * inv_T;
-        gains->gain[2] = self->c3 * inv_T;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double gain1 = self->c1 * (inv_T * inv_T) * inv_T;
+            const double gain2 = self->c2 * inv_T * inv_T;
+            const double gain3 = self->c3 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -171,27 +168,21 @@ ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double 
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1;
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double v = s1 + (gains->gain[2] * x3);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

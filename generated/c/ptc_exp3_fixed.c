@@ -7,20 +7,16 @@
 ptc_status ptc_exp3_fixed_init(ptc_exp3_fixed *self, const ptc_exp3_fixed_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp3_fixed built;
 
     (void)params;
     if (self != NULL) {
-        {
-            struct ptc_exp3_fixed built;
-
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            status = ptc_exp3_fixed_arm(&built, 0.0);
-            if (status == PTC_OK) {
-                *self = built;
-            }
+        built.t0 = 0.0;
+        built.deadline = 0.0;
+        built.correction = 0.0;
+        status = ptc_exp3_fixed_arm(&built, 0.0);
+        if (status == PTC_OK) {
+            *self = built;
         }
     }
     return status;
@@ -30,16 +26,17 @@ ptc_status ptc_exp3_fixed_arm(ptc_exp3_fixed *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + 2.0;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (2.0 - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + 2.0;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (2.0 - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -56,33 +53,32 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
-            const double v1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
-            double v = v1 * inv_T;
-
-            if (v > 50.0) {
-                v = 50.0;
+            const double s1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
+            const double v = s1 * inv_T;
+            if (50.0 < v) {
+                *u = 50.0;
                 status = PTC_SATURATED;
             } else if (v < -50.0) {
-                v = -50.0;
+                *u = -50.0;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < -0.001) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < -0.001) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -92,18 +88,24 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < -0.001) ? past : -0.001;
-        const double inv_T = (-1.0) / late;
-        status = (late < -0.001) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = (-120.0) * (inv_T * inv_T) * inv_T;
-        gains->gain[1] = (-60.0) * inv_T * inv_T;
-        gains->gain[2] = (-12.0) * inv_T;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < -0.001) ? past : -0.001;
+            const double inv_T = (-1.0) / late;
+            const double gain1 = (-120.0) * (inv_T * inv_T) * inv_T;
+            const double gain2 = (-60.0) * inv_T * inv_T;
+            const double gain3 = (-12.0) * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            if (late < -0.001) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -119,27 +121,21 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1;
-
-            status = gains->status;
-            if (v > 50.0) {
-                v = 50.0;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double v = s1 + (gains->gain[2] * x3);
+            if (50.0 < v) {
+                *u = 50.0;
                 status = PTC_SATURATED;
             } else if (v < -50.0) {
-                v = -50.0;
+                *u = -50.0;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_exp3_result_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp3_result built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -23,22 +18,19 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
         const double k1 = params->k[0];
         const double k2 = params->k[1];
         const double k3 = params->k[2];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
             && (eps < tau)) {
-            struct ptc_exp3_result built;
-
             const double v1 = a * a;
             const double v2 = a * v1;
             const double K1 = k1 / v2;
@@ -48,28 +40,27 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
             const double c2 = ((-K2) + K3) - 1.0;
             const double c3 = (-K3) + 3.0;
             const double hold_from = -eps;
-            built.c1 = c1;
-            built.c2 = c2;
-            built.c3 = c3;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.u_max = u_max;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (ptc_exp3_result_kept(K1, k1) != 0)
-                && (ptc_exp3_result_kept(K2, k2) != 0)
-                && (ptc_exp3_result_kept(K3, k3) != 0)
-                && isfinite(built.c1)
-                && isfinite(built.c2)
-                && isfinite(built.c3)
-                && isfinite(built.hold_from)) {
+            if ((1e-200 <= v2)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (isfinite(c1) != 0)
+                && (isfinite(c2) != 0)
+                && (isfinite(c3) != 0)
+                && (isfinite(hold_from) != 0)) {
+                built.c1 = c1;
+                built.c2 = c2;
+                built.c3 = c3;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_exp3_result_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -80,83 +71,100 @@ ptc_status ptc_exp3_result_arm(ptc_exp3_result *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
 }
 
-ptc_status ptc_exp3_result_step(const ptc_exp3_result *self, double t, const double x[3], double *u)
+ptc_status ptc_exp3_result_step(
+    const ptc_exp3_result *self,
+    double t,
+    const double x[3],
+    double *u)
 {
     ptc_status status = PTC_OK;
+
     const double past = (t - self->deadline) - self->correction;
     const double late = (past < self->hold_from) ? past : self->hold_from;
     const double inv_T = (-1.0) / late;
-    const double v1 = (((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T) + (self->c3 * x[2]);
-    double v = (v1 * inv_T) + (t - t);
-    /* Time-to-go, or NaN where v is not finite: one comparison detects tracking. */
+    const double s1 = ((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T;
+    const double v = ((s1 + (self->c3 * x[2])) * inv_T) + (t - t);
+
+    /* Time-to-go, or no number where v is not finite: one comparison detects tracking. */
     const double margin = (v - v) - late;
-    if (v > self->u_max) {
-        v = self->u_max;
+    if (self->u_max < v) {
+        *u = self->u_max;
         status = PTC_SATURATED;
     } else if (v < -self->u_max) {
-        v = -self->u_max;
+        *u = -self->u_max;
         status = PTC_SATURATED;
-    } else if (!(margin > self->eps)) {
-        if (isnan(margin) != 0) {
-            v = 0.0;
-            status = PTC_E_RANGE;
-        } else {
-            status = PTC_HOLD;
-        }
+    } else if (self->eps < margin) {
+        *u = v;
+        status = PTC_OK;
+    } else if (isnan(margin) != 0) {
+        *u = 0.0;
+        status = PTC_E_RANGE;
     } else {
-        /* tracking */
+        *u = v;
+        status = PTC_HOLD;
     }
-    *u = v;
     return status;
 }
 
-ptc_status ptc_exp3_result_tick(const ptc_exp3_result *self, double t, ptc_exp3_result_gains *gains)
+ptc_status ptc_exp3_result_tick(
+    const ptc_exp3_result *self,
+    double t,
+    ptc_exp3_result_gains *gains)
 {
-    ptc_status status;
+    ptc_status status = PTC_OK;
 
     const double past = (t - self->deadline) - self->correction;
     const double late = (past < self->hold_from) ? past : self->hold_from;
     const double inv_T = (-1.0) / late;
-    status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-    gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
-    gains->gain[1] = self->c2 * inv_T * inv_T;
-    gains->gain[2] = self->c3 * inv_T;
+    const double gain1 = self->c1 * (inv_T * inv_T) * inv_T;
+    const double gain2 = self->c2 * inv_T * inv_T;
+    const double gain3 = self->c3 * inv_T;
+    gains->gain[0] = gain1;
+    gains->gain[1] = gain2;
+    gains->gain[2] = gain3;
     gains->u_max = self->u_max;
+    if (late < self->hold_from) {
+        status = PTC_OK;
+    } else {
+        status = PTC_HOLD;
+    }
     gains->status = status;
     return status;
 }
 
 ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double x[3], double *u)
 {
-    ptc_status status = gains->status;
-    const double v1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]) + (gains->gain[2] * x[2]);
-    double v = v1;
-    if (v > gains->u_max) {
-        v = gains->u_max;
+    ptc_status status = PTC_OK;
+
+    const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+    const double v = s1 + (gains->gain[2] * x[2]);
+    if (gains->u_max < v) {
+        *u = gains->u_max;
         status = PTC_SATURATED;
     } else if (v < -gains->u_max) {
-        v = -gains->u_max;
+        *u = -gains->u_max;
         status = PTC_SATURATED;
-    } else if (isnan(v - v) != 0) {
-        v = 0.0;
-        status = PTC_E_RANGE;
+    } else if (isfinite(v) != 0) {
+        *u = v;
+        status = gains->status;
     } else {
-        /* within the bound */
+        *u = 0.0;
+        status = PTC_E_RANGE;
     }
-    *u = v;
     return status;
 }

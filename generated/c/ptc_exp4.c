@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_exp4_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp4 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -24,23 +19,20 @@ ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
         const double k2 = params->k[1];
         const double k3 = params->k[2];
         const double k4 = params->k[3];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
             && (eps < tau)) {
-            struct ptc_exp4 built;
-
             const double v1 = a * a;
             const double v2 = v1 * v1;
             const double K1 = k1 / v2;
@@ -53,33 +45,32 @@ ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
             const double c3 = ((-K3) + (3.0 * K4)) - 7.0;
             const double c4 = (-K4) + 6.0;
             const double hold_from = -eps;
-            built.c1 = c1;
-            built.c2 = c2;
-            built.c3 = c3;
-            built.c4 = c4;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (ptc_exp4_kept(K1, k1) != 0)
-                && (v3 >= 1e-200)
-                && (ptc_exp4_kept(K2, k2) != 0)
-                && (ptc_exp4_kept(K3, k3) != 0)
-                && (ptc_exp4_kept(K4, k4) != 0)
-                && isfinite(built.c1)
-                && isfinite(built.c2)
-                && isfinite(built.c3)
-                && isfinite(built.c4)
-                && isfinite(built.hold_from)) {
+            if ((1e-200 <= v2)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= v3)
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (isfinite(c1) != 0)
+                && (isfinite(c2) != 0)
+                && (isfinite(c3) != 0)
+                && (isfinite(c4) != 0)
+                && (isfinite(hold_from) != 0)) {
+                built.c1 = c1;
+                built.c2 = c2;
+                built.c3 = c3;
+                built.c4 = c4;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_exp4_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -90,16 +81,17 @@ ptc_status ptc_exp4_arm(ptc_exp4 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -117,34 +109,33 @@ ptc_status ptc_exp4_step(const ptc_exp4 *self, double t, const double x[4], doub
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
-            const double v1 = (((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T) + (self->c3 * x3);
-            double v = ((v1 * inv_T) + (self->c4 * x4)) * inv_T;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s1 = ((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T;
+            const double v = (((s1 + (self->c3 * x3)) * inv_T) + (self->c4 * x4)) * inv_T;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -154,21 +145,28 @@ ptc_status ptc_exp4_tick(const ptc_exp4 *self, double t, ptc_exp4_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double v1 = inv_T * inv_T;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = self->c1 * v1 * v1;
-        gains->gain[1] = self->c2 * v1 * inv_T;
-        gains->gain[2] = self->c3 * inv_T * inv_T;
-        gains->gain[3] = self->c4 * inv_T;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double gain1 = self->c1 * v1 * v1;
+            const double gain2 = self->c2 * v1 * inv_T;
+            const double gain3 = self->c3 * inv_T * inv_T;
+            const double gain4 = self->c4 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->gain[3] = gain4;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -185,28 +183,24 @@ ptc_status ptc_exp4_axis(const ptc_exp4_gains *gains, const double x[4], double 
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double v = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -5,15 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_exp_sum2_of_three_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
-ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp_sum2_of_three_params *params)
+ptc_status ptc_exp_sum2_of_three_init(
+    ptc_exp_sum2_of_three *self,
+    const ptc_exp_sum2_of_three_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp_sum2_of_three built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -25,27 +22,24 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
         const double a3 = params->rates[2];
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a1)
-            && (a1 >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a1) != 0)
+            && (1e-150 <= a1)
             && (a1 <= 1e150)
-            && isfinite(a2)
-            && (a2 >= 1e-150)
+            && (isfinite(a2) != 0)
+            && (1e-150 <= a2)
             && (a2 <= 1e150)
-            && isfinite(a3)
-            && (a3 >= 1e-150)
+            && (isfinite(a3) != 0)
+            && (1e-150 <= a3)
             && (a3 <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
             && (eps < tau)) {
-            struct ptc_exp_sum2_of_three built;
-
             const double hold_from = -eps;
             const double target_rate = 3.0 / tau;
             const double v1 = 1.0 / a1;
@@ -55,7 +49,8 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             const double v5 = 1.0 / a3;
             const double slowest = (v4 < v5) ? v5 : v4;
             const double mean_period = 3.0 / (a1 + a2 + a3);
-            const double tolerance = 0.03 / ((v2 < a3) ? a3 : v2);
+            const double s1 = (v2 < a3) ? a3 : v2;
+            const double tolerance = 0.03 / s1;
             const double b1_1 = 0.3333333333333333 * a1 * tau;
             const double b1_2 = 0.3333333333333333 * a2 * tau;
             const double b1_3 = 0.3333333333333333 * a3 * tau;
@@ -64,51 +59,50 @@ ptc_status ptc_exp_sum2_of_three_init(ptc_exp_sum2_of_three *self, const ptc_exp
             const double b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
             const double w1 = -k1;
             const double w2 = -k2;
-            built.a1 = a1;
-            built.a2 = a2;
-            built.a3 = a3;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.target_rate = target_rate;
-            built.slowest = slowest;
-            built.mean_period = mean_period;
-            built.tolerance = tolerance;
-            built.b1_1 = b1_1;
-            built.b1_2 = b1_2;
-            built.b1_3 = b1_3;
-            built.b2_1 = b2_1;
-            built.b2_2 = b2_2;
-            built.b2_3 = b2_3;
-            built.w1 = w1;
-            built.w2 = w2;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (b2_3 <= -1e-200)
-                && (ptc_exp_sum2_of_three_kept(w1, k1) != 0)
-                && (ptc_exp_sum2_of_three_kept(w2, k2) != 0)
-                && isfinite(built.hold_from)
-                && isfinite(built.target_rate)
-                && isfinite(built.slowest)
-                && isfinite(built.mean_period)
-                && isfinite(built.tolerance)
-                && isfinite(built.b1_1)
-                && isfinite(built.b1_2)
-                && isfinite(built.b1_3)
-                && isfinite(built.b2_1)
-                && isfinite(built.b2_2)
-                && isfinite(built.b2_3)
-                && isfinite(built.w1)
-                && isfinite(built.w2)) {
+                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+                && (isfinite(hold_from) != 0)
+                && (isfinite(target_rate) != 0)
+                && (isfinite(slowest) != 0)
+                && (isfinite(mean_period) != 0)
+                && (isfinite(tolerance) != 0)
+                && (isfinite(b1_1) != 0)
+                && (isfinite(b1_2) != 0)
+                && (isfinite(b1_3) != 0)
+                && (isfinite(b2_1) != 0)
+                && (isfinite(b2_2) != 0)
+                && (isfinite(b2_3) != 0)
+                && (isfinite(w1) != 0)
+                && (isfinite(w2) != 0)) {
+                built.a1 = a1;
+                built.a2 = a2;
+                built.a3 = a3;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.target_rate = target_rate;
+                built.slowest = slowest;
+                built.mean_period = mean_period;
+                built.tolerance = tolerance;
+                built.b1_1 = b1_1;
+                built.b1_2 = b1_2;
+                built.b1_3 = b1_3;
+                built.b2_1 = b2_1;
+                built.b2_2 = b2_2;
+                built.b2_3 = b2_3;
+                built.w1 = w1;
+                built.w2 = w2;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_exp_sum2_of_three_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -119,22 +113,27 @@ ptc_status ptc_exp_sum2_of_three_arm(ptc_exp_sum2_of_three *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
 }
 
-ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double t, const double x[2], double *u)
+ptc_status ptc_exp_sum2_of_three_step(
+    const ptc_exp_sum2_of_three *self,
+    double t,
+    const double x[2],
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -144,11 +143,7 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -171,10 +166,10 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
                 const double v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
                 const double v13 = 1.0 / (v7 + v8 + v10);
                 const double v14 = v9 * v13;
-                const double v15 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13 * v14;
-                const double v16 = v12 * v14 * (1.0 + (0.5 * v12 * (v15 - 1.0)));
-                const double y_next = y + v16;
-                const double y_size = fabs(v16);
+                const double s1 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13;
+                const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
+                const double y_next = y + v15;
+                const double y_size = fabs(v15);
                 if (v12 > 0.0) {
                     y_low = y;
                 } else {
@@ -189,123 +184,138 @@ ptc_status ptc_exp_sum2_of_three_step(const ptc_exp_sum2_of_three *self, double 
                     break;
                 }
             }
-            const double v17 = exp(-(self->a1 * y));
-            const double v18 = exp(-(self->a2 * y));
-            const double v19 = exp(-(self->a3 * y));
-            const double v20 = self->a1 * v17;
-            const double v21 = self->a2 * v18;
-            const double v22 = self->a3 * v19;
-            const double v23 = 1.0 / (v20 + v21 + v22);
-            const double v24 = ((v17 + v18 + v19) - target) * v23;
-            const double v25 = ((self->a1 * v20) + (self->a2 * v21) + (self->a3 * v22)) * v23 * v24;
-            const double v26 = v24 * (1.0 + (0.5 * v25));
-            const double v27 = self->a1 * v26;
+            const double v16 = exp(-(self->a1 * y));
+            const double v17 = exp(-(self->a2 * y));
+            const double v18 = exp(-(self->a3 * y));
+            const double v19 = self->a1 * v16;
+            const double v20 = self->a2 * v17;
+            const double v21 = self->a3 * v18;
+            const double v22 = 1.0 / (v19 + v20 + v21);
+            const double v23 = ((v16 + v17 + v18) - target) * v22;
+            const double s2 = ((self->a1 * v19) + (self->a2 * v20) + (self->a3 * v21)) * v22;
+            const double v24 = v23 * (1.0 + (0.5 * (s2 * v23)));
+            const double v25 = self->a1 * v24;
+            const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+            const double v27 = self->a2 * v24;
             const double v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
-            const double v29 = self->a2 * v26;
+            const double v29 = self->a3 * v24;
             const double v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
-            const double v31 = self->a3 * v26;
-            const double v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
-            const double inv_r1 = 1.0 / ((self->b1_1 * v28) + (self->b1_2 * v30) + (self->b1_3 * v32));
-            const double p2 = ((self->b2_1 * v28) + (self->b2_2 * v30) + (self->b2_3 * v32)) * inv_r1;
-            const double v33 = ((self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-            double v = v33;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s3 = (self->b1_1 * v26) + (self->b1_2 * v28) + (self->b1_3 * v30);
+            const double inv_r1 = 1.0 / s3;
+            const double s4 = (self->b2_1 * v26) + (self->b2_2 * v28) + (self->b2_3 * v30);
+            const double p2 = s4 * inv_r1;
+            const double s5 = (self->w1 * x1 * inv_r1) + ((self->w2 + ((-2.0) * p2)) * x2);
+            const double v = s5 * inv_r1;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            } else {
                 status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum2_of_three_tick(
+    const ptc_exp_sum2_of_three *self,
+    double t,
+    ptc_exp_sum2_of_three_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 3.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 1.098611831665039) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = exp(-(self->a3 * y));
+                const double v7 = self->a1 * v4;
+                const double v8 = self->a2 * v5;
+                const double v9 = v4 + v5 + v6;
+                const double v10 = self->a3 * v6;
+                const double v11 = (2.0 * (v9 - target)) / (v9 + target);
+                const double v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
+                const double v13 = 1.0 / (v7 + v8 + v10);
+                const double v14 = v9 * v13;
+                const double s1 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13;
+                const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
+                const double y_next = y + v15;
+                const double y_size = fabs(v15);
+                if (v12 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v16 = exp(-(self->a1 * y));
+            const double v17 = exp(-(self->a2 * y));
+            const double v18 = exp(-(self->a3 * y));
+            const double v19 = self->a1 * v16;
+            const double v20 = self->a2 * v17;
+            const double v21 = self->a3 * v18;
+            const double v22 = 1.0 / (v19 + v20 + v21);
+            const double v23 = ((v16 + v17 + v18) - target) * v22;
+            const double s2 = ((self->a1 * v19) + (self->a2 * v20) + (self->a3 * v21)) * v22;
+            const double v24 = v23 * (1.0 + (0.5 * (s2 * v23)));
+            const double v25 = self->a1 * v24;
+            const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+            const double v27 = self->a2 * v24;
+            const double v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
+            const double v29 = self->a3 * v24;
+            const double v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
+            const double s3 = (self->b1_1 * v26) + (self->b1_2 * v28) + (self->b1_3 * v30);
+            const double inv_r1 = 1.0 / s3;
+            const double s4 = (self->b2_1 * v26) + (self->b2_2 * v28) + (self->b2_3 * v30);
+            const double p2 = s4 * inv_r1;
+            const double gain1 = self->w1 * inv_r1 * inv_r1;
+            const double gain2 = (self->w2 + ((-2.0) * p2)) * inv_r1;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
             }
-            *u = v;
+            gains->status = status;
         }
     }
     return status;
 }
 
-ptc_status ptc_exp_sum2_of_three_tick(const ptc_exp_sum2_of_three *self, double t, ptc_exp_sum2_of_three_gains *gains)
-{
-    ptc_status status = PTC_E_INPUT;
-
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double target = T * self->target_rate;
-        const double v1 = -log(target / 3.0);
-        const double v2 = v1 * self->mean_period;
-        const double v3 = (v1 - 1.098611831665039) * self->slowest;
-        double y = (v2 < v3) ? v3 : v2;
-        double y_low = v2;
-        double y_high = v1 * self->slowest;
-        for (uint32_t round = 0U; round < 12U; round++) {
-            const double v4 = exp(-(self->a1 * y));
-            const double v5 = exp(-(self->a2 * y));
-            const double v6 = exp(-(self->a3 * y));
-            const double v7 = self->a1 * v4;
-            const double v8 = self->a2 * v5;
-            const double v9 = v4 + v5 + v6;
-            const double v10 = self->a3 * v6;
-            const double v11 = (2.0 * (v9 - target)) / (v9 + target);
-            const double v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
-            const double v13 = 1.0 / (v7 + v8 + v10);
-            const double v14 = v9 * v13;
-            const double v15 = ((self->a1 * v7) + (self->a2 * v8) + (self->a3 * v10)) * v13 * v14;
-            const double v16 = v12 * v14 * (1.0 + (0.5 * v12 * (v15 - 1.0)));
-            const double y_next = y + v16;
-            const double y_size = fabs(v16);
-            if (v12 > 0.0) {
-                y_low = y;
-            } else {
-                y_high = y;
-            }
-            if ((y_next >= y_low) && (y_next <= y_high)) {
-                y = y_next;
-            } else {
-                y = 0.5 * (y_low + y_high);
-            }
-            if (y_size <= self->tolerance) {
-                break;
-            }
-        }
-        const double v17 = exp(-(self->a1 * y));
-        const double v18 = exp(-(self->a2 * y));
-        const double v19 = exp(-(self->a3 * y));
-        const double v20 = self->a1 * v17;
-        const double v21 = self->a2 * v18;
-        const double v22 = self->a3 * v19;
-        const double v23 = 1.0 / (v20 + v21 + v22);
-        const double v24 = ((v17 + v18 + v19) - target) * v23;
-        const double v25 = ((self->a1 * v20) + (self->a2 * v21) + (self->a3 * v22)) * v23 * v24;
-        const double v26 = v24 * (1.0 + (0.5 * v25));
-        const double v27 = self->a1 * v26;
-        const double v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
-        const double v29 = self->a2 * v26;
-        const double v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
-        const double v31 = self->a3 * v26;
-        const double v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
-        const double inv_r1 = 1.0 / ((self->b1_1 * v28) + (self->b1_2 * v30) + (self->b1_3 * v32));
-        const double p2 = ((self->b2_1 * v28) + (self->b2_2 * v30) + (self->b2_3 * v32)) * inv_r1;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = self->w1 * inv_r1 * inv_r1;
-        gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
-        gains->u_max = self->u_max;
-        gains->status = status;
-    }
-    return status;
-}
-
-ptc_status ptc_exp_sum2_of_three_axis(const ptc_exp_sum2_of_three_gains *gains, const double x[2], double *u)
+ptc_status ptc_exp_sum2_of_three_axis(
+    const ptc_exp_sum2_of_three_gains *gains,
+    const double x[2],
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -315,25 +325,20 @@ ptc_status ptc_exp_sum2_of_three_axis(const ptc_exp_sum2_of_three_gains *gains, 
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(x1)
-            && isfinite(x2)) {
-            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
+            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -104,7 +104,7 @@ typedef struct ptc_exp_sum3_params {
     double k[3]; /* gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s] */
 } ptc_exp_sum3_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_exp_sum3 {
     double a1; /* rates a_i of stretched time */
     double a2; /* rates a_i of stretched time */
@@ -130,28 +130,39 @@ typedef struct ptc_exp_sum3 {
     double u_max; /* bound of |u| */
 } ptc_exp_sum3;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[2]*x[2]. */
+/* Feedback gains at one time. */
 typedef struct ptc_exp_sum3_gains {
-    double gain[3];
+    double gain[3]; /* u = gain[0] x[0] + ... + gain[2] x[2] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_exp_sum3_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_exp_sum3_arm(ptc_exp_sum3 *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
 ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[3], double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
 ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_gains *gains);
 
-/* u of one axis from the gains of tick. */
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
 ptc_status ptc_exp_sum3_axis(const ptc_exp_sum3_gains *gains, const double x[3], double *u);
 
 #ifdef __cplusplus

@@ -109,7 +109,7 @@ typedef struct ptc_exp_sum4_params {
     double k[4]; /* gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k[0] is k_1 [1/s^4], ..., k[3] is k_4 [1/s] */
 } ptc_exp_sum4_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_exp_sum4 {
     double a1; /* rates a_i of stretched time */
     double a2; /* rates a_i of stretched time */
@@ -138,28 +138,39 @@ typedef struct ptc_exp_sum4 {
     double u_max; /* bound of |u| */
 } ptc_exp_sum4;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[3]*x[3]. */
+/* Feedback gains at one time. */
 typedef struct ptc_exp_sum4_gains {
-    double gain[4];
+    double gain[4]; /* u = gain[0] x[0] + ... + gain[3] x[3] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_exp_sum4_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_exp_sum4_arm(ptc_exp_sum4 *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
 ptc_status ptc_exp_sum4_step(const ptc_exp_sum4 *self, double t, const double x[4], double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
 ptc_status ptc_exp_sum4_tick(const ptc_exp_sum4 *self, double t, ptc_exp_sum4_gains *gains);
 
-/* u of one axis from the gains of tick. */
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
 ptc_status ptc_exp_sum4_axis(const ptc_exp_sum4_gains *gains, const double x[4], double *u);
 
 #ifdef __cplusplus

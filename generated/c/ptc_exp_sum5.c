@@ -5,15 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_exp_sum5_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_exp_sum5 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -27,34 +22,32 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a1)
-            && (a1 >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a1) != 0)
+            && (1e-150 <= a1)
             && (a1 <= 1e150)
-            && isfinite(a2)
-            && (a2 >= 1e-150)
+            && (isfinite(a2) != 0)
+            && (1e-150 <= a2)
             && (a2 <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
-            && isfinite(k5)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
+            && (isfinite(k5) != 0)
             && (eps < tau)) {
-            struct ptc_exp_sum5 built;
-
             const double hold_from = -eps;
             const double target_rate = 2.0 / tau;
             const double v1 = 1.0 / a1;
             const double v2 = 1.0 / a2;
             const double slowest = (v1 < v2) ? v2 : v1;
             const double mean_period = 2.0 / (a1 + a2);
-            const double tolerance = 0.03 / ((a1 < a2) ? a2 : a1);
+            const double s1 = (a1 < a2) ? a2 : a1;
+            const double tolerance = 0.03 / s1;
             const double b1_1 = 0.5 * a1 * tau;
             const double b1_2 = 0.5 * a2 * tau;
             const double v3 = a1 * a1;
@@ -78,78 +71,77 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             const double w3 = (-2.0) * k3;
             const double w4 = (-6.0) * k4;
             const double w5 = (-24.0) * k5;
-            built.a1 = a1;
-            built.a2 = a2;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.target_rate = target_rate;
-            built.slowest = slowest;
-            built.mean_period = mean_period;
-            built.tolerance = tolerance;
-            built.b1_1 = b1_1;
-            built.b1_2 = b1_2;
-            built.b2_1 = b2_1;
-            built.b2_2 = b2_2;
-            built.b3_1 = b3_1;
-            built.b3_2 = b3_2;
-            built.b4_1 = b4_1;
-            built.b4_2 = b4_2;
-            built.b5_1 = b5_1;
-            built.b5_2 = b5_2;
-            built.w1 = w1;
-            built.w2 = w2;
-            built.w3 = w3;
-            built.w4 = w4;
-            built.w5 = w5;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && (v5 >= 1e-200)
-                && (b3_1 >= 1e-200)
-                && (v6 >= 1e-200)
-                && (b3_2 >= 1e-200)
-                && (v7 >= 1e-200)
+                && (1e-200 <= v5)
+                && (1e-200 <= b3_1)
+                && (1e-200 <= v6)
+                && (1e-200 <= b3_2)
+                && (1e-200 <= v7)
                 && (b4_1 <= -1e-200)
-                && (v8 >= 1e-200)
+                && (1e-200 <= v8)
                 && (b4_2 <= -1e-200)
-                && (v9 >= 1e-200)
-                && (b5_1 >= 1e-200)
-                && (v10 >= 1e-200)
-                && (b5_2 >= 1e-200)
-                && (ptc_exp_sum5_kept(w1, k1) != 0)
-                && (ptc_exp_sum5_kept(w2, k2) != 0)
-                && (ptc_exp_sum5_kept(w3, k3) != 0)
-                && (ptc_exp_sum5_kept(w4, k4) != 0)
-                && (ptc_exp_sum5_kept(w5, k5) != 0)
-                && isfinite(built.hold_from)
-                && isfinite(built.target_rate)
-                && isfinite(built.slowest)
-                && isfinite(built.mean_period)
-                && isfinite(built.tolerance)
-                && isfinite(built.b1_1)
-                && isfinite(built.b1_2)
-                && isfinite(built.b2_1)
-                && isfinite(built.b2_2)
-                && isfinite(built.b3_1)
-                && isfinite(built.b3_2)
-                && isfinite(built.b4_1)
-                && isfinite(built.b4_2)
-                && isfinite(built.b5_1)
-                && isfinite(built.b5_2)
-                && isfinite(built.w1)
-                && isfinite(built.w2)
-                && isfinite(built.w3)
-                && isfinite(built.w4)
-                && isfinite(built.w5)) {
+                && (1e-200 <= v9)
+                && (1e-200 <= b5_1)
+                && (1e-200 <= v10)
+                && (1e-200 <= b5_2)
+                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(w3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(w4)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(w5)) || (fabs(k5) <= 0.0))
+                && (isfinite(hold_from) != 0)
+                && (isfinite(target_rate) != 0)
+                && (isfinite(slowest) != 0)
+                && (isfinite(mean_period) != 0)
+                && (isfinite(tolerance) != 0)
+                && (isfinite(b1_1) != 0)
+                && (isfinite(b1_2) != 0)
+                && (isfinite(b2_1) != 0)
+                && (isfinite(b2_2) != 0)
+                && (isfinite(b3_1) != 0)
+                && (isfinite(b3_2) != 0)
+                && (isfinite(b4_1) != 0)
+                && (isfinite(b4_2) != 0)
+                && (isfinite(b5_1) != 0)
+                && (isfinite(b5_2) != 0)
+                && (isfinite(w1) != 0)
+                && (isfinite(w2) != 0)
+                && (isfinite(w3) != 0)
+                && (isfinite(w4) != 0)
+                && (isfinite(w5) != 0)) {
+                built.a1 = a1;
+                built.a2 = a2;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.target_rate = target_rate;
+                built.slowest = slowest;
+                built.mean_period = mean_period;
+                built.tolerance = tolerance;
+                built.b1_1 = b1_1;
+                built.b1_2 = b1_2;
+                built.b2_1 = b2_1;
+                built.b2_2 = b2_2;
+                built.b3_1 = b3_1;
+                built.b3_2 = b3_2;
+                built.b4_1 = b4_1;
+                built.b4_2 = b4_2;
+                built.b5_1 = b5_1;
+                built.b5_2 = b5_2;
+                built.w1 = w1;
+                built.w2 = w2;
+                built.w3 = w3;
+                built.w4 = w4;
+                built.w5 = w5;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_exp_sum5_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -160,16 +152,17 @@ ptc_status ptc_exp_sum5_arm(ptc_exp_sum5 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -188,14 +181,13 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -216,10 +208,10 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
                 const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
                 const double v11 = 1.0 / (v6 + v8);
                 const double v12 = v7 * v11;
-                const double v13 = 0.5 * v10 * ((((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0);
-                const double v14 = v10 * v12 * (1.0 + v13);
-                const double y_next = y + v14;
-                const double y_size = fabs(v14);
+                const double s1 = (((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0;
+                const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+                const double y_next = y + v13;
+                const double y_size = fabs(v13);
                 if (v10 > 0.0) {
                     y_low = y;
                 } else {
@@ -234,51 +226,52 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
                     break;
                 }
             }
-            const double v15 = exp(-(self->a1 * y));
-            const double v16 = exp(-(self->a2 * y));
-            const double v17 = self->a1 * v15;
-            const double v18 = self->a2 * v16;
-            const double v19 = 1.0 / (v17 + v18);
-            const double v20 = ((v15 + v16) - target) * v19;
-            const double v21 = 1.0 + (0.5 * (((self->a1 * v17) + (self->a2 * v18)) * v19 * v20));
-            const double v22 = v20 * v21;
-            const double v23 = self->a1 * v22;
+            const double v14 = exp(-(self->a1 * y));
+            const double v15 = exp(-(self->a2 * y));
+            const double v16 = self->a1 * v14;
+            const double v17 = self->a2 * v15;
+            const double v18 = 1.0 / (v16 + v17);
+            const double v19 = ((v14 + v15) - target) * v18;
+            const double s2 = 1.0 + (0.5 * (((self->a1 * v16) + (self->a2 * v17)) * v18 * v19));
+            const double v20 = v19 * s2;
+            const double v21 = self->a1 * v20;
+            const double v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+            const double v23 = self->a2 * v20;
             const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
-            const double v25 = self->a2 * v22;
-            const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
-            const double inv_r1 = 1.0 / ((self->b1_1 * v24) + (self->b1_2 * v26));
-            const double p2 = ((self->b2_1 * v24) + (self->b2_2 * v26)) * inv_r1;
-            const double p3 = ((self->b3_1 * v24) + (self->b3_2 * v26)) * inv_r1;
-            const double p4 = ((self->b4_1 * v24) + (self->b4_2 * v26)) * inv_r1;
-            const double p5 = ((self->b5_1 * v24) + (self->b5_2 * v26)) * inv_r1;
-            const double v27 = p2 + p2;
-            const double v28 = p3 + p3 + (p2 * p2);
-            const double v29 = p2 * p3;
-            const double v30 = v27 + p2;
-            const double v31 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4) + ((-120.0) * p5);
-            const double v32 = self->w3 + (self->w4 * v27) + (self->w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-            const double v33 = self->w4 + (self->w5 * v30) + ((-120.0) * (v28 + p3 + (v27 * p2)));
-            const double row3 = v32 * 0.5;
-            const double row4 = v33 * 0.16666666666666666;
-            const double row5 = (self->w5 + ((-120.0) * (v30 + p2))) * 0.041666666666666664;
-            const double v34 = ((((self->w1 * x1 * inv_r1) + (v31 * x2)) * inv_r1) + (row3 * x3)) * inv_r1;
-            double v = (((v34 + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double inv_r1 = 1.0 / ((self->b1_1 * v22) + (self->b1_2 * v24));
+            const double p2 = ((self->b2_1 * v22) + (self->b2_2 * v24)) * inv_r1;
+            const double p3 = ((self->b3_1 * v22) + (self->b3_2 * v24)) * inv_r1;
+            const double p4 = ((self->b4_1 * v22) + (self->b4_2 * v24)) * inv_r1;
+            const double p5 = ((self->b5_1 * v22) + (self->b5_2 * v24)) * inv_r1;
+            const double v25 = p2 + p2;
+            const double v26 = p3 + p3 + (p2 * p2);
+            const double v27 = p2 * p3;
+            const double v28 = v25 + p2;
+            const double s3 = self->w3 + (self->w4 * v25) + (self->w5 * v26);
+            const double row3 = (s3 + ((-120.0) * (p4 + p4 + v27 + v27))) * 0.5;
+            const double s4 = self->w4 + (self->w5 * v28) + ((-120.0) * (v26 + p3 + (v25 * p2)));
+            const double row4 = s4 * 0.16666666666666666;
+            const double row5 = (self->w5 + ((-120.0) * (v28 + p2))) * 0.041666666666666664;
+            const double s5 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4);
+            const double s6 = ((self->w1 * x1 * inv_r1) + ((s5 + ((-120.0) * p5)) * x2)) * inv_r1;
+            const double s7 = (((s6 + (row3 * x3)) * inv_r1) + (row4 * x4)) * inv_r1;
+            const double v = (s7 + (row5 * x5)) * inv_r1;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -288,84 +281,92 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double target = T * self->target_rate;
-        const double v1 = -log(target / 2.0);
-        const double v2 = v1 * self->mean_period;
-        const double v3 = (v1 - 0.6931467056274414) * self->slowest;
-        double y = (v2 < v3) ? v3 : v2;
-        double y_low = v2;
-        double y_high = v1 * self->slowest;
-        for (uint32_t round = 0U; round < 12U; round++) {
-            const double v4 = exp(-(self->a1 * y));
-            const double v5 = exp(-(self->a2 * y));
-            const double v6 = self->a1 * v4;
-            const double v7 = v4 + v5;
-            const double v8 = self->a2 * v5;
-            const double v9 = (2.0 * (v7 - target)) / (v7 + target);
-            const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
-            const double v11 = 1.0 / (v6 + v8);
-            const double v12 = v7 * v11;
-            const double v13 = 0.5 * v10 * ((((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0);
-            const double v14 = v10 * v12 * (1.0 + v13);
-            const double y_next = y + v14;
-            const double y_size = fabs(v14);
-            if (v10 > 0.0) {
-                y_low = y;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 2.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 0.6931467056274414) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = self->a1 * v4;
+                const double v7 = v4 + v5;
+                const double v8 = self->a2 * v5;
+                const double v9 = (2.0 * (v7 - target)) / (v7 + target);
+                const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+                const double v11 = 1.0 / (v6 + v8);
+                const double v12 = v7 * v11;
+                const double s1 = (((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0;
+                const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+                const double y_next = y + v13;
+                const double y_size = fabs(v13);
+                if (v10 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v14 = exp(-(self->a1 * y));
+            const double v15 = exp(-(self->a2 * y));
+            const double v16 = self->a1 * v14;
+            const double v17 = self->a2 * v15;
+            const double v18 = 1.0 / (v16 + v17);
+            const double v19 = ((v14 + v15) - target) * v18;
+            const double s2 = 1.0 + (0.5 * (((self->a1 * v16) + (self->a2 * v17)) * v18 * v19));
+            const double v20 = v19 * s2;
+            const double v21 = self->a1 * v20;
+            const double v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+            const double v23 = self->a2 * v20;
+            const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+            const double inv_r1 = 1.0 / ((self->b1_1 * v22) + (self->b1_2 * v24));
+            const double p2 = ((self->b2_1 * v22) + (self->b2_2 * v24)) * inv_r1;
+            const double p3 = ((self->b3_1 * v22) + (self->b3_2 * v24)) * inv_r1;
+            const double p4 = ((self->b4_1 * v22) + (self->b4_2 * v24)) * inv_r1;
+            const double p5 = ((self->b5_1 * v22) + (self->b5_2 * v24)) * inv_r1;
+            const double v25 = p2 + p2;
+            const double v26 = p3 + p3 + (p2 * p2);
+            const double v27 = p2 * p3;
+            const double v28 = v25 + p2;
+            const double s3 = self->w3 + (self->w4 * v25) + (self->w5 * v26);
+            const double row3 = (s3 + ((-120.0) * (p4 + p4 + v27 + v27))) * 0.5;
+            const double s4 = self->w4 + (self->w5 * v28) + ((-120.0) * (v26 + p3 + (v25 * p2)));
+            const double row4 = s4 * 0.16666666666666666;
+            const double row5 = (self->w5 + ((-120.0) * (v28 + p2))) * 0.041666666666666664;
+            const double v29 = inv_r1 * inv_r1;
+            const double gain1 = self->w1 * (v29 * inv_r1) * v29;
+            const double s5 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4);
+            const double gain2 = (s5 + ((-120.0) * p5)) * v29 * v29;
+            const double gain3 = row3 * v29 * inv_r1;
+            const double gain4 = row4 * inv_r1 * inv_r1;
+            const double gain5 = row5 * inv_r1;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->gain[3] = gain4;
+            gains->gain[4] = gain5;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
             } else {
-                y_high = y;
+                status = PTC_HOLD;
             }
-            if ((y_next >= y_low) && (y_next <= y_high)) {
-                y = y_next;
-            } else {
-                y = 0.5 * (y_low + y_high);
-            }
-            if (y_size <= self->tolerance) {
-                break;
-            }
+            gains->status = status;
         }
-        const double v15 = exp(-(self->a1 * y));
-        const double v16 = exp(-(self->a2 * y));
-        const double v17 = self->a1 * v15;
-        const double v18 = self->a2 * v16;
-        const double v19 = 1.0 / (v17 + v18);
-        const double v20 = ((v15 + v16) - target) * v19;
-        const double v21 = 1.0 + (0.5 * (((self->a1 * v17) + (self->a2 * v18)) * v19 * v20));
-        const double v22 = v20 * v21;
-        const double v23 = self->a1 * v22;
-        const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
-        const double v25 = self->a2 * v22;
-        const double v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
-        const double inv_r1 = 1.0 / ((self->b1_1 * v24) + (self->b1_2 * v26));
-        const double p2 = ((self->b2_1 * v24) + (self->b2_2 * v26)) * inv_r1;
-        const double p3 = ((self->b3_1 * v24) + (self->b3_2 * v26)) * inv_r1;
-        const double p4 = ((self->b4_1 * v24) + (self->b4_2 * v26)) * inv_r1;
-        const double p5 = ((self->b5_1 * v24) + (self->b5_2 * v26)) * inv_r1;
-        const double v27 = p2 + p2;
-        const double v28 = p3 + p3 + (p2 * p2);
-        const double v29 = p2 * p3;
-        const double v30 = v27 + p2;
-        const double v31 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4) + ((-120.0) * p5);
-        const double v32 = self->w3 + (self->w4 * v27) + (self->w5 * v28) + ((-120.0) * (p4 + p4 + v29 + v29));
-        const double v33 = self->w4 + (self->w5 * v30) + ((-120.0) * (v28 + p3 + (v27 * p2)));
-        const double row3 = v32 * 0.5;
-        const double row4 = v33 * 0.16666666666666666;
-        const double row5 = (self->w5 + ((-120.0) * (v30 + p2))) * 0.041666666666666664;
-        const double v34 = inv_r1 * inv_r1;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = self->w1 * (v34 * inv_r1) * v34;
-        gains->gain[1] = v31 * v34 * v34;
-        gains->gain[2] = row3 * v34 * inv_r1;
-        gains->gain[3] = row4 * inv_r1 * inv_r1;
-        gains->gain[4] = row5 * inv_r1;
-        gains->u_max = self->u_max;
-        gains->status = status;
     }
     return status;
 }
@@ -383,29 +384,26 @@ ptc_status ptc_exp_sum5_axis(const ptc_exp_sum5_gains *gains, const double x[5],
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            const double v = s2 + (gains->gain[4] * x5);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

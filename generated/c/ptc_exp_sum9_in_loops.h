@@ -123,7 +123,7 @@ typedef struct ptc_exp_sum9_in_loops_params {
     double k[9]; /* gains of pi0 = -(k_1 xi_1 + ... + k_9 xi_9), finite; k[0] is k_1 [1/s^9], ..., k[8] is k_9 [1/s] */
 } ptc_exp_sum9_in_loops_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_exp_sum9_in_loops {
     double a1; /* rates a_i of stretched time */
     double a2; /* rates a_i of stretched time */
@@ -167,29 +167,52 @@ typedef struct ptc_exp_sum9_in_loops {
     double u_max; /* bound of |u| */
 } ptc_exp_sum9_in_loops;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[8]*x[8]. */
+/* Feedback gains at one time. */
 typedef struct ptc_exp_sum9_in_loops_gains {
-    double gain[9];
+    double gain[9]; /* u = gain[0] x[0] + ... + gain[8] x[8] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_exp_sum9_in_loops_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_exp_sum9_in_loops_init(ptc_exp_sum9_in_loops *self, const ptc_exp_sum9_in_loops_params *params);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status ptc_exp_sum9_in_loops_init(
+    ptc_exp_sum9_in_loops *self,
+    const ptc_exp_sum9_in_loops_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_exp_sum9_in_loops_arm(ptc_exp_sum9_in_loops *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_exp_sum9_in_loops_step(const ptc_exp_sum9_in_loops *self, double t, const double x[9], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_exp_sum9_in_loops_step(
+    const ptc_exp_sum9_in_loops *self,
+    double t,
+    const double x[9],
+    double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
-ptc_status ptc_exp_sum9_in_loops_tick(const ptc_exp_sum9_in_loops *self, double t, ptc_exp_sum9_in_loops_gains *gains);
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
+ptc_status ptc_exp_sum9_in_loops_tick(
+    const ptc_exp_sum9_in_loops *self,
+    double t,
+    ptc_exp_sum9_in_loops_gains *gains);
 
-/* u of one axis from the gains of tick. */
-ptc_status ptc_exp_sum9_in_loops_axis(const ptc_exp_sum9_in_loops_gains *gains, const double x[9], double *u);
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
+ptc_status ptc_exp_sum9_in_loops_axis(
+    const ptc_exp_sum9_in_loops_gains *gains,
+    const double x[9],
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_own_kappa2_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_own_kappa2 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -21,42 +16,39 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
         const double u_max = params->u_max;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(k1)
-            && isfinite(k2)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
             && (eps < tau)) {
-            struct ptc_own_kappa2 built;
-
             const double hold_from = -eps;
             const double w1 = -k1;
             const double w2 = -k2;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.f15 = tau * tau;
-            built.w1 = w1;
-            built.w2 = w2;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((ptc_own_kappa2_kept(w1, k1) != 0)
-                && (ptc_own_kappa2_kept(w2, k2) != 0)
-                && isfinite(built.hold_from)
-                && isfinite(built.f15)
-                && isfinite(built.w1)
-                && isfinite(built.w2)) {
+            const double f15 = tau * tau;
+            if (((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+                && (isfinite(hold_from) != 0)
+                && (isfinite(f15) != 0)
+                && (isfinite(w1) != 0)
+                && (isfinite(w2) != 0)) {
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.f15 = f15;
+                built.w1 = w1;
+                built.w2 = w2;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_own_kappa2_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -67,16 +59,17 @@ ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -92,11 +85,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -104,24 +93,27 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             const double v2 = self->f15 + v1;
             const double unit = T / v2;
             const double inv_r1 = 1.0 / (T * unit);
-            const double v3 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
-            double v = (past >= 0.0) ? 0.0 : (((self->w1 * x1 * inv_r1) + ((self->w2 + v3) * x2)) * inv_r1);
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
+            const double s2 = ((self->w1 * x1 * inv_r1) + ((self->w2 + s1) * x2)) * inv_r1;
+            const double v = (0.0 <= past) ? 0.0 : s2;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else if (0.0 <= past) {
+                    status = PTC_AFTER;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

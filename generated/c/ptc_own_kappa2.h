@@ -87,7 +87,7 @@ typedef struct ptc_own_kappa2_params {
     double k[2]; /* gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s] */
 } ptc_own_kappa2_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_own_kappa2 {
     double t0; /* start time */
     double tau; /* prescribed settling time */
@@ -101,14 +101,19 @@ typedef struct ptc_own_kappa2 {
     double u_max; /* bound of |u| */
 } ptc_own_kappa2;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_own_kappa2_arm(ptc_own_kappa2 *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
 ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const double x[2], double *u);
 
 #ifdef __cplusplus

@@ -4,40 +4,40 @@
 #include <math.h>
 #include <stddef.h>
 
-ptc_status ptc_own_law1_latched_init(ptc_own_law1_latched *self, const ptc_own_law1_latched_params *params, const double x0[1])
+ptc_status ptc_own_law1_latched_init(
+    ptc_own_law1_latched *self,
+    const ptc_own_law1_latched_params *params,
+    const double x0[1])
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_own_law1_latched built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
         const double t0 = params->t0;
         const double eps = params->eps;
         const double u_max = params->u_max;
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && (eps < tau)) {
-            struct ptc_own_law1_latched built;
-
             const double hold_from = -eps;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-            built.x1_0 = 0.0;
-
-            if (isfinite(built.hold_from) != 0) {
+            if (isfinite(hold_from) != 0) {
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
+                built.x1_0 = 0.0;
                 status = ptc_own_law1_latched_arm(&built, t0, x0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -48,27 +48,28 @@ ptc_status ptc_own_law1_latched_arm(ptc_own_law1_latched *self, double t0, const
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL)
-        && (x0 != NULL)
-        && isfinite(t0)
-        && isfinite(x0[0])) {
-        const double x1_0 = x0[0];
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            self->x1_0 = x1_0;
-            status = PTC_OK;
+    if ((self != NULL) && (x0 != NULL)) {
+        if ((isfinite(t0) != 0) && (isfinite(x0[0]) != 0)) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                self->x1_0 = x0[0];
+                status = PTC_OK;
+            }
         }
     }
     return status;
 }
 
-ptc_status ptc_own_law1_latched_step(const ptc_own_law1_latched *self, double t, const double x[1], double *u)
+ptc_status ptc_own_law1_latched_step(
+    const ptc_own_law1_latched *self,
+    double t,
+    const double x[1],
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -77,32 +78,29 @@ ptc_status ptc_own_law1_latched_step(const ptc_own_law1_latched *self, double t,
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
             const double inv_r1 = 1.0 / T;
             const double law = ((-2.0) * x1) - (x1 * self->x1_0);
-            double v = law * inv_r1;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = law * inv_r1;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

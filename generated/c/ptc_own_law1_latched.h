@@ -85,7 +85,7 @@ typedef struct ptc_own_law1_latched_params {
     double u_max; /* bound of |u| [unit of u], > 0, infinity allowed */
 } ptc_own_law1_latched_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_own_law1_latched {
     double t0; /* start time */
     double tau; /* prescribed settling time */
@@ -97,15 +97,27 @@ typedef struct ptc_own_law1_latched {
     double u_max; /* bound of |u| */
 } ptc_own_law1_latched;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0), latching the state x0.
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_own_law1_latched_init(ptc_own_law1_latched *self, const ptc_own_law1_latched_params *params, const double x0[1]);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0. PTC_OK, or
+ * PTC_E_PARAM with *self untouched.
+ */
+ptc_status ptc_own_law1_latched_init(
+    ptc_own_law1_latched *self,
+    const ptc_own_law1_latched_params *params,
+    const double x0[1]);
 
 /* Starts again at t0 [s], latching the state x0. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_own_law1_latched_arm(ptc_own_law1_latched *self, double t0, const double x0[1]);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_own_law1_latched_step(const ptc_own_law1_latched *self, double t, const double x[1], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_own_law1_latched_step(
+    const ptc_own_law1_latched *self,
+    double t,
+    const double x[1],
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -90,7 +90,7 @@ typedef struct ptc_own_mu2_iterated_params {
     double a; /* parameter of mu, from 1e-150 to 1e150 */
 } ptc_own_mu2_iterated_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_own_mu2_iterated {
     double t0; /* start time */
     double tau; /* prescribed settling time */
@@ -105,29 +105,52 @@ typedef struct ptc_own_mu2_iterated {
     double u_max; /* bound of |u| */
 } ptc_own_mu2_iterated;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
+/* Feedback gains at one time. */
 typedef struct ptc_own_mu2_iterated_gains {
-    double gain[2];
+    double gain[2]; /* u = gain[0] x[0] + ... + gain[1] x[1] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_own_mu2_iterated_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_own_mu2_iterated_init(ptc_own_mu2_iterated *self, const ptc_own_mu2_iterated_params *params);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status ptc_own_mu2_iterated_init(
+    ptc_own_mu2_iterated *self,
+    const ptc_own_mu2_iterated_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_own_mu2_iterated_arm(ptc_own_mu2_iterated *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_own_mu2_iterated_step(const ptc_own_mu2_iterated *self, double t, const double x[2], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_own_mu2_iterated_step(
+    const ptc_own_mu2_iterated *self,
+    double t,
+    const double x[2],
+    double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
-ptc_status ptc_own_mu2_iterated_tick(const ptc_own_mu2_iterated *self, double t, ptc_own_mu2_iterated_gains *gains);
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
+ptc_status ptc_own_mu2_iterated_tick(
+    const ptc_own_mu2_iterated *self,
+    double t,
+    ptc_own_mu2_iterated_gains *gains);
 
-/* u of one axis from the gains of tick. */
-ptc_status ptc_own_mu2_iterated_axis(const ptc_own_mu2_iterated_gains *gains, const double x[2], double *u);
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
+ptc_status ptc_own_mu2_iterated_axis(
+    const ptc_own_mu2_iterated_gains *gains,
+    const double x[2],
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_power1_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_power1_init(ptc_power1 *self, const ptc_power1_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_power1 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -22,46 +17,42 @@ ptc_status ptc_power1_init(ptc_power1 *self, const ptc_power1_params *params)
         const double a = params->a;
         const double m = params->m;
         const double k1 = params->k[0];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(m)
-            && (m >= 1e-150)
+            && (isfinite(m) != 0)
+            && (1e-150 <= m)
             && (m <= 450.0)
-            && isfinite(k1)
+            && (isfinite(k1) != 0)
             && (eps < tau)) {
-            struct ptc_power1 built;
-
             const double K1 = k1 / a;
             const double c1_1 = -K1;
             const double hold_from = -eps;
             const double minus_tau = -tau;
-            built.c1_1 = c1_1;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.minus_tau = minus_tau;
-            built.m = m;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((ptc_power1_kept(K1, k1) != 0)
-                && isfinite(built.c1_1)
-                && isfinite(built.hold_from)
-                && isfinite(built.minus_tau)) {
+            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (isfinite(c1_1) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(minus_tau) != 0)) {
+                built.c1_1 = c1_1;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.minus_tau = minus_tau;
+                built.m = m;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_power1_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -72,16 +63,17 @@ ptc_status ptc_power1_arm(ptc_power1 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -96,32 +88,29 @@ ptc_status ptc_power1_step(const ptc_power1 *self, double t, const double x[1], 
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
             const double q = pow(inv_w, self->m);
             const double row1 = self->c1_1 * q;
-            double v = ((-row1) * x1) / late;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = ((-row1) * x1) / late;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -131,19 +120,23 @@ ptc_status ptc_power1_tick(const ptc_power1 *self, double t, ptc_power1_gains *g
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_w = self->minus_tau / late;
-        const double q = pow(inv_w, self->m);
-        const double row1 = self->c1_1 * q;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = (-row1) / late;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
+            const double row1 = self->c1_1 * q;
+            const double gain1 = (-row1) / late;
+            gains->gain[0] = gain1;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -157,24 +150,20 @@ ptc_status ptc_power1_axis(const ptc_power1_gains *gains, const double x[1], dou
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-
         if (isfinite(x1) != 0) {
-            double v = gains->gain[0] * x1;
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+            const double v = gains->gain[0] * x1;
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

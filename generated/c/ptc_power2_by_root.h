@@ -99,7 +99,7 @@ typedef struct ptc_power2_by_root_params {
     double k[2]; /* gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s] */
 } ptc_power2_by_root_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_power2_by_root {
     double c1_2; /* coefficient of q^2 in the gain of x1 */
     double tau; /* prescribed settling time */
@@ -114,29 +114,52 @@ typedef struct ptc_power2_by_root {
     double u_max; /* bound of |u| */
 } ptc_power2_by_root;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
+/* Feedback gains at one time. */
 typedef struct ptc_power2_by_root_gains {
-    double gain[2];
+    double gain[2]; /* u = gain[0] x[0] + ... + gain[1] x[1] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_power2_by_root_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_power2_by_root_init(ptc_power2_by_root *self, const ptc_power2_by_root_params *params);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status ptc_power2_by_root_init(
+    ptc_power2_by_root *self,
+    const ptc_power2_by_root_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_power2_by_root_arm(ptc_power2_by_root *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_power2_by_root_step(const ptc_power2_by_root *self, double t, const double x[2], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_power2_by_root_step(
+    const ptc_power2_by_root *self,
+    double t,
+    const double x[2],
+    double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
-ptc_status ptc_power2_by_root_tick(const ptc_power2_by_root *self, double t, ptc_power2_by_root_gains *gains);
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
+ptc_status ptc_power2_by_root_tick(
+    const ptc_power2_by_root *self,
+    double t,
+    ptc_power2_by_root_gains *gains);
 
-/* u of one axis from the gains of tick. */
-ptc_status ptc_power2_by_root_axis(const ptc_power2_by_root_gains *gains, const double x[2], double *u);
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
+ptc_status ptc_power2_by_root_axis(
+    const ptc_power2_by_root_gains *gains,
+    const double x[2],
+    double *u);
 
 #ifdef __cplusplus
 }

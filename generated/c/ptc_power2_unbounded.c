@@ -4,42 +4,41 @@
 #include <math.h>
 #include <stddef.h>
 
-ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power2_unbounded_params *params)
+ptc_status ptc_power2_unbounded_init(
+    ptc_power2_unbounded *self,
+    const ptc_power2_unbounded_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_power2_unbounded built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
         const double t0 = params->t0;
         const double eps = params->eps;
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
             && (eps < tau)) {
-            struct ptc_power2_unbounded built;
-
             const double hold_from = -eps;
             const double minus_tau = -tau;
             const double inv_tau = 1.0 / tau;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.minus_tau = minus_tau;
-            built.inv_tau = inv_tau;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if (isfinite(built.hold_from)
-                && isfinite(built.minus_tau)
-                && isfinite(built.inv_tau)) {
+            if ((isfinite(hold_from) != 0)
+                && (isfinite(minus_tau) != 0)
+                && (isfinite(inv_tau) != 0)) {
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.minus_tau = minus_tau;
+                built.inv_tau = inv_tau;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_power2_unbounded_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -50,22 +49,27 @@ ptc_status ptc_power2_unbounded_arm(ptc_power2_unbounded *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
 }
 
-ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t, const double x[2], double *u)
+ptc_status ptc_power2_unbounded_step(
+    const ptc_power2_unbounded *self,
+    double t,
+    const double x[2],
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -75,11 +79,7 @@ ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t,
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
@@ -88,47 +88,58 @@ ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t,
             const double row1 = v1 * q;
             const double row2 = v1 + 3.0;
             const double inv_T = inv_w * self->inv_tau;
-            double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-
-            if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            const double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+            if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
 }
 
-ptc_status ptc_power2_unbounded_tick(const ptc_power2_unbounded *self, double t, ptc_power2_unbounded_gains *gains)
+ptc_status ptc_power2_unbounded_tick(
+    const ptc_power2_unbounded *self,
+    double t,
+    ptc_power2_unbounded_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_w = self->minus_tau / late;
-        const double q = inv_w * inv_w;
-        const double v1 = (-4.0) * q;
-        const double row1 = v1 * q;
-        const double row2 = v1 + 3.0;
-        const double inv_T = inv_w * self->inv_tau;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * inv_T * inv_T;
-        gains->gain[1] = row2 * inv_T;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_w = self->minus_tau / late;
+            const double q = inv_w * inv_w;
+            const double v1 = (-4.0) * q;
+            const double row1 = v1 * q;
+            const double row2 = v1 + 3.0;
+            const double inv_T = inv_w * self->inv_tau;
+            const double gain1 = row1 * inv_T * inv_T;
+            const double gain2 = row2 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
 
-ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, const double x[2], double *u)
+ptc_status ptc_power2_unbounded_axis(
+    const ptc_power2_unbounded_gains *gains,
+    const double x[2],
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -138,17 +149,14 @@ ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, co
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(x1)
-            && isfinite(x2)) {
-            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-
-            status = gains->status;
-            if (isfinite(v) == 0) {
-                v = 0.0;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
+            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
+            } else {
                 status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -96,7 +96,7 @@ typedef struct ptc_power2_unbounded_params {
     double eps; /* time-to-go at which the gains are held [s], >= 1e-150, < tau */
 } ptc_power2_unbounded_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_power2_unbounded {
     double tau; /* prescribed settling time */
     double t0; /* start time */
@@ -108,28 +108,51 @@ typedef struct ptc_power2_unbounded {
     double inv_tau; /* 1/tau */
 } ptc_power2_unbounded;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1]. */
+/* Feedback gains at one time. */
 typedef struct ptc_power2_unbounded_gains {
-    double gain[2];
+    double gain[2]; /* u = gain[0] x[0] + ... + gain[1] x[1] */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_power2_unbounded_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_power2_unbounded_init(ptc_power2_unbounded *self, const ptc_power2_unbounded_params *params);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status ptc_power2_unbounded_init(
+    ptc_power2_unbounded *self,
+    const ptc_power2_unbounded_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_power2_unbounded_arm(ptc_power2_unbounded *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_power2_unbounded_step(const ptc_power2_unbounded *self, double t, const double x[2], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_power2_unbounded_step(
+    const ptc_power2_unbounded *self,
+    double t,
+    const double x[2],
+    double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
-ptc_status ptc_power2_unbounded_tick(const ptc_power2_unbounded *self, double t, ptc_power2_unbounded_gains *gains);
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
+ptc_status ptc_power2_unbounded_tick(
+    const ptc_power2_unbounded *self,
+    double t,
+    ptc_power2_unbounded_gains *gains);
 
-/* u of one axis from the gains of tick. */
-ptc_status ptc_power2_unbounded_axis(const ptc_power2_unbounded_gains *gains, const double x[2], double *u);
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
+ptc_status ptc_power2_unbounded_axis(
+    const ptc_power2_unbounded_gains *gains,
+    const double x[2],
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_power5_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_power5 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -26,27 +21,24 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(m)
-            && (m >= 1e-150)
+            && (isfinite(m) != 0)
+            && (1e-150 <= m)
             && (m <= 90.0)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
-            && isfinite(k5)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
+            && (isfinite(k5) != 0)
             && (eps < tau)) {
-            struct ptc_power5 built;
-
             const double v1 = a * a;
             const double v2 = v1 * v1;
             const double v3 = a * v2;
@@ -75,62 +67,61 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double c5_0 = (10.0 * m) + 10.0;
             const double c5_1 = -K5;
             const double inv_tau = 1.0 / tau;
-            built.c1_5 = c1_5;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.minus_tau = minus_tau;
-            built.m = m;
-            built.c2_0 = c2_0;
-            built.c2_1 = c2_1;
-            built.c2_2 = c2_2;
-            built.c2_3 = c2_3;
-            built.c2_4 = c2_4;
-            built.c3_0 = c3_0;
-            built.c3_1 = c3_1;
-            built.c3_2 = c3_2;
-            built.c3_3 = c3_3;
-            built.c4_0 = c4_0;
-            built.c4_1 = c4_1;
-            built.c4_2 = c4_2;
-            built.c5_0 = c5_0;
-            built.c5_1 = c5_1;
-            built.inv_tau = inv_tau;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (v3 >= 1e-200)
-                && (ptc_power5_kept(K1, k1) != 0)
-                && (ptc_power5_kept(K2, k2) != 0)
-                && (v4 >= 1e-200)
-                && (ptc_power5_kept(K3, k3) != 0)
-                && (ptc_power5_kept(K4, k4) != 0)
-                && (ptc_power5_kept(K5, k5) != 0)
-                && isfinite(built.c1_5)
-                && isfinite(built.hold_from)
-                && isfinite(built.minus_tau)
-                && isfinite(built.c2_0)
-                && isfinite(built.c2_1)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_3)
-                && isfinite(built.c2_4)
-                && isfinite(built.c3_0)
-                && isfinite(built.c3_1)
-                && isfinite(built.c3_2)
-                && isfinite(built.c3_3)
-                && isfinite(built.c4_0)
-                && isfinite(built.c4_1)
-                && isfinite(built.c4_2)
-                && isfinite(built.c5_0)
-                && isfinite(built.c5_1)
-                && isfinite(built.inv_tau)) {
+            if ((1e-200 <= v2)
+                && (1e-200 <= v3)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= v4)
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (isfinite(c1_5) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(minus_tau) != 0)
+                && (isfinite(c2_0) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_4) != 0)
+                && (isfinite(c3_0) != 0)
+                && (isfinite(c3_1) != 0)
+                && (isfinite(c3_2) != 0)
+                && (isfinite(c3_3) != 0)
+                && (isfinite(c4_0) != 0)
+                && (isfinite(c4_1) != 0)
+                && (isfinite(c4_2) != 0)
+                && (isfinite(c5_0) != 0)
+                && (isfinite(c5_1) != 0)
+                && (isfinite(inv_tau) != 0)) {
+                built.c1_5 = c1_5;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.minus_tau = minus_tau;
+                built.m = m;
+                built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
+                built.c2_2 = c2_2;
+                built.c2_3 = c2_3;
+                built.c2_4 = c2_4;
+                built.c3_0 = c3_0;
+                built.c3_1 = c3_1;
+                built.c3_2 = c3_2;
+                built.c3_3 = c3_3;
+                built.c4_0 = c4_0;
+                built.c4_1 = c4_1;
+                built.c4_2 = c4_2;
+                built.c5_0 = c5_0;
+                built.c5_1 = c5_1;
+                built.inv_tau = inv_tau;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_power5_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -141,16 +132,17 @@ ptc_status ptc_power5_arm(ptc_power5 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -169,44 +161,44 @@ ptc_status ptc_power5_step(const ptc_power5 *self, double t, const double x[5], 
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
             const double q = pow(inv_w, self->m);
             const double v1 = q * q;
             const double row1 = self->c1_5 * q * v1 * v1;
-            const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
-            const double row2 = (v2 * q) + self->c2_0;
-            const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
+            const double s1 = ((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q;
+            const double row2 = ((s1 + self->c2_1) * q) + self->c2_0;
+            const double s2 = ((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q;
+            const double row3 = s2 + self->c3_0;
             const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
             const double row5 = (self->c5_1 * q) + self->c5_0;
             const double inv_T = inv_w * self->inv_tau;
-            const double v3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-            double v = (((v3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
+            const double v = (((s3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -216,31 +208,40 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_w = self->minus_tau / late;
-        const double q = pow(inv_w, self->m);
-        const double v1 = q * q;
-        const double row1 = self->c1_5 * q * v1 * v1;
-        const double v2 = (((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q) + self->c2_1;
-        const double row2 = (v2 * q) + self->c2_0;
-        const double row3 = (((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q) + self->c3_0;
-        const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
-        const double row5 = (self->c5_1 * q) + self->c5_0;
-        const double inv_T = inv_w * self->inv_tau;
-        const double v3 = inv_T * inv_T;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * (v3 * inv_T) * v3;
-        gains->gain[1] = row2 * v3 * v3;
-        gains->gain[2] = row3 * v3 * inv_T;
-        gains->gain[3] = row4 * inv_T * inv_T;
-        gains->gain[4] = row5 * inv_T;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_w = self->minus_tau / late;
+            const double q = pow(inv_w, self->m);
+            const double v1 = q * q;
+            const double row1 = self->c1_5 * q * v1 * v1;
+            const double s1 = ((((self->c2_4 * q) + self->c2_3) * q) + self->c2_2) * q;
+            const double row2 = ((s1 + self->c2_1) * q) + self->c2_0;
+            const double s2 = ((((self->c3_3 * q) + self->c3_2) * q) + self->c3_1) * q;
+            const double row3 = s2 + self->c3_0;
+            const double row4 = (((self->c4_2 * q) + self->c4_1) * q) + self->c4_0;
+            const double row5 = (self->c5_1 * q) + self->c5_0;
+            const double inv_T = inv_w * self->inv_tau;
+            const double v2 = inv_T * inv_T;
+            const double gain1 = row1 * (v2 * inv_T) * v2;
+            const double gain2 = row2 * v2 * v2;
+            const double gain3 = row3 * v2 * inv_T;
+            const double gain4 = row4 * inv_T * inv_T;
+            const double gain5 = row5 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->gain[3] = gain4;
+            gains->gain[4] = gain5;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -258,29 +259,26 @@ ptc_status ptc_power5_axis(const ptc_power5_gains *gains, const double x[5], dou
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            const double v = s2 + (gains->gain[4] * x5);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

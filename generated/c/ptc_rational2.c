@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_rational2_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_rational2 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -22,21 +17,18 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
         const double a = params->a;
         const double k1 = params->k[0];
         const double k2 = params->k[1];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
             && (eps < tau)) {
-            struct ptc_rational2 built;
-
             const double rate = a / tau;
             const double v1 = rate * rate;
             const double K1 = k1 / v1;
@@ -44,26 +36,25 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
             const double c1_2 = -K1;
             const double hold_from = -eps;
             const double c2_1 = -K2;
-            built.tau = tau;
-            built.c1_2 = c1_2;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.c2_1 = c2_1;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v1 >= 1e-200)
-                && (ptc_rational2_kept(K1, k1) != 0)
-                && (ptc_rational2_kept(K2, k2) != 0)
-                && isfinite(built.c1_2)
-                && isfinite(built.hold_from)
-                && isfinite(built.c2_1)) {
+            if ((1e-200 <= v1)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (isfinite(c1_2) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(c2_1) != 0)) {
+                built.tau = tau;
+                built.c1_2 = c1_2;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.c2_1 = c2_1;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_rational2_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -74,16 +65,17 @@ ptc_status ptc_rational2_arm(ptc_rational2 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -99,33 +91,29 @@ ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double 
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
             const double row1 = self->c1_2 * inv_T * inv_T;
             const double row2 = (self->c2_1 * inv_T) + 2.0;
-            double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -135,20 +123,25 @@ ptc_status ptc_rational2_tick(const ptc_rational2 *self, double t, ptc_rational2
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double row1 = self->c1_2 * inv_T * inv_T;
-        const double row2 = (self->c2_1 * inv_T) + 2.0;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * inv_T * inv_T;
-        gains->gain[1] = row2 * inv_T;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double row1 = self->c1_2 * inv_T * inv_T;
+            const double row2 = (self->c2_1 * inv_T) + 2.0;
+            const double gain1 = row1 * inv_T * inv_T;
+            const double gain2 = row2 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -163,25 +156,20 @@ ptc_status ptc_rational2_axis(const ptc_rational2_gains *gains, const double x[2
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
         const double x2 = x[1];
-
-        if (isfinite(x1)
-            && isfinite(x2)) {
-            double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
+            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -97,7 +97,7 @@ typedef struct ptc_rational2_input_gain_params {
     double k[2]; /* gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s] */
 } ptc_rational2_input_gain_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_rational2_input_gain {
     double tau; /* prescribed settling time */
     double c1_2; /* coefficient of inv_T^2 in the gain of x1 */
@@ -110,15 +110,26 @@ typedef struct ptc_rational2_input_gain {
     double u_max; /* bound of |u| */
 } ptc_rational2_input_gain;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
-ptc_status ptc_rational2_input_gain_init(ptc_rational2_input_gain *self, const ptc_rational2_input_gain_params *params);
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
+ptc_status ptc_rational2_input_gain_init(
+    ptc_rational2_input_gain *self,
+    const ptc_rational2_input_gain_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_rational2_input_gain_arm(ptc_rational2_input_gain *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
-ptc_status ptc_rational2_input_gain_step(const ptc_rational2_input_gain *self, double t, const double x[2], double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
+ptc_status ptc_rational2_input_gain_step(
+    const ptc_rational2_input_gain *self,
+    double t,
+    const double x[2],
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_rational5_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_rational5 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -25,24 +20,21 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
         const double k3 = params->k[2];
         const double k4 = params->k[3];
         const double k5 = params->k[4];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
-            && isfinite(k5)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
+            && (isfinite(k5) != 0)
             && (eps < tau)) {
-            struct ptc_rational5 built;
-
             const double rate = a / tau;
             const double v1 = rate * rate;
             const double v2 = v1 * v1;
@@ -65,50 +57,49 @@ ptc_status ptc_rational5_init(ptc_rational5 *self, const ptc_rational5_params *p
             const double c4_1 = 12.0 * K5;
             const double c4_2 = -K4;
             const double c5_1 = -K5;
-            built.tau = tau;
-            built.c1_5 = c1_5;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.c2_1 = c2_1;
-            built.c3_2 = c3_2;
-            built.c2_2 = c2_2;
-            built.c2_3 = c2_3;
-            built.c2_4 = c2_4;
-            built.c3_1 = c3_1;
-            built.c3_3 = c3_3;
-            built.c4_1 = c4_1;
-            built.c4_2 = c4_2;
-            built.c5_1 = c5_1;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v1 >= 1e-200)
-                && (v2 >= 1e-200)
-                && (v3 >= 1e-200)
-                && (ptc_rational5_kept(K1, k1) != 0)
-                && (ptc_rational5_kept(K2, k2) != 0)
-                && (v4 >= 1e-200)
-                && (ptc_rational5_kept(K3, k3) != 0)
-                && (ptc_rational5_kept(K4, k4) != 0)
-                && (ptc_rational5_kept(K5, k5) != 0)
-                && isfinite(built.c1_5)
-                && isfinite(built.hold_from)
-                && isfinite(built.c2_1)
-                && isfinite(built.c3_2)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_3)
-                && isfinite(built.c2_4)
-                && isfinite(built.c3_1)
-                && isfinite(built.c3_3)
-                && isfinite(built.c4_1)
-                && isfinite(built.c4_2)
-                && isfinite(built.c5_1)) {
+            if ((1e-200 <= v1)
+                && (1e-200 <= v2)
+                && (1e-200 <= v3)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= v4)
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (isfinite(c1_5) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c3_2) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_4) != 0)
+                && (isfinite(c3_1) != 0)
+                && (isfinite(c3_3) != 0)
+                && (isfinite(c4_1) != 0)
+                && (isfinite(c4_2) != 0)
+                && (isfinite(c5_1) != 0)) {
+                built.tau = tau;
+                built.c1_5 = c1_5;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.c2_1 = c2_1;
+                built.c3_2 = c3_2;
+                built.c2_2 = c2_2;
+                built.c2_3 = c2_3;
+                built.c2_4 = c2_4;
+                built.c3_1 = c3_1;
+                built.c3_3 = c3_3;
+                built.c4_1 = c4_1;
+                built.c4_2 = c4_2;
+                built.c5_1 = c5_1;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_rational5_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -119,16 +110,17 @@ ptc_status ptc_rational5_arm(ptc_rational5 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -147,43 +139,42 @@ ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double 
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
             const double v1 = inv_T * inv_T;
             const double row1 = self->c1_5 * inv_T * v1 * v1;
-            const double v2 = ((((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2) * inv_T;
-            const double row2 = ((v2 + self->c2_1) * inv_T) - 120.0;
-            const double v3 = ((((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1) * inv_T;
-            const double row3 = v3 + 240.0;
+            const double s1 = (((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2;
+            const double row2 = (((s1 * inv_T) + self->c2_1) * inv_T) - 120.0;
+            const double s2 = (((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1;
+            const double row3 = (s2 * inv_T) + 240.0;
             const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
             const double row5 = (self->c5_1 * inv_T) + 20.0;
-            const double v4 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-            double v = (((v4 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
+            const double v = (((s3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -193,29 +184,37 @@ ptc_status ptc_rational5_tick(const ptc_rational5 *self, double t, ptc_rational5
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double v1 = inv_T * inv_T;
-        const double row1 = self->c1_5 * inv_T * v1 * v1;
-        const double v2 = ((((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2) * inv_T;
-        const double row2 = ((v2 + self->c2_1) * inv_T) - 120.0;
-        const double v3 = ((((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1) * inv_T;
-        const double row3 = v3 + 240.0;
-        const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
-        const double row5 = (self->c5_1 * inv_T) + 20.0;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1 * (v1 * inv_T) * v1;
-        gains->gain[1] = row2 * v1 * v1;
-        gains->gain[2] = row3 * v1 * inv_T;
-        gains->gain[3] = row4 * inv_T * inv_T;
-        gains->gain[4] = row5 * inv_T;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double row1 = self->c1_5 * inv_T * v1 * v1;
+            const double s1 = (((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2;
+            const double row2 = (((s1 * inv_T) + self->c2_1) * inv_T) - 120.0;
+            const double s2 = (((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1;
+            const double row3 = (s2 * inv_T) + 240.0;
+            const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
+            const double row5 = (self->c5_1 * inv_T) + 20.0;
+            const double gain1 = row1 * (v1 * inv_T) * v1;
+            const double gain2 = row2 * v1 * v1;
+            const double gain3 = row3 * v1 * inv_T;
+            const double gain4 = row4 * inv_T * inv_T;
+            const double gain5 = row5 * inv_T;
+            gains->gain[0] = gain1;
+            gains->gain[1] = gain2;
+            gains->gain[2] = gain3;
+            gains->gain[3] = gain4;
+            gains->gain[4] = gain5;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -233,29 +232,26 @@ ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5
         const double x3 = x[2];
         const double x4 = x[3];
         const double x5 = x[4];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)
-            && isfinite(x5)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4) + (gains->gain[4] * x5);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)
+            && (isfinite(x5) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            const double v = s2 + (gains->gain[4] * x5);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_tan1_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_tan1 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -21,48 +16,44 @@ ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
         const double u_max = params->u_max;
         const double a = params->a;
         const double k1 = params->k[0];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
+            && (isfinite(k1) != 0)
             && (eps < tau)) {
-            struct ptc_tan1 built;
-
             const double K1 = k1 / a;
             const double c1_1 = -K1;
             const double angle_rate = 1.5707963267948966 / tau;
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            built.c1_1 = c1_1;
-            built.tau = tau;
-            built.angle_rate = angle_rate;
-            built.inv_angle_rate = inv_angle_rate;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.inv_tau = inv_tau;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((ptc_tan1_kept(K1, k1) != 0)
-                && isfinite(built.c1_1)
-                && isfinite(built.angle_rate)
-                && isfinite(built.inv_angle_rate)
-                && isfinite(built.hold_from)
-                && isfinite(built.inv_tau)) {
+            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (isfinite(c1_1) != 0)
+                && (isfinite(angle_rate) != 0)
+                && (isfinite(inv_angle_rate) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(inv_tau) != 0)) {
+                built.c1_1 = c1_1;
+                built.tau = tau;
+                built.angle_rate = angle_rate;
+                built.inv_angle_rate = inv_angle_rate;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.inv_tau = inv_tau;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_tan1_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -73,16 +64,17 @@ ptc_status ptc_tan1_arm(ptc_tan1 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -97,42 +89,42 @@ ptc_status ptc_tan1_step(const ptc_tan1 *self, double t, const double x[1], doub
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
             const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
             const double row1 = self->c1_1 * slope;
-            double v = row1 * x1;
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = row1 * x1;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -142,29 +134,35 @@ ptc_status ptc_tan1_tick(const ptc_tan1 *self, double t, ptc_tan1_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double v1 = late * self->inv_tau;
-        const double inv_T_squared = 1.0 / (late * late);
-        const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
-        const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
-        const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-        const double row1 = self->c1_1 * slope;
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
+            const double v2 = v1 * v1;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
+            const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+            const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
+            const double row1 = self->c1_1 * slope;
+            gains->gain[0] = row1;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -178,24 +176,20 @@ ptc_status ptc_tan1_axis(const ptc_tan1_gains *gains, const double x[1], double 
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-
         if (isfinite(x1) != 0) {
-            double v = gains->gain[0] * x1;
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+            const double v = gains->gain[0] * x1;
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

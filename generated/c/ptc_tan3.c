@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_tan3_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_tan3 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -23,22 +18,19 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
         const double k1 = params->k[0];
         const double k2 = params->k[1];
         const double k3 = params->k[2];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
             && (eps < tau)) {
-            struct ptc_tan3 built;
-
             const double v1 = a * a;
             const double v2 = a * v1;
             const double K1 = k1 / v2;
@@ -57,50 +49,49 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             const double c2_4 = (-(0.4052847345693511 * K2)) * v3;
             const double c3_0 = (-(1.5707963267948966 * K3)) / tau;
             const double c3_2 = (-(0.6366197723675814 * K3)) * tau;
-            built.c1_3 = c1_3;
-            built.tau = tau;
-            built.angle_rate = angle_rate;
-            built.inv_angle_rate = inv_angle_rate;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.inv_tau = inv_tau;
-            built.c2_0 = c2_0;
-            built.c2_1 = c2_1;
-            built.c2_2 = c2_2;
-            built.c2_3 = c2_3;
-            built.c2_4 = c2_4;
-            built.c3_0 = c3_0;
-            built.c3_2 = c3_2;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (ptc_tan3_kept(K1, k1) != 0)
-                && (ptc_tan3_kept(K2, k2) != 0)
-                && (ptc_tan3_kept(K3, k3) != 0)
-                && (ptc_tan3_kept(c2_1, k3) != 0)
-                && (ptc_tan3_kept(c2_3, k3) != 0)
-                && (ptc_tan3_kept(c2_4, k2) != 0)
-                && (ptc_tan3_kept(c3_0, k3) != 0)
-                && (ptc_tan3_kept(c3_2, k3) != 0)
-                && isfinite(built.c1_3)
-                && isfinite(built.angle_rate)
-                && isfinite(built.inv_angle_rate)
-                && isfinite(built.hold_from)
-                && isfinite(built.inv_tau)
-                && isfinite(built.c2_0)
-                && isfinite(built.c2_1)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_3)
-                && isfinite(built.c2_4)
-                && isfinite(built.c3_0)
-                && isfinite(built.c3_2)) {
+            if ((1e-200 <= v2)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c2_1)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c2_3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c2_4)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(c3_0)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c3_2)) || (fabs(k3) <= 0.0))
+                && (isfinite(c1_3) != 0)
+                && (isfinite(angle_rate) != 0)
+                && (isfinite(inv_angle_rate) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(inv_tau) != 0)
+                && (isfinite(c2_0) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_4) != 0)
+                && (isfinite(c3_0) != 0)
+                && (isfinite(c3_2) != 0)) {
+                built.c1_3 = c1_3;
+                built.tau = tau;
+                built.angle_rate = angle_rate;
+                built.inv_angle_rate = inv_angle_rate;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.inv_tau = inv_tau;
+                built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
+                built.c2_2 = c2_2;
+                built.c2_3 = c2_3;
+                built.c2_4 = c2_4;
+                built.c3_0 = c3_0;
+                built.c3_2 = c3_2;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_tan3_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -111,16 +102,17 @@ ptc_status ptc_tan3_arm(ptc_tan3 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -137,49 +129,52 @@ ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], doub
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
             const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
             const double row1 = self->c1_3 * slope * slope * slope;
             const double T = -late;
             const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double v9 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-            const double row2 = v9 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
+            const double s10 = (self->c2_4 * cot_rate_squared) + self->c2_2;
+            const double s11 = ((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate;
+            const double row2 = (s10 * cot_rate_squared) + self->c2_0 + s11;
             const double row3 = (self->c3_2 * cot_rate_squared) + self->c3_0 + (6.0 * cot_rate);
-            double v = (row1 * x1) + (row2 * x2) + (row3 * x3);
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double v = (row1 * x1) + (row2 * x2) + (row3 * x3);
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -189,36 +184,43 @@ ptc_status ptc_tan3_tick(const ptc_tan3 *self, double t, ptc_tan3_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double v1 = late * self->inv_tau;
-        const double inv_T_squared = 1.0 / (late * late);
-        const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
-        const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
-        const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-        const double row1 = self->c1_3 * slope * slope * slope;
-        const double T = -late;
-        const double cot_rate = T * inv_T_squared * th_cot_th;
-        const double v9 = ((self->c2_4 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
-        const double row2 = v9 + self->c2_0 + (((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate);
-        const double row3 = (self->c3_2 * cot_rate_squared) + self->c3_0 + (6.0 * cot_rate);
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1;
-        gains->gain[1] = row2;
-        gains->gain[2] = row3;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
+            const double v2 = v1 * v1;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
+            const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+            const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
+            const double row1 = self->c1_3 * slope * slope * slope;
+            const double T = -late;
+            const double cot_rate = T * inv_T_squared * th_cot_th;
+            const double s10 = (self->c2_4 * cot_rate_squared) + self->c2_2;
+            const double s11 = ((self->c2_3 * cot_rate_squared) + self->c2_1) * cot_rate;
+            const double row2 = (s10 * cot_rate_squared) + self->c2_0 + s11;
+            const double row3 = (self->c3_2 * cot_rate_squared) + self->c3_0 + (6.0 * cot_rate);
+            gains->gain[0] = row1;
+            gains->gain[1] = row2;
+            gains->gain[2] = row3;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -234,27 +236,21 @@ ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double 
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1;
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double v = s1 + (gains->gain[2] * x3);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -4,15 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor. */
-static int ptc_tan4_kept(double product, double factor)
-{
-    return ((fabs(product) >= 1e-200) || (fabs(factor) <= 0.0)) ? 1 : 0;
-}
-
 ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_tan4 built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -24,23 +19,20 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
         const double k2 = params->k[1];
         const double k3 = params->k[2];
         const double k4 = params->k[3];
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
-            && isfinite(k1)
-            && isfinite(k2)
-            && isfinite(k3)
-            && isfinite(k4)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (isfinite(k3) != 0)
+            && (isfinite(k4) != 0)
             && (eps < tau)) {
-            struct ptc_tan4 built;
-
             const double v1 = a * a;
             const double v2 = v1 * v1;
             const double K1 = k1 / v2;
@@ -73,72 +65,71 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             const double c3_4 = (-(0.4052847345693511 * K3)) * v5;
             const double c4_0 = (-(1.5707963267948966 * K4)) / tau;
             const double c4_2 = (-(0.6366197723675814 * K4)) * tau;
-            built.c1_4 = c1_4;
-            built.tau = tau;
-            built.angle_rate = angle_rate;
-            built.inv_angle_rate = inv_angle_rate;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.inv_tau = inv_tau;
-            built.c2_0 = c2_0;
-            built.c2_1 = c2_1;
-            built.c2_2 = c2_2;
-            built.c2_3 = c2_3;
-            built.c2_4 = c2_4;
-            built.c2_5 = c2_5;
-            built.c2_6 = c2_6;
-            built.c3_0 = c3_0;
-            built.c3_1 = c3_1;
-            built.c3_2 = c3_2;
-            built.c3_3 = c3_3;
-            built.c3_4 = c3_4;
-            built.c4_0 = c4_0;
-            built.c4_2 = c4_2;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if ((v2 >= 1e-200)
-                && (ptc_tan4_kept(K1, k1) != 0)
-                && (v3 >= 1e-200)
-                && (ptc_tan4_kept(K2, k2) != 0)
-                && (ptc_tan4_kept(K3, k3) != 0)
-                && (ptc_tan4_kept(K4, k4) != 0)
-                && (v6 >= 1e-200)
-                && (ptc_tan4_kept(c2_0, v4) != 0)
-                && (ptc_tan4_kept(c2_2, v7) != 0)
-                && (ptc_tan4_kept(c2_4, v9) != 0)
-                && (ptc_tan4_kept(c2_5, k3) != 0)
-                && (ptc_tan4_kept(c2_6, k2) != 0)
-                && (ptc_tan4_kept(c3_1, k4) != 0)
-                && (ptc_tan4_kept(c3_3, k4) != 0)
-                && (ptc_tan4_kept(c3_4, k3) != 0)
-                && (ptc_tan4_kept(c4_0, k4) != 0)
-                && (ptc_tan4_kept(c4_2, k4) != 0)
-                && isfinite(built.c1_4)
-                && isfinite(built.angle_rate)
-                && isfinite(built.inv_angle_rate)
-                && isfinite(built.hold_from)
-                && isfinite(built.inv_tau)
-                && isfinite(built.c2_0)
-                && isfinite(built.c2_1)
-                && isfinite(built.c2_2)
-                && isfinite(built.c2_3)
-                && isfinite(built.c2_4)
-                && isfinite(built.c2_5)
-                && isfinite(built.c2_6)
-                && isfinite(built.c3_0)
-                && isfinite(built.c3_1)
-                && isfinite(built.c3_2)
-                && isfinite(built.c3_3)
-                && isfinite(built.c3_4)
-                && isfinite(built.c4_0)
-                && isfinite(built.c4_2)) {
+            if ((1e-200 <= v2)
+                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= v3)
+                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= v6)
+                && ((1e-200 <= fabs(c2_0)) || (fabs(v4) <= 0.0))
+                && ((1e-200 <= fabs(c2_2)) || (fabs(v7) <= 0.0))
+                && ((1e-200 <= fabs(c2_4)) || (fabs(v9) <= 0.0))
+                && ((1e-200 <= fabs(c2_5)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c2_6)) || (fabs(k2) <= 0.0))
+                && ((1e-200 <= fabs(c3_1)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(c3_3)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(c3_4)) || (fabs(k3) <= 0.0))
+                && ((1e-200 <= fabs(c4_0)) || (fabs(k4) <= 0.0))
+                && ((1e-200 <= fabs(c4_2)) || (fabs(k4) <= 0.0))
+                && (isfinite(c1_4) != 0)
+                && (isfinite(angle_rate) != 0)
+                && (isfinite(inv_angle_rate) != 0)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(inv_tau) != 0)
+                && (isfinite(c2_0) != 0)
+                && (isfinite(c2_1) != 0)
+                && (isfinite(c2_2) != 0)
+                && (isfinite(c2_3) != 0)
+                && (isfinite(c2_4) != 0)
+                && (isfinite(c2_5) != 0)
+                && (isfinite(c2_6) != 0)
+                && (isfinite(c3_0) != 0)
+                && (isfinite(c3_1) != 0)
+                && (isfinite(c3_2) != 0)
+                && (isfinite(c3_3) != 0)
+                && (isfinite(c3_4) != 0)
+                && (isfinite(c4_0) != 0)
+                && (isfinite(c4_2) != 0)) {
+                built.c1_4 = c1_4;
+                built.tau = tau;
+                built.angle_rate = angle_rate;
+                built.inv_angle_rate = inv_angle_rate;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.inv_tau = inv_tau;
+                built.c2_0 = c2_0;
+                built.c2_1 = c2_1;
+                built.c2_2 = c2_2;
+                built.c2_3 = c2_3;
+                built.c2_4 = c2_4;
+                built.c2_5 = c2_5;
+                built.c2_6 = c2_6;
+                built.c3_0 = c3_0;
+                built.c3_1 = c3_1;
+                built.c3_2 = c3_2;
+                built.c3_3 = c3_3;
+                built.c3_4 = c3_4;
+                built.c4_0 = c4_0;
+                built.c4_2 = c4_2;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_tan4_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -149,16 +140,17 @@ ptc_status ptc_tan4_arm(ptc_tan4 *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
@@ -176,54 +168,60 @@ ptc_status ptc_tan4_step(const ptc_tan4 *self, double t, const double x[4], doub
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
             const double inv_T_squared = 1.0 / (late * late);
             const double v2 = v1 * v1;
-            const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-            const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-            const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-            const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-            const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-            const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-            const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
             const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
             const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-            const double v9 = slope * slope;
-            const double row1 = self->c1_4 * v9 * v9;
+            const double v3 = slope * slope;
+            const double row1 = self->c1_4 * v3 * v3;
             const double T = -late;
             const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double v10 = ((self->c2_5 * cot_rate_squared) + self->c2_3) * cot_rate_squared;
-            const double v11 = ((self->c2_6 * cot_rate_squared) + self->c2_4) * cot_rate_squared;
-            const double row2 = ((v11 + self->c2_2) * cot_rate_squared) + self->c2_0 + ((v10 + self->c2_1) * cot_rate);
-            const double v12 = ((self->c3_4 * cot_rate_squared) + self->c3_2) * cot_rate_squared;
-            const double row3 = v12 + self->c3_0 + (((self->c3_3 * cot_rate_squared) + self->c3_1) * cot_rate);
-            const double row4 = (self->c4_2 * cot_rate_squared) + self->c4_0 + (12.0 * cot_rate);
-            double v = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4);
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            const double s10 = (self->c2_6 * cot_rate_squared) + self->c2_4;
+            const double s11 = ((s10 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+            const double s12 = (self->c2_5 * cot_rate_squared) + self->c2_3;
+            const double s13 = ((s12 * cot_rate_squared) + self->c2_1) * cot_rate;
+            const double row2 = s11 + self->c2_0 + s13;
+            const double s14 = (self->c3_4 * cot_rate_squared) + self->c3_2;
+            const double s15 = ((self->c3_3 * cot_rate_squared) + self->c3_1) * cot_rate;
+            const double row3 = (s14 * cot_rate_squared) + self->c3_0 + s15;
+            const double s16 = (self->c4_2 * cot_rate_squared) + self->c4_0;
+            const double row4 = s16 + (12.0 * cot_rate);
+            const double v = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4);
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;
@@ -233,41 +231,51 @@ ptc_status ptc_tan4_tick(const ptc_tan4 *self, double t, ptc_tan4_gains *gains)
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL)
-        && (gains != NULL)
-        && isfinite(t)
-        && (t >= self->t0)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double v1 = late * self->inv_tau;
-        const double inv_T_squared = 1.0 / (late * late);
-        const double v2 = v1 * v1;
-        const double v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-        const double v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-        const double v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-        const double v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-        const double v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-        const double v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-        const double th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
-        const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
-        const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-        const double v9 = slope * slope;
-        const double row1 = self->c1_4 * v9 * v9;
-        const double T = -late;
-        const double cot_rate = T * inv_T_squared * th_cot_th;
-        const double v10 = ((self->c2_5 * cot_rate_squared) + self->c2_3) * cot_rate_squared;
-        const double v11 = ((self->c2_6 * cot_rate_squared) + self->c2_4) * cot_rate_squared;
-        const double row2 = ((v11 + self->c2_2) * cot_rate_squared) + self->c2_0 + ((v10 + self->c2_1) * cot_rate);
-        const double v12 = ((self->c3_4 * cot_rate_squared) + self->c3_2) * cot_rate_squared;
-        const double row3 = v12 + self->c3_0 + (((self->c3_3 * cot_rate_squared) + self->c3_1) * cot_rate);
-        const double row4 = (self->c4_2 * cot_rate_squared) + self->c4_0 + (12.0 * cot_rate);
-        status = (late < self->hold_from) ? PTC_OK : PTC_HOLD;
-        gains->gain[0] = row1;
-        gains->gain[1] = row2;
-        gains->gain[2] = row3;
-        gains->gain[3] = row4;
-        gains->u_max = self->u_max;
-        gains->status = status;
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v1 = late * self->inv_tau;
+            const double inv_T_squared = 1.0 / (late * late);
+            const double v2 = v1 * v1;
+            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+            const double th_cot_th = (s9 * v2) + 1.0;
+            const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+            const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
+            const double v3 = slope * slope;
+            const double row1 = self->c1_4 * v3 * v3;
+            const double T = -late;
+            const double cot_rate = T * inv_T_squared * th_cot_th;
+            const double s10 = (self->c2_6 * cot_rate_squared) + self->c2_4;
+            const double s11 = ((s10 * cot_rate_squared) + self->c2_2) * cot_rate_squared;
+            const double s12 = (self->c2_5 * cot_rate_squared) + self->c2_3;
+            const double s13 = ((s12 * cot_rate_squared) + self->c2_1) * cot_rate;
+            const double row2 = s11 + self->c2_0 + s13;
+            const double s14 = (self->c3_4 * cot_rate_squared) + self->c3_2;
+            const double s15 = ((self->c3_3 * cot_rate_squared) + self->c3_1) * cot_rate;
+            const double row3 = (s14 * cot_rate_squared) + self->c3_0 + s15;
+            const double s16 = (self->c4_2 * cot_rate_squared) + self->c4_0;
+            const double row4 = s16 + (12.0 * cot_rate);
+            gains->gain[0] = row1;
+            gains->gain[1] = row2;
+            gains->gain[2] = row3;
+            gains->gain[3] = row4;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
     }
     return status;
 }
@@ -284,28 +292,24 @@ ptc_status ptc_tan4_axis(const ptc_tan4_gains *gains, const double x[4], double 
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-
-        if (isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)
-            && isfinite(x4)) {
-            const double v1 = (gains->gain[0] * x1) + (gains->gain[1] * x2) + (gains->gain[2] * x3);
-            double v = v1 + (gains->gain[3] * x4);
-
-            status = gains->status;
-            if (v > gains->u_max) {
-                v = gains->u_max;
+        if ((isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(x4) != 0)) {
+            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            const double v = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
-                v = -gains->u_max;
+                *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
             } else {
-                /* within the bound */
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -94,7 +94,7 @@ typedef struct ptc_tanh1_params {
     double k[1]; /* gains of pi0 = -k_1 xi_1, finite; k[0] is k_1 [1/s] */
 } ptc_tanh1_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_tanh1 {
     double c1_1; /* coefficient of one_plus_E^1 in the gain of x1 */
     double t0; /* start time */
@@ -107,28 +107,39 @@ typedef struct ptc_tanh1 {
     double u_max; /* bound of |u| */
 } ptc_tanh1;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[0]*x[0]. */
+/* Feedback gains at one time. */
 typedef struct ptc_tanh1_gains {
-    double gain[1];
+    double gain[1]; /* u = gain[0] x[0] + ... + gain[0] x[0] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_tanh1_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_tanh1_init(ptc_tanh1 *self, const ptc_tanh1_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_tanh1_arm(ptc_tanh1 *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
 ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
 ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gains);
 
-/* u of one axis from the gains of tick. */
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
 ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], double *u);
 
 #ifdef __cplusplus

@@ -7,6 +7,7 @@
 ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_params *params)
 {
     ptc_status status = PTC_E_PARAM;
+    struct ptc_tanh3_extern built;
 
     if ((self != NULL) && (params != NULL)) {
         const double tau = params->tau;
@@ -14,43 +15,42 @@ ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_
         const double eps = params->eps;
         const double u_max = params->u_max;
         const double a = params->a;
-
-        if (isfinite(tau)
-            && (tau >= 1e-150)
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
-            && isfinite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
-            && isfinite(a)
-            && (a >= 1e-150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && (eps < tau)) {
-            struct ptc_tanh3_extern built;
-
             const double hold_from = -eps;
             const double f16 = 2.0 * tau;
-            built.tau = tau;
-            built.eps = eps;
-            built.hold_from = hold_from;
-            built.f16 = f16;
-            built.a = a;
-            built.f22 = 2.0 * a;
-            built.f24 = f16 * a;
-            built.f29 = 1.0 / tau;
-            built.u_max = u_max;
-            built.t0 = 0.0;
-            built.deadline = 0.0;
-            built.correction = 0.0;
-
-            if (isfinite(built.hold_from)
-                && isfinite(built.f16)
-                && isfinite(built.f22)
-                && isfinite(built.f24)
-                && isfinite(built.f29)) {
+            const double f22 = 2.0 * a;
+            const double f24 = f16 * a;
+            const double f29 = 1.0 / tau;
+            if ((isfinite(hold_from) != 0)
+                && (isfinite(f16) != 0)
+                && (isfinite(f22) != 0)
+                && (isfinite(f24) != 0)
+                && (isfinite(f29) != 0)) {
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.f16 = f16;
+                built.a = a;
+                built.f22 = f22;
+                built.f24 = f24;
+                built.f29 = f29;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
                 status = ptc_tanh3_extern_arm(&built, t0);
-            }
-            if (status == PTC_OK) {
-                *self = built;
+                if (status == PTC_OK) {
+                    *self = built;
+                }
             }
         }
     }
@@ -61,22 +61,30 @@ ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0)
 {
     ptc_status status = PTC_E_PARAM;
 
-    if ((self != NULL) && isfinite(t0)) {
-        const double deadline = t0 + self->tau;
-        const double v1 = deadline - t0;
-        const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
-
-        if (isfinite(deadline) != 0) {
-            self->t0 = t0;
-            self->deadline = deadline;
-            self->correction = correction;
-            status = PTC_OK;
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
         }
     }
     return status;
 }
 
-ptc_status ptc_tanh3_extern_step(const ptc_tanh3_extern *self, double t, const double x[3], ptc_tanh3_extern_pi0 pi0, ptc_tanh3_extern_after after, void *context, double *u)
+ptc_status ptc_tanh3_extern_step(
+    const ptc_tanh3_extern *self,
+    double t,
+    const double x[3],
+    ptc_tanh3_extern_pi0 pi0,
+    ptc_tanh3_extern_after after,
+    void *context,
+    double *u)
 {
     ptc_status status = PTC_E_INPUT;
 
@@ -87,12 +95,11 @@ ptc_status ptc_tanh3_extern_step(const ptc_tanh3_extern *self, double t, const d
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-
-        if (isfinite(t)
-            && (t >= self->t0)
-            && isfinite(x1)
-            && isfinite(x2)
-            && isfinite(x3)) {
+        if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -104,30 +111,38 @@ ptc_status ptc_tanh3_extern_step(const ptc_tanh3_extern *self, double t, const d
             const double v5 = v4 * 0.5;
             const double v6 = T * unit;
             const double inv_r1 = 1.0 / v6;
-            const double v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
             const double xi2 = x2 * v6;
             const double xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
             const double t_kappa = self->t0 + ((-log(T / (self->f16 - T))) / self->f22);
             const double xi[3] = {x1, xi2, xi3};
             const double law = pi0(context, xi, t_kappa);
-            const double v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
-            double v = (past >= 0.0) ? after(context, x, t) : (v8 * inv_r1);
-
-            if (v > self->u_max) {
-                v = self->u_max;
+            double applied;
+            if (0.0 <= past) {
+                applied = after(context, x, t);
+            } else {
+                const double s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
+                const double s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1;
+                applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
+            }
+            const double v = applied;
+            if (self->u_max < v) {
+                *u = self->u_max;
                 status = PTC_SATURATED;
             } else if (v < -self->u_max) {
-                v = -self->u_max;
+                *u = -self->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) == 0) {
-                v = 0.0;
-                status = PTC_E_RANGE;
-            } else if (late < self->hold_from) {
-                status = PTC_OK;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else if (0.0 <= past) {
+                    status = PTC_AFTER;
+                } else {
+                    status = PTC_HOLD;
+                }
             } else {
-                status = (past >= 0.0) ? PTC_AFTER : PTC_HOLD;
+                status = PTC_E_RANGE;
             }
-            *u = v;
         }
     }
     return status;

@@ -97,7 +97,7 @@ typedef struct ptc_tanh3_extern_params {
     double a; /* rate of stretched time [1/s], from 1e-150 to 1e150 */
 } ptc_tanh3_extern_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_tanh3_extern {
     double t0; /* start time */
     double tau; /* prescribed settling time */
@@ -119,15 +119,27 @@ typedef double (*ptc_tanh3_extern_pi0)(void *context, const double xi[3], double
 /* User-defined law for t >= t0 + tau. */
 typedef double (*ptc_tanh3_extern_after)(void *context, const double x[3], double t);
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_tanh3_extern_arm(ptc_tanh3_extern *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). context is passed on unchanged. */
-ptc_status ptc_tanh3_extern_step(const ptc_tanh3_extern *self, double t, const double x[3], ptc_tanh3_extern_pi0 pi0, ptc_tanh3_extern_after after, void *context, double *u);
+/*
+ * u at time t [s] and state x = (x1, x1', ...). context is passed on unchanged. On a negative
+ * status u is 0 and nothing has changed.
+ */
+ptc_status ptc_tanh3_extern_step(
+    const ptc_tanh3_extern *self,
+    double t,
+    const double x[3],
+    ptc_tanh3_extern_pi0 pi0,
+    ptc_tanh3_extern_after after,
+    void *context,
+    double *u);
 
 #ifdef __cplusplus
 }

@@ -124,7 +124,7 @@ typedef struct ptc_tanh5_params {
     double k[5]; /* gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k[0] is k_1 [1/s^5], ..., k[4] is k_5 [1/s] */
 } ptc_tanh5_params;
 
-/* Controller: set by init and arm, read by step and tick. */
+/* Controller: set by init, changed by arm and by what takes it without const. */
 typedef struct ptc_tanh5 {
     double c1_5; /* coefficient of one_plus_E^5 in the gain of x1 */
     double t0; /* start time */
@@ -151,28 +151,39 @@ typedef struct ptc_tanh5 {
     double u_max; /* bound of |u| */
 } ptc_tanh5;
 
-/* Feedback gains at one time: u = gain[0]*x[0] + ... + gain[4]*x[4]. */
+/* Feedback gains at one time. */
 typedef struct ptc_tanh5_gains {
-    double gain[5];
+    double gain[5]; /* u = gain[0] x[0] + ... + gain[4] x[4] */
     double u_max; /* bound of |u| */
     ptc_status status; /* PTC_OK or PTC_HOLD */
 } ptc_tanh5_gains;
 
-/* Takes the parameters and arms at params->t0 (or the fixed t0).
- * PTC_OK, or PTC_E_PARAM with *self untouched. */
+/*
+ * Takes the parameters and arms at params.t0 (or the fixed t0). PTC_OK, or PTC_E_PARAM with *self
+ * untouched.
+ */
 ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params);
 
 /* Starts again at t0 [s]. PTC_OK, or PTC_E_PARAM with *self untouched. */
 ptc_status ptc_tanh5_arm(ptc_tanh5 *self, double t0);
 
-/* u at time t [s] and state x = (x1, x1', ...). */
+/*
+ * u at time t [s] and state x = (x1, x1', ...). On a negative status u is 0 and nothing has
+ * changed.
+ */
 ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], double *u);
 
-/* The gains at time t, for several axes that share one deadline: tick once, then axis for each.
- * On a negative status *gains is unchanged. The result of tick and axis may differ from that of step in the last bits. */
+/*
+ * The gains at time t [s], for several axes that share one deadline: tick once, then axis for each.
+ * The result of tick and axis may differ from that of step in the last bits. On a negative status
+ * *gains is unchanged.
+ */
 ptc_status ptc_tanh5_tick(const ptc_tanh5 *self, double t, ptc_tanh5_gains *gains);
 
-/* u of one axis from the gains of tick. */
+/*
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
+ */
 ptc_status ptc_tanh5_axis(const ptc_tanh5_gains *gains, const double x[5], double *u);
 
 #ifdef __cplusplus

@@ -114,60 +114,61 @@ struct PtcExp3Params {
     double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
     double a{}; ///< rate of stretched time [1/s], from 1e-150 to 1e150
-    std::array<double, 3> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
+    std::array<double, 3> k{}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
 };
 
-/// Feedback gains at one time: u = gain[0]*x[0] + ... + gain[2]*x[2].
+/// Feedback gains at one time.
 struct [[nodiscard]] PtcExp3Gains {
-    std::array<double, 3> gain{{}};
+    std::array<double, 3> gain{}; ///< u = gain[0] x[0] + ... + gain[2] x[2]
     double u_max{}; ///< bound of |u|
     Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains
 
-    /// u of one axis; the status of the gains where that is negative.
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> axis(const std::array<double, 3>& x) const noexcept
     {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
         if (status < Status::Ok) {
             return {0.0, status};
         }
-        if (!(finite(x1)
-            && finite(x2)
-            && finite(x3))) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        if (!(finite(x1) && finite(x2) && finite(x3))) {
             return {0.0, Status::Input};
         }
-        const double v = (gain[0] * x1) + (gain[1] * x2) + (gain[2] * x3);
-        if (v > u_max) {
+        const double s1 = (gain[0] * x1) + (gain[1] * x2);
+        const double v = s1 + (gain[2] * x3);
+        if (u_max < v) {
             return {u_max, Status::Saturated};
-        }
-        if (v < -u_max) {
+        } else if (v < -u_max) {
             return {-u_max, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            return {v, status};
+        } else {
             return {0.0, Status::Range};
         }
-        return {v, status};
     }
 
 private:
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
 };
 
-/// Controller: init or arm set it, all else reads it.
+/// Controller: set by init, changed by arm and by what is not const.
 class PtcExp3 {
 public:
     using Params = PtcExp3Params;
     using State = std::array<double, 3>;
     using Gains = PtcExp3Gains;
 
-    /// Takes the parameters and arms at params.t0 (or the fixed t0).
-    /// Ok, or Param with nothing changed.
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
+        PtcExp3 built{};
         const double tau = params.tau;
         const double t0 = params.t0;
         const double eps = params.eps;
@@ -177,13 +178,13 @@ public:
         const double k2 = params.k[1];
         const double k3 = params.k[2];
         if (!(finite(tau)
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && finite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && finite(a)
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && finite(k1)
             && finite(k2)
@@ -200,7 +201,16 @@ public:
         const double c2 = ((-K2) + K3) - 1.0;
         const double c3 = (-K3) + 3.0;
         const double hold_from = -eps;
-        PtcExp3 built{};
+        if (!((1e-200 <= v2)
+            && ((1e-200 <= absolute(K1)) || (absolute(k1) <= 0.0))
+            && ((1e-200 <= absolute(K2)) || (absolute(k2) <= 0.0))
+            && ((1e-200 <= absolute(K3)) || (absolute(k3) <= 0.0))
+            && finite(c1)
+            && finite(c2)
+            && finite(c3)
+            && finite(hold_from))) {
+            return Status::Param;
+        }
         built.c1_ = c1;
         built.c2_ = c2;
         built.c3_ = c3;
@@ -208,16 +218,9 @@ public:
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.u_max_ = u_max;
-        if (!((v2 >= 1e-200)
-            && kept(K1, k1)
-            && kept(K2, k2)
-            && kept(K3, k3)
-            && finite(built.c1_)
-            && finite(built.c2_)
-            && finite(built.c3_)
-            && finite(built.hold_from_))) {
-            return Status::Param;
-        }
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
         const Status status = built.arm(t0);
         if (status == Status::Ok) {
             *this = built;
@@ -225,16 +228,17 @@ public:
         return status;
     }
 
-    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm(double t0) noexcept
     {
-        if (!(finite(t0))) {
+        if (!finite(t0)) {
             return Status::Param;
         }
         const double deadline = t0 + tau_;
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
-        if (!(finite(deadline))) {
+        if (!finite(deadline)) {
             return Status::Param;
         }
         t0_ = t0;
@@ -244,68 +248,66 @@ public:
     }
 
     /// u at time t [s] and state x = (x1, x1', ...).
-    constexpr Control<double> step(double t, const State& x) const noexcept
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if (!(finite(t)
-            && (t >= t0_)
-            && finite(x1)
-            && finite(x2)
-            && finite(x3))) {
+        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double inv_T = (-1.0) / late;
-        const double v1 = ((((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T) + (c3_ * x3)) * inv_T;
-        const double v = v1;
-        if (v > u_max_) {
+        const double s1 = ((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T;
+        const double v = (s1 + (c3_ * x3)) * inv_T;
+        if (u_max_ < v) {
             return {u_max_, Status::Saturated};
-        }
-        if (v < -u_max_) {
+        } else if (v < -u_max_) {
             return {-u_max_, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            if (late < hold_from_) {
+                return {v, Status::Ok};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
             return {0.0, Status::Range};
         }
-        if (late < hold_from_) {
-            return {v, Status::Ok};
-        }
-        return {v, Status::Hold};
     }
 
-    /// The gains at time t, for several axes that share one deadline: tick once, then axis for each.
-    /// The result of tick and axis may differ from that of step in the last bits.
+    /// The gains at time t [s], for several axes that share one deadline: tick once, then axis for
+    /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t >= t0_))) {
+        if (!(finite(t) && (t0_ <= t))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double inv_T = (-1.0) / late;
+        const double gain1 = c1_ * (inv_T * inv_T) * inv_T;
+        const double gain2 = c2_ * inv_T * inv_T;
+        const double gain3 = c3_ * inv_T;
         Gains gains{};
-        gains.gain[0] = c1_ * (inv_T * inv_T) * inv_T;
-        gains.gain[1] = c2_ * inv_T * inv_T;
-        gains.gain[2] = c3_ * inv_T;
+        gains.gain[0] = gain1;
+        gains.gain[1] = gain2;
+        gains.gain[2] = gain3;
         gains.u_max = u_max_;
-        gains.status = (late < hold_from_) ? Status::Ok : Status::Hold;
+        if (late < hold_from_) {
+            gains.status = Status::Ok;
+        } else {
+            gains.status = Status::Hold;
+        }
         return gains;
     }
 
 private:
-    /// std::isfinite is no constant in C++17.
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-    static constexpr bool kept(double product, double factor) noexcept
-    {
-        return (absolute(product) >= 1e-200) || (absolute(factor) <= 0.0);
     }
 
     static constexpr double absolute(double v) noexcept

@@ -114,60 +114,61 @@ struct PtcExp3F32Params {
     float eps{}; ///< time-to-go at which the gains are held [s], >= 1e-18, < tau
     float u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
     float a{}; ///< rate of stretched time [1/s], from 1e-18 to 1e18
-    std::array<float, 3> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
+    std::array<float, 3> k{}; ///< gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]
 };
 
-/// Feedback gains at one time: u = gain[0]*x[0] + ... + gain[2]*x[2].
+/// Feedback gains at one time.
 struct [[nodiscard]] PtcExp3F32Gains {
-    std::array<float, 3> gain{{}};
+    std::array<float, 3> gain{}; ///< u = gain[0] x[0] + ... + gain[2] x[2]
     float u_max{}; ///< bound of |u|
     Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains
 
-    /// u of one axis; the status of the gains where that is negative.
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    /// On a negative status u is 0 and nothing has changed.
     constexpr Control<float> axis(const std::array<float, 3>& x) const noexcept
     {
-        const float x1 = x[0];
-        const float x2 = x[1];
-        const float x3 = x[2];
         if (status < Status::Ok) {
             return {0.0f, status};
         }
-        if (!(finite(x1)
-            && finite(x2)
-            && finite(x3))) {
+        const float x1 = x[0];
+        const float x2 = x[1];
+        const float x3 = x[2];
+        if (!(finite(x1) && finite(x2) && finite(x3))) {
             return {0.0f, Status::Input};
         }
-        const float v = (gain[0] * x1) + (gain[1] * x2) + (gain[2] * x3);
-        if (v > u_max) {
+        const float s1 = (gain[0] * x1) + (gain[1] * x2);
+        const float v = s1 + (gain[2] * x3);
+        if (u_max < v) {
             return {u_max, Status::Saturated};
-        }
-        if (v < -u_max) {
+        } else if (v < -u_max) {
             return {-u_max, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            return {v, status};
+        } else {
             return {0.0f, Status::Range};
         }
-        return {v, status};
     }
 
 private:
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
 };
 
-/// Controller: init or arm set it, all else reads it.
+/// Controller: set by init, changed by arm and by what is not const.
 class PtcExp3F32 {
 public:
     using Params = PtcExp3F32Params;
     using State = std::array<float, 3>;
     using Gains = PtcExp3F32Gains;
 
-    /// Takes the parameters and arms at params.t0 (or the fixed t0).
-    /// Ok, or Param with nothing changed.
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
+        PtcExp3F32 built{};
         const float tau = params.tau;
         const float t0 = params.t0;
         const float eps = params.eps;
@@ -177,13 +178,13 @@ public:
         const float k2 = params.k[1];
         const float k3 = params.k[2];
         if (!(finite(tau)
-            && (tau >= 1e-18f)
+            && (1e-18f <= tau)
             && (tau <= 1e18f)
             && finite(t0)
-            && (eps >= 1e-18f)
-            && (u_max > 0.0f)
+            && (1e-18f <= eps)
+            && (0.0f < u_max)
             && finite(a)
-            && (a >= 1e-18f)
+            && (1e-18f <= a)
             && (a <= 1e18f)
             && finite(k1)
             && finite(k2)
@@ -200,7 +201,16 @@ public:
         const float c2 = ((-K2) + K3) - 1.0f;
         const float c3 = (-K3) + 3.0f;
         const float hold_from = -eps;
-        PtcExp3F32 built{};
+        if (!((1e-30f <= v2)
+            && ((1e-30f <= absolute(K1)) || (absolute(k1) <= 0.0f))
+            && ((1e-30f <= absolute(K2)) || (absolute(k2) <= 0.0f))
+            && ((1e-30f <= absolute(K3)) || (absolute(k3) <= 0.0f))
+            && finite(c1)
+            && finite(c2)
+            && finite(c3)
+            && finite(hold_from))) {
+            return Status::Param;
+        }
         built.c1_ = c1;
         built.c2_ = c2;
         built.c3_ = c3;
@@ -208,16 +218,9 @@ public:
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.u_max_ = u_max;
-        if (!((v2 >= 1e-30f)
-            && kept(K1, k1)
-            && kept(K2, k2)
-            && kept(K3, k3)
-            && finite(built.c1_)
-            && finite(built.c2_)
-            && finite(built.c3_)
-            && finite(built.hold_from_))) {
-            return Status::Param;
-        }
+        built.t0_ = 0.0f;
+        built.deadline_ = 0.0f;
+        built.correction_ = 0.0f;
         const Status status = built.arm(t0);
         if (status == Status::Ok) {
             *this = built;
@@ -225,16 +228,17 @@ public:
         return status;
     }
 
-    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm(float t0) noexcept
     {
-        if (!(finite(t0))) {
+        if (!finite(t0)) {
             return Status::Param;
         }
         const float deadline = t0 + tau_;
         const float v1 = deadline - t0;
         const float correction = (t0 - (deadline - v1)) + (tau_ - v1);
-        if (!(finite(deadline))) {
+        if (!finite(deadline)) {
             return Status::Param;
         }
         t0_ = t0;
@@ -244,68 +248,66 @@ public:
     }
 
     /// u at time t [s] and state x = (x1, x1', ...).
-    constexpr Control<float> step(float t, const State& x) const noexcept
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<float> step(float t, const std::array<float, 3>& x) const noexcept
     {
         const float x1 = x[0];
         const float x2 = x[1];
         const float x3 = x[2];
-        if (!(finite(t)
-            && (t >= t0_)
-            && finite(x1)
-            && finite(x2)
-            && finite(x3))) {
+        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
             return {0.0f, Status::Input};
         }
         const float past = (t - deadline_) - correction_;
         const float late = (past < hold_from_) ? past : hold_from_;
         const float inv_T = (-1.0f) / late;
-        const float v1 = ((((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T) + (c3_ * x3)) * inv_T;
-        const float v = v1;
-        if (v > u_max_) {
+        const float s1 = ((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T;
+        const float v = (s1 + (c3_ * x3)) * inv_T;
+        if (u_max_ < v) {
             return {u_max_, Status::Saturated};
-        }
-        if (v < -u_max_) {
+        } else if (v < -u_max_) {
             return {-u_max_, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            if (late < hold_from_) {
+                return {v, Status::Ok};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
             return {0.0f, Status::Range};
         }
-        if (late < hold_from_) {
-            return {v, Status::Ok};
-        }
-        return {v, Status::Hold};
     }
 
-    /// The gains at time t, for several axes that share one deadline: tick once, then axis for each.
-    /// The result of tick and axis may differ from that of step in the last bits.
+    /// The gains at time t [s], for several axes that share one deadline: tick once, then axis for
+    /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(float t) const noexcept
     {
-        if (!(finite(t) && (t >= t0_))) {
+        if (!(finite(t) && (t0_ <= t))) {
             return {};
         }
         const float past = (t - deadline_) - correction_;
         const float late = (past < hold_from_) ? past : hold_from_;
         const float inv_T = (-1.0f) / late;
+        const float gain1 = c1_ * (inv_T * inv_T) * inv_T;
+        const float gain2 = c2_ * inv_T * inv_T;
+        const float gain3 = c3_ * inv_T;
         Gains gains{};
-        gains.gain[0] = c1_ * (inv_T * inv_T) * inv_T;
-        gains.gain[1] = c2_ * inv_T * inv_T;
-        gains.gain[2] = c3_ * inv_T;
+        gains.gain[0] = gain1;
+        gains.gain[1] = gain2;
+        gains.gain[2] = gain3;
         gains.u_max = u_max_;
-        gains.status = (late < hold_from_) ? Status::Ok : Status::Hold;
+        if (late < hold_from_) {
+            gains.status = Status::Ok;
+        } else {
+            gains.status = Status::Hold;
+        }
         return gains;
     }
 
 private:
-    /// std::isfinite is no constant in C++17.
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
-    }
-
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-    static constexpr bool kept(float product, float factor) noexcept
-    {
-        return (absolute(product) >= 1e-30f) || (absolute(factor) <= 0.0f);
     }
 
     static constexpr float absolute(float v) noexcept

@@ -110,59 +110,60 @@ struct PtcExpSum2Params {
     double t0{}; ///< start time [s], finite
     double eps{}; ///< time-to-go at which the gains are held [s], >= 1e-150, < tau
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
-    std::array<double, 2> rates{{}}; ///< rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]
-    std::array<double, 2> k{{}}; ///< gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
+    std::array<double, 2> rates{}; ///< rates a_i of stretched time, from 1e-150 to 1e150; rates[0] is a_1 [1/s], rates[1] is a_2 [1/s]
+    std::array<double, 2> k{}; ///< gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
 };
 
-/// Feedback gains at one time: u = gain[0]*x[0] + ... + gain[1]*x[1].
+/// Feedback gains at one time.
 struct [[nodiscard]] PtcExpSum2Gains {
-    std::array<double, 2> gain{{}};
+    std::array<double, 2> gain{}; ///< u = gain[0] x[0] + ... + gain[1] x[1]
     double u_max{}; ///< bound of |u|
     Status status{Status::Input}; ///< Ok or Hold; negative where there are no gains
 
-    /// u of one axis; the status of the gains where that is negative.
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> axis(const std::array<double, 2>& x) const noexcept
     {
-        const double x1 = x[0];
-        const double x2 = x[1];
         if (status < Status::Ok) {
             return {0.0, status};
         }
-        if (!(finite(x1)
-            && finite(x2))) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        if (!(finite(x1) && finite(x2))) {
             return {0.0, Status::Input};
         }
         const double v = (gain[0] * x1) + (gain[1] * x2);
-        if (v > u_max) {
+        if (u_max < v) {
             return {u_max, Status::Saturated};
-        }
-        if (v < -u_max) {
+        } else if (v < -u_max) {
             return {-u_max, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            return {v, status};
+        } else {
             return {0.0, Status::Range};
         }
-        return {v, status};
     }
 
 private:
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
 };
 
-/// Controller: init or arm set it, all else reads it.
+/// Controller: set by init, changed by arm and by what is not const.
 class PtcExpSum2 {
 public:
     using Params = PtcExpSum2Params;
     using State = std::array<double, 2>;
     using Gains = PtcExpSum2Gains;
 
-    /// Takes the parameters and arms at params.t0 (or the fixed t0).
-    /// Ok, or Param with nothing changed.
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
+        PtcExpSum2 built{};
         const double tau = params.tau;
         const double t0 = params.t0;
         const double eps = params.eps;
@@ -172,16 +173,16 @@ public:
         const double k1 = params.k[0];
         const double k2 = params.k[1];
         if (!(finite(tau)
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && finite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && finite(a1)
-            && (a1 >= 1e-150)
+            && (1e-150 <= a1)
             && (a1 <= 1e150)
             && finite(a2)
-            && (a2 >= 1e-150)
+            && (1e-150 <= a2)
             && (a2 <= 1e150)
             && finite(k1)
             && finite(k2)
@@ -194,14 +195,31 @@ public:
         const double v2 = 1.0 / a2;
         const double slowest = (v1 < v2) ? v2 : v1;
         const double mean_period = 2.0 / (a1 + a2);
-        const double tolerance = 0.03 / ((a1 < a2) ? a2 : a1);
+        const double s1 = (a1 < a2) ? a2 : a1;
+        const double tolerance = 0.03 / s1;
         const double b1_1 = 0.5 * a1 * tau;
         const double b1_2 = 0.5 * a2 * tau;
         const double b2_1 = (-0.25) * (a1 * a1) * tau;
         const double b2_2 = (-0.25) * (a2 * a2) * tau;
         const double w1 = -k1;
         const double w2 = -k2;
-        PtcExpSum2 built{};
+        if (!((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && ((1e-200 <= absolute(w1)) || (absolute(k1) <= 0.0))
+            && ((1e-200 <= absolute(w2)) || (absolute(k2) <= 0.0))
+            && finite(hold_from)
+            && finite(target_rate)
+            && finite(slowest)
+            && finite(mean_period)
+            && finite(tolerance)
+            && finite(b1_1)
+            && finite(b1_2)
+            && finite(b2_1)
+            && finite(b2_2)
+            && finite(w1)
+            && finite(w2))) {
+            return Status::Param;
+        }
         built.a1_ = a1;
         built.a2_ = a2;
         built.tau_ = tau;
@@ -218,23 +236,9 @@ public:
         built.w1_ = w1;
         built.w2_ = w2;
         built.u_max_ = u_max;
-        if (!((b2_1 <= -1e-200)
-            && (b2_2 <= -1e-200)
-            && kept(w1, k1)
-            && kept(w2, k2)
-            && finite(built.hold_from_)
-            && finite(built.target_rate_)
-            && finite(built.slowest_)
-            && finite(built.mean_period_)
-            && finite(built.tolerance_)
-            && finite(built.b1_1_)
-            && finite(built.b1_2_)
-            && finite(built.b2_1_)
-            && finite(built.b2_2_)
-            && finite(built.w1_)
-            && finite(built.w2_))) {
-            return Status::Param;
-        }
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
         const Status status = built.arm(t0);
         if (status == Status::Ok) {
             *this = built;
@@ -242,16 +246,17 @@ public:
         return status;
     }
 
-    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm(double t0) noexcept
     {
-        if (!(finite(t0))) {
+        if (!finite(t0)) {
             return Status::Param;
         }
         const double deadline = t0 + tau_;
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
-        if (!(finite(deadline))) {
+        if (!finite(deadline)) {
             return Status::Param;
         }
         t0_ = t0;
@@ -261,14 +266,12 @@ public:
     }
 
     /// u at time t [s] and state x = (x1, x1', ...).
-    Control<double> step(double t, const State& x) const noexcept
+    /// On a negative status u is 0 and nothing has changed.
+    Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
         const double x1 = x[0];
         const double x2 = x[1];
-        if (!(finite(t)
-            && (t >= t0_)
-            && finite(x1)
-            && finite(x2))) {
+        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -291,16 +294,16 @@ public:
             const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
             const double v11 = 1.0 / (v6 + v8);
             const double v12 = v7 * v11;
-            const double v13 = 1.0 + (0.5 * v10 * ((((a1_ * v6) + (a2_ * v8)) * v11 * v12) - 1.0));
-            const double v14 = v10 * v12 * v13;
-            const double y_next = y + v14;
-            const double y_size = absolute(v14);
-            if (v10 > 0.0) {
+            const double s1 = (((a1_ * v6) + (a2_ * v8)) * v11 * v12) - 1.0;
+            const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+            const double y_next = y + v13;
+            const double y_size = absolute(v13);
+            if (0.0 < v10) {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if ((y_next >= y_low) && (y_next <= y_high)) {
+            if ((y_low <= y_next) && (y_next <= y_high)) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -309,40 +312,42 @@ public:
                 break;
             }
         }
-        const double v15 = std::exp(-(a1_ * y));
-        const double v16 = std::exp(-(a2_ * y));
-        const double v17 = a1_ * v15;
-        const double v18 = a2_ * v16;
-        const double v19 = 1.0 / (v17 + v18);
-        const double v20 = ((v15 + v16) - target) * v19;
-        const double v21 = v20 * (1.0 + (0.5 * (((a1_ * v17) + (a2_ * v18)) * v19 * v20)));
-        const double v22 = a1_ * v21;
-        const double v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-        const double v24 = a2_ * v21;
-        const double v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-        const double inv_r1 = 1.0 / ((b1_1_ * v23) + (b1_2_ * v25));
-        const double p2 = ((b2_1_ * v23) + (b2_2_ * v25)) * inv_r1;
-        const double v = ((w1_ * x1 * inv_r1) + ((w2_ + ((-2.0) * p2)) * x2)) * inv_r1;
-        if (v > u_max_) {
+        const double v14 = std::exp(-(a1_ * y));
+        const double v15 = std::exp(-(a2_ * y));
+        const double v16 = a1_ * v14;
+        const double v17 = a2_ * v15;
+        const double v18 = 1.0 / (v16 + v17);
+        const double v19 = ((v14 + v15) - target) * v18;
+        const double s2 = 1.0 + (0.5 * (((a1_ * v16) + (a2_ * v17)) * v18 * v19));
+        const double v20 = v19 * s2;
+        const double v21 = a1_ * v20;
+        const double v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+        const double v23 = a2_ * v20;
+        const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+        const double inv_r1 = 1.0 / ((b1_1_ * v22) + (b1_2_ * v24));
+        const double p2 = ((b2_1_ * v22) + (b2_2_ * v24)) * inv_r1;
+        const double s3 = (w1_ * x1 * inv_r1) + ((w2_ + ((-2.0) * p2)) * x2);
+        const double v = s3 * inv_r1;
+        if (u_max_ < v) {
             return {u_max_, Status::Saturated};
-        }
-        if (v < -u_max_) {
+        } else if (v < -u_max_) {
             return {-u_max_, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            if (late < hold_from_) {
+                return {v, Status::Ok};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
             return {0.0, Status::Range};
         }
-        if (late < hold_from_) {
-            return {v, Status::Ok};
-        }
-        return {v, Status::Hold};
     }
 
-    /// The gains at time t, for several axes that share one deadline: tick once, then axis for each.
-    /// The result of tick and axis may differ from that of step in the last bits.
+    /// The gains at time t [s], for several axes that share one deadline: tick once, then axis for
+    /// each. The result of tick and axis may differ from that of step in the last bits.
     Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t >= t0_))) {
+        if (!(finite(t) && (t0_ <= t))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;
@@ -365,16 +370,16 @@ public:
             const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
             const double v11 = 1.0 / (v6 + v8);
             const double v12 = v7 * v11;
-            const double v13 = 1.0 + (0.5 * v10 * ((((a1_ * v6) + (a2_ * v8)) * v11 * v12) - 1.0));
-            const double v14 = v10 * v12 * v13;
-            const double y_next = y + v14;
-            const double y_size = absolute(v14);
-            if (v10 > 0.0) {
+            const double s1 = (((a1_ * v6) + (a2_ * v8)) * v11 * v12) - 1.0;
+            const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+            const double y_next = y + v13;
+            const double y_size = absolute(v13);
+            if (0.0 < v10) {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if ((y_next >= y_low) && (y_next <= y_high)) {
+            if ((y_low <= y_next) && (y_next <= y_high)) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -383,38 +388,39 @@ public:
                 break;
             }
         }
-        const double v15 = std::exp(-(a1_ * y));
-        const double v16 = std::exp(-(a2_ * y));
-        const double v17 = a1_ * v15;
-        const double v18 = a2_ * v16;
-        const double v19 = 1.0 / (v17 + v18);
-        const double v20 = ((v15 + v16) - target) * v19;
-        const double v21 = v20 * (1.0 + (0.5 * (((a1_ * v17) + (a2_ * v18)) * v19 * v20)));
-        const double v22 = a1_ * v21;
-        const double v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-        const double v24 = a2_ * v21;
-        const double v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-        const double inv_r1 = 1.0 / ((b1_1_ * v23) + (b1_2_ * v25));
-        const double p2 = ((b2_1_ * v23) + (b2_2_ * v25)) * inv_r1;
+        const double v14 = std::exp(-(a1_ * y));
+        const double v15 = std::exp(-(a2_ * y));
+        const double v16 = a1_ * v14;
+        const double v17 = a2_ * v15;
+        const double v18 = 1.0 / (v16 + v17);
+        const double v19 = ((v14 + v15) - target) * v18;
+        const double s2 = 1.0 + (0.5 * (((a1_ * v16) + (a2_ * v17)) * v18 * v19));
+        const double v20 = v19 * s2;
+        const double v21 = a1_ * v20;
+        const double v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+        const double v23 = a2_ * v20;
+        const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+        const double inv_r1 = 1.0 / ((b1_1_ * v22) + (b1_2_ * v24));
+        const double p2 = ((b2_1_ * v22) + (b2_2_ * v24)) * inv_r1;
+        const double gain1 = w1_ * inv_r1 * inv_r1;
+        const double gain2 = (w2_ + ((-2.0) * p2)) * inv_r1;
         Gains gains{};
-        gains.gain[0] = w1_ * inv_r1 * inv_r1;
-        gains.gain[1] = (w2_ + ((-2.0) * p2)) * inv_r1;
+        gains.gain[0] = gain1;
+        gains.gain[1] = gain2;
         gains.u_max = u_max_;
-        gains.status = (late < hold_from_) ? Status::Ok : Status::Hold;
+        if (late < hold_from_) {
+            gains.status = Status::Ok;
+        } else {
+            gains.status = Status::Hold;
+        }
         return gains;
     }
 
 private:
-    /// std::isfinite is no constant in C++17.
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-    static constexpr bool kept(double product, double factor) noexcept
-    {
-        return (absolute(product) >= 1e-200) || (absolute(factor) <= 0.0);
     }
 
     static constexpr double absolute(double v) noexcept

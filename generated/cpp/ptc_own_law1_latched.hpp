@@ -99,38 +99,42 @@ struct PtcOwnLaw1LatchedParams {
     double u_max{}; ///< bound of |u| [unit of u], > 0, infinity allowed
 };
 
-/// Controller: init or arm set it, all else reads it.
+/// Controller: set by init, changed by arm and by what is not const.
 class PtcOwnLaw1Latched {
 public:
     using Params = PtcOwnLaw1LatchedParams;
     using State = std::array<double, 1>;
 
-    /// Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0.
-    /// Ok, or Param with nothing changed.
+    /// Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0. Ok, or
+    /// Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params, const State& x0) noexcept
     {
+        PtcOwnLaw1Latched built{};
         const double tau = params.tau;
         const double t0 = params.t0;
         const double eps = params.eps;
         const double u_max = params.u_max;
         if (!(finite(tau)
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && finite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && (eps < tau))) {
             return Status::Param;
         }
         const double hold_from = -eps;
-        PtcOwnLaw1Latched built{};
+        if (!finite(hold_from)) {
+            return Status::Param;
+        }
         built.tau_ = tau;
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.u_max_ = u_max;
-        if (!(finite(built.hold_from_))) {
-            return Status::Param;
-        }
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
+        built.x1_0_ = 0.0;
         const Status status = built.arm(t0, x0);
         if (status == Status::Ok) {
             *this = built;
@@ -138,33 +142,32 @@ public:
         return status;
     }
 
-    /// Starts again at t0 [s], latching the state x0. Ok, or Param with nothing changed.
-    [[nodiscard]] constexpr Status arm(double t0, const State& x0) noexcept
+    /// Starts again at t0 [s], latching the state x0.
+    /// Ok, or Param with nothing changed.
+    [[nodiscard]] constexpr Status arm(double t0, const std::array<double, 1>& x0) noexcept
     {
         if (!(finite(t0) && finite(x0[0]))) {
             return Status::Param;
         }
-        const double x1_0 = x0[0];
         const double deadline = t0 + tau_;
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
-        if (!(finite(deadline))) {
+        if (!finite(deadline)) {
             return Status::Param;
         }
         t0_ = t0;
         deadline_ = deadline;
         correction_ = correction;
-        x1_0_ = x1_0;
+        x1_0_ = x0[0];
         return Status::Ok;
     }
 
     /// u at time t [s] and state x = (x1, x1', ...).
-    constexpr Control<double> step(double t, const State& x) const noexcept
+    /// On a negative status u is 0 and nothing has changed.
+    constexpr Control<double> step(double t, const std::array<double, 1>& x) const noexcept
     {
         const double x1 = x[0];
-        if (!(finite(t)
-            && (t >= t0_)
-            && finite(x1))) {
+        if (!(finite(t) && (t0_ <= t) && finite(x1))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -173,23 +176,23 @@ public:
         const double inv_r1 = 1.0 / T;
         const double law = ((-2.0) * x1) - (x1 * x1_0_);
         const double v = law * inv_r1;
-        if (v > u_max_) {
+        if (u_max_ < v) {
             return {u_max_, Status::Saturated};
-        }
-        if (v < -u_max_) {
+        } else if (v < -u_max_) {
             return {-u_max_, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            if (late < hold_from_) {
+                return {v, Status::Ok};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
             return {0.0, Status::Range};
         }
-        if (late < hold_from_) {
-            return {v, Status::Ok};
-        }
-        return {v, Status::Hold};
     }
 
 private:
-    /// std::isfinite is no constant in C++17.
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());

@@ -112,52 +112,54 @@ struct PtcTanh3ExternParams {
     double a{}; ///< rate of stretched time [1/s], from 1e-150 to 1e150
 };
 
-/// Controller: init or arm set it, all else reads it.
+/// Controller: set by init, changed by arm and by what is not const.
 class PtcTanh3Extern {
 public:
     using Params = PtcTanh3ExternParams;
     using State = std::array<double, 3>;
 
-    /// Takes the parameters and arms at params.t0 (or the fixed t0).
-    /// Ok, or Param with nothing changed.
+    /// Takes the parameters and arms at params.t0 (or the fixed t0). Ok, or Param with nothing
+    /// changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
+        PtcTanh3Extern built{};
         const double tau = params.tau;
         const double t0 = params.t0;
         const double eps = params.eps;
         const double u_max = params.u_max;
         const double a = params.a;
         if (!(finite(tau)
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && finite(t0)
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && finite(a)
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && (eps < tau))) {
             return Status::Param;
         }
         const double hold_from = -eps;
         const double f16 = 2.0 * tau;
-        PtcTanh3Extern built{};
+        const double f22 = 2.0 * a;
+        const double f24 = f16 * a;
+        const double f29 = 1.0 / tau;
+        if (!(finite(hold_from) && finite(f16) && finite(f22) && finite(f24) && finite(f29))) {
+            return Status::Param;
+        }
         built.tau_ = tau;
         built.eps_ = eps;
         built.hold_from_ = hold_from;
         built.f16_ = f16;
         built.a_ = a;
-        built.f22_ = 2.0 * a;
-        built.f24_ = f16 * a;
-        built.f29_ = 1.0 / tau;
+        built.f22_ = f22;
+        built.f24_ = f24;
+        built.f29_ = f29;
         built.u_max_ = u_max;
-        if (!(finite(built.hold_from_)
-            && finite(built.f16_)
-            && finite(built.f22_)
-            && finite(built.f24_)
-            && finite(built.f29_))) {
-            return Status::Param;
-        }
+        built.t0_ = 0.0;
+        built.deadline_ = 0.0;
+        built.correction_ = 0.0;
         const Status status = built.arm(t0);
         if (status == Status::Ok) {
             *this = built;
@@ -165,16 +167,17 @@ public:
         return status;
     }
 
-    /// Starts again at t0 [s]. Ok, or Param with nothing changed.
+    /// Starts again at t0 [s].
+    /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm(double t0) noexcept
     {
-        if (!(finite(t0))) {
+        if (!finite(t0)) {
             return Status::Param;
         }
         const double deadline = t0 + tau_;
         const double v1 = deadline - t0;
         const double correction = (t0 - (deadline - v1)) + (tau_ - v1);
-        if (!(finite(deadline))) {
+        if (!finite(deadline)) {
             return Status::Param;
         }
         t0_ = t0;
@@ -183,18 +186,17 @@ public:
         return Status::Ok;
     }
 
-    /// u at time t [s] and state x = (x1, x1', ...). pi0(xi, t) is the user-defined law, t the stretched time kappa + t0. after(x, t) gives u for t >= t0 + tau.
+    /// u at time t [s] and state x = (x1, x1', ...).
+    /// `pi0`: User-defined law pi0(xi, t); t is the stretched time kappa + t0.
+    /// `after`: User-defined law for t >= t0 + tau.
+    /// On a negative status u is 0 and nothing has changed.
     template <class Pi0, class Then>
-    Control<double> step(double t, const State& x, Pi0&& pi0, Then&& after) const
+    Control<double> step(double t, const std::array<double, 3>& x, Pi0&& pi0, Then&& after) const
     {
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if (!(finite(t)
-            && (t >= t0_)
-            && finite(x1)
-            && finite(x2)
-            && finite(x3))) {
+        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -208,31 +210,39 @@ public:
         const double v5 = v4 * 0.5;
         const double v6 = T * unit;
         const double inv_r1 = 1.0 / v6;
-        const double v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
         const double xi2 = x2 * v6;
         const double xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
         const double t_kappa = t0_ + ((-std::log(T / (f16_ - T))) / f22_);
         const std::array<double, 3> xi{{x1, xi2, xi3}};
         const double law = pi0(xi, t_kappa);
-        const double v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
-        const double v = (past >= 0.0) ? after(x, t) : (v8 * inv_r1);
-        if (v > u_max_) {
+        double applied{};
+        if (0.0 <= past) {
+            applied = after(x, t);
+        } else {
+            const double s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
+            const double s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1;
+            applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
+        }
+        const double v = applied;
+        if (u_max_ < v) {
             return {u_max_, Status::Saturated};
-        }
-        if (v < -u_max_) {
+        } else if (v < -u_max_) {
             return {-u_max_, Status::Saturated};
-        }
-        if (!finite(v)) {
+        } else if (finite(v)) {
+            if (late < hold_from_) {
+                return {v, Status::Ok};
+            } else if (0.0 <= past) {
+                return {v, Status::After};
+            } else {
+                return {v, Status::Hold};
+            }
+        } else {
             return {0.0, Status::Range};
         }
-        if (late < hold_from_) {
-            return {v, Status::Ok};
-        }
-        return {v, (past >= 0.0) ? Status::After : Status::Hold};
     }
 
 private:
-    /// std::isfinite is no constant in C++17.
+    /// std::isfinite is not constexpr in C++17.
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());

@@ -1,17 +1,18 @@
 function self = ptc_exp3_arm(self, t0) %#codegen
-%PTC_EXP3_ARM  Starts again at t0 [s].
+%PTC_EXP3_ARM Starts again at t0 [s].
 %
-%   self = ptc_exp3_arm(self, t0). An error ptc_exp3:param where t0 or the deadline is not finite.
+%   self = ptc_exp3_arm(self, t0), with self from ptc_exp3_init. Keep self: it is what the next call
+%   needs.
 
 t0 = double(t0);
 if ~isfinite(t0)
-    error('ptc_exp3:param', 't0 must be finite');
+    error('ptc_exp3:param', 't0, and what follows, must be finite');
 end
 deadline = t0 + self.tau;
 v1 = deadline - t0;
 correction = (t0 - (deadline - v1)) + (self.tau - v1);
 if ~isfinite(deadline)
-    error('ptc_exp3:param', 't0 + tau must be finite');
+    error('ptc_exp3:param', 't0, and what follows, must be finite');
 end
 self.t0 = t0;
 self.deadline = deadline;

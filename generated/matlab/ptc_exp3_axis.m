@@ -1,14 +1,14 @@
 function [u, status] = ptc_exp3_axis(gains, x) %#codegen
-%PTC_EXP3_AXIS  u of one axis from the gains of ptc_exp3_tick.
+%PTC_EXP3_AXIS u of one axis from its state x = (x1, x1', ...) and the gains.
 %
-%   [u, status] = ptc_exp3_axis(gains, x); the status of the gains where that is negative.
+%   [u, status] = ptc_exp3_axis(gains, x), with gains from ptc_exp3_tick.
 %
-%   status (int32); u is 0 on a negative one:
+%   status (int32); on a negative one what is given is 0, and self is as it was:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over: u is 0 or that of the user-defined law
-%     -2  x or t not finite, or t before t0
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
 u = 0.0;
@@ -16,18 +16,17 @@ status = gains.status;
 if status < 0
     return;
 end
-x1 = double(x(1));
-x2 = double(x(2));
-x3 = double(x(3));
-if ~(isfinite(x1) ...
-        && isfinite(x2) ...
-        && isfinite(x3))
+x = double(x);
+x1 = x(1);
+x2 = x(2);
+x3 = x(3);
+if ~(isfinite(x1) && isfinite(x2) && isfinite(x3))
     status = int32(-2);
     return;
 end
-v1 = (gains.gain(1) * x1) + (gains.gain(2) * x2) + (gains.gain(3) * x3);
-v = v1;
-if v > gains.u_max
+s1 = (gains.gain(1) * x1) + (gains.gain(2) * x2);
+v = s1 + (gains.gain(3) * x3);
+if gains.u_max < v
     u = gains.u_max;
     status = int32(2);
 elseif v < -gains.u_max
@@ -35,6 +34,7 @@ elseif v < -gains.u_max
     status = int32(2);
 elseif isfinite(v)
     u = v;
+    status = gains.status;
 else
     status = int32(-3);
 end

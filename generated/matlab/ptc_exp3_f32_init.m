@@ -1,8 +1,8 @@
 function self = ptc_exp3_f32_init(params) %#codegen
-%PTC_EXP3_F32_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
+%PTC_EXP3_F32_INIT Takes the parameters and arms at params.t0 (or the fixed t0).
 %
-%   self = ptc_exp3_f32_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
+%   self = ptc_exp3_f32_init(params) is the controller, for the functions that stand beside this
+%   one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an
 %   error ptc_exp3_f32:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
@@ -85,43 +85,52 @@ function self = ptc_exp3_f32_init(params) %#codegen
 % Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
 %       multiplications, 1 division.
 
-tau = single(params.tau);
-t0 = single(params.t0);
-eps = single(params.eps);
-u_max = single(params.u_max);
-a = single(params.a);
-k1 = single(params.k(1));
-k2 = single(params.k(2));
-k3 = single(params.k(3));
-
-if ~(isfinite(tau) && (tau >= single(1.000000045813705e-18)) && (tau <= single(9.999999843067494e17)))
-    error('ptc_exp3_f32:param', 'params.tau is %g; legal: from 1e-18 to 1e18', tau);
+given.tau = single(params.tau);
+given.t0 = single(params.t0);
+given.eps = single(params.eps);
+given.u_max = single(params.u_max);
+given.a = single(params.a);
+given.k = single(params.k);
+if numel(params.k) ~= 3
+    error('ptc_exp3_f32:param', 'params.k has %d numbers; legal: 3', numel(params.k));
+end
+tau = given.tau;
+t0 = given.t0;
+eps = given.eps;
+u_max = given.u_max;
+a = given.a;
+k1 = given.k(1);
+k2 = given.k(2);
+k3 = given.k(3);
+if ~(isfinite(tau) ...
+    && (single(1.000000045813705e-18) <= tau) ...
+    && (tau <= single(9.999999843067494e17)))
+    error('ptc_exp3_f32:param', 'params.tau is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.tau);
 end
 if ~isfinite(t0)
-    error('ptc_exp3_f32:param', 'params.t0 is %g; legal: finite', t0);
+    error('ptc_exp3_f32:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(eps >= single(1.000000045813705e-18))
-    error('ptc_exp3_f32:param', 'params.eps is %g; legal: >= 1e-18, < tau', eps);
+if ~(single(1.000000045813705e-18) <= eps)
+    error('ptc_exp3_f32:param', 'params.eps is %g; legal: >= 1.000000045813705e-18', params.eps);
 end
-if ~(u_max > single(0.0))
-    error('ptc_exp3_f32:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+if ~(single(0.0) < u_max)
+    error('ptc_exp3_f32:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
-if ~(isfinite(a) && (a >= single(1.000000045813705e-18)) && (a <= single(9.999999843067494e17)))
-    error('ptc_exp3_f32:param', 'params.a is %g; legal: from 1e-18 to 1e18', a);
+if ~(isfinite(a) && (single(1.000000045813705e-18) <= a) && (a <= single(9.999999843067494e17)))
+    error('ptc_exp3_f32:param', 'params.a is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.a);
 end
 if ~isfinite(k1)
-    error('ptc_exp3_f32:param', 'params.k(1) is %g; legal: finite', k1);
+    error('ptc_exp3_f32:param', 'params.k(1) is %g; legal: finite', params.k(1));
 end
 if ~isfinite(k2)
-    error('ptc_exp3_f32:param', 'params.k(2) is %g; legal: finite', k2);
+    error('ptc_exp3_f32:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
 if ~isfinite(k3)
-    error('ptc_exp3_f32:param', 'params.k(3) is %g; legal: finite', k3);
+    error('ptc_exp3_f32:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
 if ~(eps < tau)
-    error('ptc_exp3_f32:param', 'params.eps is %g; legal: > 0, < tau', eps);
+    error('ptc_exp3_f32:param', 'params.eps is %g; legal: < tau', params.eps);
 end
-
 v1 = a * a;
 v2 = a * v1;
 K1 = k1 / v2;
@@ -131,6 +140,21 @@ c1 = -K1;
 c2 = ((-K2) + K3) - single(1.0);
 c3 = (-K3) + single(3.0);
 hold_from = -eps;
+if ~(single(1.0000000031710769e-30) <= v2)
+    error('ptc_exp3_f32:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
+if ~((single(1.0000000031710769e-30) <= abs(K1)) || (abs(k1) <= single(0.0)))
+    error('ptc_exp3_f32:param', 'params.k(1) is %g; legal: as documented', params.k(1));
+end
+if ~((single(1.0000000031710769e-30) <= abs(K2)) || (abs(k2) <= single(0.0)))
+    error('ptc_exp3_f32:param', 'params.k(2) is %g; legal: as documented', params.k(2));
+end
+if ~((single(1.0000000031710769e-30) <= abs(K3)) || (abs(k3) <= single(0.0)))
+    error('ptc_exp3_f32:param', 'params.k(3) is %g; legal: as documented', params.k(3));
+end
+if ~(isfinite(c1) && isfinite(c2) && isfinite(c3) && isfinite(hold_from))
+    error('ptc_exp3_f32:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
 self.c1 = c1;
 self.c2 = c2;
 self.c3 = c3;
@@ -141,21 +165,5 @@ self.u_max = u_max;
 self.t0 = single(0.0);
 self.deadline = single(0.0);
 self.correction = single(0.0);
-
-if ~((v2 >= single(1.0000000031710769e-30)) ...
-        && kept(K1, k1) ...
-        && kept(K2, k2) ...
-        && kept(K3, k3) ...
-        && isfinite(self.c1) ...
-        && isfinite(self.c2) ...
-        && isfinite(self.c3) ...
-        && isfinite(self.hold_from))
-    error('ptc_exp3_f32:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
-end
 self = ptc_exp3_f32_arm(self, t0);
-end
-
-function yes = kept(product, factor)
-% Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-yes = abs(product) >= single(1.0000000031710769e-30) || abs(factor) <= single(0.0);
 end

@@ -1,24 +1,28 @@
 function [gains, status] = ptc_exp3_f32_tick(self, t) %#codegen
-%PTC_EXP3_F32_TICK  The gains at time t [s], for several axes that share one deadline.
+%PTC_EXP3_F32_TICK The gains at time t [s], for several axes that share one deadline: tick once,
+%then axis for each. The result of tick and axis may differ from that of step in the last bits.
 %
-%   [gains, status] = ptc_exp3_f32_tick(self, t): tick once, then ptc_exp3_f32_axis(gains, x) for each axis.
-%   gains.status is 0 or 1, or -2 where t is not legal; then there are no gains. u
-%   may differ from that of step in the last bits.
+%   [gains, status] = ptc_exp3_f32_tick(self, t), with self from ptc_exp3_f32_init.
 
-t = single(t);
 gains.gain = zeros(1, 3, 'single');
-gains.u_max = self.u_max;
+gains.u_max = single(0.0);
 status = int32(-2);
 gains.status = status;
-if ~(isfinite(t) && (t >= self.t0))
+t = single(t);
+if ~(isfinite(t) && (self.t0 <= t))
+    status = int32(-2);
     return;
 end
 past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 inv_T = (-single(1.0)) / late;
-gains.gain(1) = self.c1 * (inv_T * inv_T) * inv_T;
-gains.gain(2) = self.c2 * inv_T * inv_T;
-gains.gain(3) = self.c3 * inv_T;
+gain1 = self.c1 * (inv_T * inv_T) * inv_T;
+gain2 = self.c2 * inv_T * inv_T;
+gain3 = self.c3 * inv_T;
+gains.gain(1) = gain1;
+gains.gain(2) = gain2;
+gains.gain(3) = gain3;
+gains.u_max = self.u_max;
 if late < self.hold_from
     status = int32(0);
 else
@@ -26,6 +30,7 @@ else
 end
 gains.status = status;
 end
+
 function r = pick(condition, yes, no)
 if condition
     r = yes;

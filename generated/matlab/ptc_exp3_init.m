@@ -1,9 +1,9 @@
 function self = ptc_exp3_init(params) %#codegen
-%PTC_EXP3_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
+%PTC_EXP3_INIT Takes the parameters and arms at params.t0 (or the fixed t0).
 %
-%   self = ptc_exp3_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
-%   error ptc_exp3:param, which names what is wrong and what is legal.
+%   self = ptc_exp3_init(params) is the controller, for the functions that stand beside this one. A
+%   parameter outside its domain, or coefficients that leave the range of numbers, raise an error
+%   ptc_exp3:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
 %     tau: prescribed settling time [s], from 1e-150 to 1e150
@@ -85,43 +85,50 @@ function self = ptc_exp3_init(params) %#codegen
 % Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
 %       multiplications, 1 division.
 
-tau = double(params.tau);
-t0 = double(params.t0);
-eps = double(params.eps);
-u_max = double(params.u_max);
-a = double(params.a);
-k1 = double(params.k(1));
-k2 = double(params.k(2));
-k3 = double(params.k(3));
-
-if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
-    error('ptc_exp3:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
+given.tau = double(params.tau);
+given.t0 = double(params.t0);
+given.eps = double(params.eps);
+given.u_max = double(params.u_max);
+given.a = double(params.a);
+given.k = double(params.k);
+if numel(params.k) ~= 3
+    error('ptc_exp3:param', 'params.k has %d numbers; legal: 3', numel(params.k));
+end
+tau = given.tau;
+t0 = given.t0;
+eps = given.eps;
+u_max = given.u_max;
+a = given.a;
+k1 = given.k(1);
+k2 = given.k(2);
+k3 = given.k(3);
+if ~(isfinite(tau) && (1e-150 <= tau) && (tau <= 1e150))
+    error('ptc_exp3:param', 'params.tau is %g; legal: from 1e-150 to 1e150', params.tau);
 end
 if ~isfinite(t0)
-    error('ptc_exp3:param', 'params.t0 is %g; legal: finite', t0);
+    error('ptc_exp3:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(eps >= 1e-150)
-    error('ptc_exp3:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
+if ~(1e-150 <= eps)
+    error('ptc_exp3:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(u_max > 0.0)
-    error('ptc_exp3:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+if ~(0.0 < u_max)
+    error('ptc_exp3:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
-if ~(isfinite(a) && (a >= 1e-150) && (a <= 1e150))
-    error('ptc_exp3:param', 'params.a is %g; legal: from 1e-150 to 1e150', a);
+if ~(isfinite(a) && (1e-150 <= a) && (a <= 1e150))
+    error('ptc_exp3:param', 'params.a is %g; legal: from 1e-150 to 1e150', params.a);
 end
 if ~isfinite(k1)
-    error('ptc_exp3:param', 'params.k(1) is %g; legal: finite', k1);
+    error('ptc_exp3:param', 'params.k(1) is %g; legal: finite', params.k(1));
 end
 if ~isfinite(k2)
-    error('ptc_exp3:param', 'params.k(2) is %g; legal: finite', k2);
+    error('ptc_exp3:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
 if ~isfinite(k3)
-    error('ptc_exp3:param', 'params.k(3) is %g; legal: finite', k3);
+    error('ptc_exp3:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
 if ~(eps < tau)
-    error('ptc_exp3:param', 'params.eps is %g; legal: > 0, < tau', eps);
+    error('ptc_exp3:param', 'params.eps is %g; legal: < tau', params.eps);
 end
-
 v1 = a * a;
 v2 = a * v1;
 K1 = k1 / v2;
@@ -131,6 +138,21 @@ c1 = -K1;
 c2 = ((-K2) + K3) - 1.0;
 c3 = (-K3) + 3.0;
 hold_from = -eps;
+if ~(1e-200 <= v2)
+    error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
+if ~((1e-200 <= abs(K1)) || (abs(k1) <= 0.0))
+    error('ptc_exp3:param', 'params.k(1) is %g; legal: as documented', params.k(1));
+end
+if ~((1e-200 <= abs(K2)) || (abs(k2) <= 0.0))
+    error('ptc_exp3:param', 'params.k(2) is %g; legal: as documented', params.k(2));
+end
+if ~((1e-200 <= abs(K3)) || (abs(k3) <= 0.0))
+    error('ptc_exp3:param', 'params.k(3) is %g; legal: as documented', params.k(3));
+end
+if ~(isfinite(c1) && isfinite(c2) && isfinite(c3) && isfinite(hold_from))
+    error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
 self.c1 = c1;
 self.c2 = c2;
 self.c3 = c3;
@@ -141,21 +163,5 @@ self.u_max = u_max;
 self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
-
-if ~((v2 >= 1e-200) ...
-        && kept(K1, k1) ...
-        && kept(K2, k2) ...
-        && kept(K3, k3) ...
-        && isfinite(self.c1) ...
-        && isfinite(self.c2) ...
-        && isfinite(self.c3) ...
-        && isfinite(self.hold_from))
-    error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
-end
 self = ptc_exp3_arm(self, t0);
-end
-
-function yes = kept(product, factor)
-% Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-yes = abs(product) >= 1e-200 || abs(factor) <= 0.0;
 end

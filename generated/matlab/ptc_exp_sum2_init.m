@@ -1,8 +1,8 @@
 function self = ptc_exp_sum2_init(params) %#codegen
-%PTC_EXP_SUM2_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
+%PTC_EXP_SUM2_INIT Takes the parameters and arms at params.t0 (or the fixed t0).
 %
-%   self = ptc_exp_sum2_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
+%   self = ptc_exp_sum2_init(params) is the controller, for the functions that stand beside this
+%   one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an
 %   error ptc_exp_sum2:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
@@ -80,56 +80,89 @@ function self = ptc_exp_sum2_init(params) %#codegen
 %       multiplications, 5 divisions, 5 function calls. One round of the iteration is
 %       counted; it takes at most 12.
 
-tau = double(params.tau);
-t0 = double(params.t0);
-eps = double(params.eps);
-u_max = double(params.u_max);
-a1 = double(params.rates(1));
-a2 = double(params.rates(2));
-k1 = double(params.k(1));
-k2 = double(params.k(2));
-
-if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
-    error('ptc_exp_sum2:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
+given.tau = double(params.tau);
+given.t0 = double(params.t0);
+given.eps = double(params.eps);
+given.u_max = double(params.u_max);
+given.rates = double(params.rates);
+if numel(params.rates) ~= 2
+    error('ptc_exp_sum2:param', 'params.rates has %d numbers; legal: 2', numel(params.rates));
+end
+given.k = double(params.k);
+if numel(params.k) ~= 2
+    error('ptc_exp_sum2:param', 'params.k has %d numbers; legal: 2', numel(params.k));
+end
+tau = given.tau;
+t0 = given.t0;
+eps = given.eps;
+u_max = given.u_max;
+a1 = given.rates(1);
+a2 = given.rates(2);
+k1 = given.k(1);
+k2 = given.k(2);
+if ~(isfinite(tau) && (1e-150 <= tau) && (tau <= 1e150))
+    error('ptc_exp_sum2:param', 'params.tau is %g; legal: from 1e-150 to 1e150', params.tau);
 end
 if ~isfinite(t0)
-    error('ptc_exp_sum2:param', 'params.t0 is %g; legal: finite', t0);
+    error('ptc_exp_sum2:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(eps >= 1e-150)
-    error('ptc_exp_sum2:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
+if ~(1e-150 <= eps)
+    error('ptc_exp_sum2:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(u_max > 0.0)
-    error('ptc_exp_sum2:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+if ~(0.0 < u_max)
+    error('ptc_exp_sum2:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
-if ~(isfinite(a1) && (a1 >= 1e-150) && (a1 <= 1e150))
-    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: from 1e-150 to 1e150', a1);
+if ~(isfinite(a1) && (1e-150 <= a1) && (a1 <= 1e150))
+    error('ptc_exp_sum2:param', 'params.rates(1) is %g; legal: >= 1e-150, >= a1', params.rates(1));
 end
-if ~(isfinite(a2) && (a2 >= 1e-150) && (a2 <= 1e150))
-    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: from 1e-150 to 1e150', a2);
+if ~(isfinite(a2) && (1e-150 <= a2) && (a2 <= 1e150))
+    error('ptc_exp_sum2:param', 'params.rates(2) is %g; legal: >= 1e-150, >= a2', params.rates(2));
 end
 if ~isfinite(k1)
-    error('ptc_exp_sum2:param', 'params.k(1) is %g; legal: finite', k1);
+    error('ptc_exp_sum2:param', 'params.k(1) is %g; legal: finite', params.k(1));
 end
 if ~isfinite(k2)
-    error('ptc_exp_sum2:param', 'params.k(2) is %g; legal: finite', k2);
+    error('ptc_exp_sum2:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
 if ~(eps < tau)
-    error('ptc_exp_sum2:param', 'params.eps is %g; legal: > 0, < tau', eps);
+    error('ptc_exp_sum2:param', 'params.eps is %g; legal: < tau', params.eps);
 end
-
 hold_from = -eps;
 target_rate = 2.0 / tau;
 v1 = 1.0 / a1;
 v2 = 1.0 / a2;
 slowest = pick(v1 < v2, v2, v1);
 mean_period = 2.0 / (a1 + a2);
-tolerance = 0.03 / (pick(a1 < a2, a2, a1));
+s1 = pick(a1 < a2, a2, a1);
+tolerance = 0.03 / s1;
 b1_1 = 0.5 * a1 * tau;
 b1_2 = 0.5 * a2 * tau;
 b2_1 = (-0.25) * (a1 * a1) * tau;
 b2_2 = (-0.25) * (a2 * a2) * tau;
 w1 = -k1;
 w2 = -k2;
+if ~((b2_1 <= -1e-200) && (b2_2 <= -1e-200))
+    error('ptc_exp_sum2:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
+if ~((1e-200 <= abs(w1)) || (abs(k1) <= 0.0))
+    error('ptc_exp_sum2:param', 'params.k(1) is %g; legal: as documented', params.k(1));
+end
+if ~((1e-200 <= abs(w2)) || (abs(k2) <= 0.0))
+    error('ptc_exp_sum2:param', 'params.k(2) is %g; legal: as documented', params.k(2));
+end
+if ~(isfinite(hold_from) ...
+    && isfinite(target_rate) ...
+    && isfinite(slowest) ...
+    && isfinite(mean_period) ...
+    && isfinite(tolerance) ...
+    && isfinite(b1_1) ...
+    && isfinite(b1_2) ...
+    && isfinite(b2_1) ...
+    && isfinite(b2_2) ...
+    && isfinite(w1) ...
+    && isfinite(w2))
+    error('ptc_exp_sum2:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
 self.a1 = a1;
 self.a2 = a2;
 self.tau = tau;
@@ -149,31 +182,9 @@ self.u_max = u_max;
 self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
-
-if ~((b2_1 <= -1e-200) ...
-        && (b2_2 <= -1e-200) ...
-        && kept(w1, k1) ...
-        && kept(w2, k2) ...
-        && isfinite(self.hold_from) ...
-        && isfinite(self.target_rate) ...
-        && isfinite(self.slowest) ...
-        && isfinite(self.mean_period) ...
-        && isfinite(self.tolerance) ...
-        && isfinite(self.b1_1) ...
-        && isfinite(self.b1_2) ...
-        && isfinite(self.b2_1) ...
-        && isfinite(self.b2_2) ...
-        && isfinite(self.w1) ...
-        && isfinite(self.w2))
-    error('ptc_exp_sum2:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
-end
 self = ptc_exp_sum2_arm(self, t0);
 end
 
-function yes = kept(product, factor)
-% Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor.
-yes = abs(product) >= 1e-200 || abs(factor) <= 0.0;
-end
 function r = pick(condition, yes, no)
 if condition
     r = yes;

@@ -1,25 +1,23 @@
 function [u, status] = ptc_exp_sum2_step(self, t, x) %#codegen
-%PTC_EXP_SUM2_STEP  u at time t [s] and state x = (x1, x1', ...).
+%PTC_EXP_SUM2_STEP u at time t [s] and state x = (x1, x1', ...).
 %
 %   [u, status] = ptc_exp_sum2_step(self, t, x), with self from ptc_exp_sum2_init.
 %
-%   status (int32); u is 0 on a negative one:
+%   status (int32); on a negative one what is given is 0, and self is as it was:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over: u is 0 or that of the user-defined law
-%     -2  x or t not finite, or t before t0
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
 u = 0.0;
-status = int32(-2);
 t = double(t);
-x1 = double(x(1));
-x2 = double(x(2));
-if ~(isfinite(t) ...
-        && (t >= self.t0) ...
-        && isfinite(x1) ...
-        && isfinite(x2))
+x = double(x);
+x1 = x(1);
+x2 = x(2);
+if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2))
+    status = int32(-2);
     return;
 end
 past = (t - self.deadline) - self.correction;
@@ -42,16 +40,16 @@ for attempt = 1:12
     v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
     v11 = 1.0 / (v6 + v8);
     v12 = v7 * v11;
-    v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
-    v14 = v10 * v12 * (1.0 + v13);
-    y_next = y + v14;
-    y_size = abs(v14);
-    if v10 > 0.0
+    s1 = (((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0;
+    v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+    y_next = y + v13;
+    y_size = abs(v13);
+    if 0.0 < v10
         y_low = y;
     else
         y_high = y;
     end
-    if (y_next >= y_low) && (y_next <= y_high)
+    if (y_low <= y_next) && (y_next <= y_high)
         y = y_next;
     else
         y = 0.5 * (y_low + y_high);
@@ -60,37 +58,41 @@ for attempt = 1:12
         break;
     end
 end
-v15 = exp(-(self.a1 * y));
-v16 = exp(-(self.a2 * y));
-v17 = self.a1 * v15;
-v18 = self.a2 * v16;
-v19 = 1.0 / (v17 + v18);
-v20 = ((v15 + v16) - target) * v19;
-v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
-v22 = self.a1 * v21;
-v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-v24 = self.a2 * v21;
-v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
-p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
-v26 = ((self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-v = v26;
-if v > self.u_max
+v14 = exp(-(self.a1 * y));
+v15 = exp(-(self.a2 * y));
+v16 = self.a1 * v14;
+v17 = self.a2 * v15;
+v18 = 1.0 / (v16 + v17);
+v19 = ((v14 + v15) - target) * v18;
+s2 = 1.0 + (0.5 * (((self.a1 * v16) + (self.a2 * v17)) * v18 * v19));
+v20 = v19 * s2;
+v21 = self.a1 * v20;
+v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+v23 = self.a2 * v20;
+v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
+p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
+s3 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2);
+v = s3 * inv_r1;
+if self.u_max < v
     u = self.u_max;
     status = int32(2);
 elseif v < -self.u_max
     u = -self.u_max;
     status = int32(2);
-elseif ~isfinite(v)
-    status = int32(-3);
-elseif late < self.hold_from
-    u = v;
-    status = int32(0);
+elseif isfinite(v)
+    if late < self.hold_from
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
 else
-    u = v;
-    status = int32(1);
+    status = int32(-3);
 end
 end
+
 function r = pick(condition, yes, no)
 if condition
     r = yes;

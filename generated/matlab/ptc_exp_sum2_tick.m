@@ -1,16 +1,16 @@
 function [gains, status] = ptc_exp_sum2_tick(self, t) %#codegen
-%PTC_EXP_SUM2_TICK  The gains at time t [s], for several axes that share one deadline.
+%PTC_EXP_SUM2_TICK The gains at time t [s], for several axes that share one deadline: tick once,
+%then axis for each. The result of tick and axis may differ from that of step in the last bits.
 %
-%   [gains, status] = ptc_exp_sum2_tick(self, t): tick once, then ptc_exp_sum2_axis(gains, x) for each axis.
-%   gains.status is 0 or 1, or -2 where t is not legal; then there are no gains. u
-%   may differ from that of step in the last bits.
+%   [gains, status] = ptc_exp_sum2_tick(self, t), with self from ptc_exp_sum2_init.
 
-t = double(t);
 gains.gain = zeros(1, 2, 'double');
-gains.u_max = self.u_max;
+gains.u_max = 0.0;
 status = int32(-2);
 gains.status = status;
-if ~(isfinite(t) && (t >= self.t0))
+t = double(t);
+if ~(isfinite(t) && (self.t0 <= t))
+    status = int32(-2);
     return;
 end
 past = (t - self.deadline) - self.correction;
@@ -33,16 +33,16 @@ for attempt = 1:12
     v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
     v11 = 1.0 / (v6 + v8);
     v12 = v7 * v11;
-    v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
-    v14 = v10 * v12 * (1.0 + v13);
-    y_next = y + v14;
-    y_size = abs(v14);
-    if v10 > 0.0
+    s1 = (((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0;
+    v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+    y_next = y + v13;
+    y_size = abs(v13);
+    if 0.0 < v10
         y_low = y;
     else
         y_high = y;
     end
-    if (y_next >= y_low) && (y_next <= y_high)
+    if (y_low <= y_next) && (y_next <= y_high)
         y = y_next;
     else
         y = 0.5 * (y_low + y_high);
@@ -51,21 +51,25 @@ for attempt = 1:12
         break;
     end
 end
-v15 = exp(-(self.a1 * y));
-v16 = exp(-(self.a2 * y));
-v17 = self.a1 * v15;
-v18 = self.a2 * v16;
-v19 = 1.0 / (v17 + v18);
-v20 = ((v15 + v16) - target) * v19;
-v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
-v22 = self.a1 * v21;
-v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-v24 = self.a2 * v21;
-v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
-p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
-gains.gain(1) = self.w1 * inv_r1 * inv_r1;
-gains.gain(2) = (self.w2 + ((-2.0) * p2)) * inv_r1;
+v14 = exp(-(self.a1 * y));
+v15 = exp(-(self.a2 * y));
+v16 = self.a1 * v14;
+v17 = self.a2 * v15;
+v18 = 1.0 / (v16 + v17);
+v19 = ((v14 + v15) - target) * v18;
+s2 = 1.0 + (0.5 * (((self.a1 * v16) + (self.a2 * v17)) * v18 * v19));
+v20 = v19 * s2;
+v21 = self.a1 * v20;
+v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+v23 = self.a2 * v20;
+v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
+p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
+gain1 = self.w1 * inv_r1 * inv_r1;
+gain2 = (self.w2 + ((-2.0) * p2)) * inv_r1;
+gains.gain(1) = gain1;
+gains.gain(2) = gain2;
+gains.u_max = self.u_max;
 if late < self.hold_from
     status = int32(0);
 else
@@ -73,6 +77,7 @@ else
 end
 gains.status = status;
 end
+
 function r = pick(condition, yes, no)
 if condition
     r = yes;

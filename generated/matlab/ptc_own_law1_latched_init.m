@@ -1,9 +1,10 @@
 function self = ptc_own_law1_latched_init(params, x0) %#codegen
-%PTC_OWN_LAW1_LATCHED_INIT  Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0.
+%PTC_OWN_LAW1_LATCHED_INIT Takes the parameters and arms at params.t0 (or the fixed t0), latching
+%the state x0.
 %
 %   self = ptc_own_law1_latched_init(params, x0) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
-%   error ptc_own_law1_latched:param, which names what is wrong and what is legal.
+%   beside this one. A parameter outside its domain, or coefficients that leave the range of
+%   numbers, raise an error ptc_own_law1_latched:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
 %     tau: prescribed settling time [s], from 1e-150 to 1e150
@@ -67,28 +68,33 @@ function self = ptc_own_law1_latched_init(params, x0) %#codegen
 % Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
 %       multiplications, 1 division.
 
-tau = double(params.tau);
-t0 = double(params.t0);
-eps = double(params.eps);
-u_max = double(params.u_max);
-
-if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
-    error('ptc_own_law1_latched:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
+given.tau = double(params.tau);
+given.t0 = double(params.t0);
+given.eps = double(params.eps);
+given.u_max = double(params.u_max);
+tau = given.tau;
+t0 = given.t0;
+eps = given.eps;
+u_max = given.u_max;
+if ~(isfinite(tau) && (1e-150 <= tau) && (tau <= 1e150))
+    error('ptc_own_law1_latched:param', 'params.tau is %g; legal: from 1e-150 to 1e150', params.tau);
 end
 if ~isfinite(t0)
-    error('ptc_own_law1_latched:param', 'params.t0 is %g; legal: finite', t0);
+    error('ptc_own_law1_latched:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(eps >= 1e-150)
-    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
+if ~(1e-150 <= eps)
+    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(u_max > 0.0)
-    error('ptc_own_law1_latched:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+if ~(0.0 < u_max)
+    error('ptc_own_law1_latched:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~(eps < tau)
-    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: > 0, < tau', eps);
+    error('ptc_own_law1_latched:param', 'params.eps is %g; legal: < tau', params.eps);
 end
-
 hold_from = -eps;
+if ~isfinite(hold_from)
+    error('ptc_own_law1_latched:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
 self.tau = tau;
 self.eps = eps;
 self.hold_from = hold_from;
@@ -97,9 +103,5 @@ self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
 self.x1_0 = 0.0;
-
-if ~(isfinite(self.hold_from))
-    error('ptc_own_law1_latched:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
-end
 self = ptc_own_law1_latched_arm(self, t0, x0);
 end

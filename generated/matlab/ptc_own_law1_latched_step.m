@@ -1,23 +1,22 @@
 function [u, status] = ptc_own_law1_latched_step(self, t, x) %#codegen
-%PTC_OWN_LAW1_LATCHED_STEP  u at time t [s] and state x = (x1, x1', ...).
+%PTC_OWN_LAW1_LATCHED_STEP u at time t [s] and state x = (x1, x1', ...).
 %
 %   [u, status] = ptc_own_law1_latched_step(self, t, x), with self from ptc_own_law1_latched_init.
 %
-%   status (int32); u is 0 on a negative one:
+%   status (int32); on a negative one what is given is 0, and self is as it was:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over: u is 0 or that of the user-defined law
-%     -2  x or t not finite, or t before t0
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
 u = 0.0;
-status = int32(-2);
 t = double(t);
-x1 = double(x(1));
-if ~(isfinite(t) ...
-        && (t >= self.t0) ...
-        && isfinite(x1))
+x = double(x);
+x1 = x(1);
+if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1))
+    status = int32(-2);
     return;
 end
 past = (t - self.deadline) - self.correction;
@@ -26,22 +25,25 @@ T = -late;
 inv_r1 = 1.0 / T;
 law = ((-2.0) * x1) - (x1 * self.x1_0);
 v = law * inv_r1;
-if v > self.u_max
+if self.u_max < v
     u = self.u_max;
     status = int32(2);
 elseif v < -self.u_max
     u = -self.u_max;
     status = int32(2);
-elseif ~isfinite(v)
-    status = int32(-3);
-elseif late < self.hold_from
-    u = v;
-    status = int32(0);
+elseif isfinite(v)
+    if late < self.hold_from
+        u = v;
+        status = int32(0);
+    else
+        u = v;
+        status = int32(1);
+    end
 else
-    u = v;
-    status = int32(1);
+    status = int32(-3);
 end
 end
+
 function r = pick(condition, yes, no)
 if condition
     r = yes;

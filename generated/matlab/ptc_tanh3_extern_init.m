@@ -1,8 +1,8 @@
 function self = ptc_tanh3_extern_init(params) %#codegen
-%PTC_TANH3_EXTERN_INIT  Takes the parameters and arms at params.t0 (or the fixed t0).
+%PTC_TANH3_EXTERN_INIT Takes the parameters and arms at params.t0 (or the fixed t0).
 %
-%   self = ptc_tanh3_extern_init(params) is the controller, for the functions that stand
-%   beside this one. A parameter outside its domain, or coefficients outside the range, raise an
+%   self = ptc_tanh3_extern_init(params) is the controller, for the functions that stand beside this
+%   one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an
 %   error ptc_tanh3_extern:param, which names what is wrong and what is legal.
 %
 %   params is a struct:
@@ -79,52 +79,53 @@ function self = ptc_tanh3_extern_init(params) %#codegen
 % Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
 %       multiplications, 4 divisions, 2 function calls.
 
-tau = double(params.tau);
-t0 = double(params.t0);
-eps = double(params.eps);
-u_max = double(params.u_max);
-a = double(params.a);
-
-if ~(isfinite(tau) && (tau >= 1e-150) && (tau <= 1e150))
-    error('ptc_tanh3_extern:param', 'params.tau is %g; legal: from 1e-150 to 1e150', tau);
+given.tau = double(params.tau);
+given.t0 = double(params.t0);
+given.eps = double(params.eps);
+given.u_max = double(params.u_max);
+given.a = double(params.a);
+tau = given.tau;
+t0 = given.t0;
+eps = given.eps;
+u_max = given.u_max;
+a = given.a;
+if ~(isfinite(tau) && (1e-150 <= tau) && (tau <= 1e150))
+    error('ptc_tanh3_extern:param', 'params.tau is %g; legal: from 1e-150 to 1e150', params.tau);
 end
 if ~isfinite(t0)
-    error('ptc_tanh3_extern:param', 'params.t0 is %g; legal: finite', t0);
+    error('ptc_tanh3_extern:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(eps >= 1e-150)
-    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: >= 1e-150, < tau', eps);
+if ~(1e-150 <= eps)
+    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(u_max > 0.0)
-    error('ptc_tanh3_extern:param', 'params.u_max is %g; legal: > 0, infinity allowed', u_max);
+if ~(0.0 < u_max)
+    error('ptc_tanh3_extern:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
-if ~(isfinite(a) && (a >= 1e-150) && (a <= 1e150))
-    error('ptc_tanh3_extern:param', 'params.a is %g; legal: from 1e-150 to 1e150', a);
+if ~(isfinite(a) && (1e-150 <= a) && (a <= 1e150))
+    error('ptc_tanh3_extern:param', 'params.a is %g; legal: from 1e-150 to 1e150', params.a);
 end
 if ~(eps < tau)
-    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: > 0, < tau', eps);
+    error('ptc_tanh3_extern:param', 'params.eps is %g; legal: < tau', params.eps);
 end
-
 hold_from = -eps;
 f16 = 2.0 * tau;
+f22 = 2.0 * a;
+f24 = f16 * a;
+f29 = 1.0 / tau;
+if ~(isfinite(hold_from) && isfinite(f16) && isfinite(f22) && isfinite(f24) && isfinite(f29))
+    error('ptc_tanh3_extern:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
+end
 self.tau = tau;
 self.eps = eps;
 self.hold_from = hold_from;
 self.f16 = f16;
 self.a = a;
-self.f22 = 2.0 * a;
-self.f24 = f16 * a;
-self.f29 = 1.0 / tau;
+self.f22 = f22;
+self.f24 = f24;
+self.f29 = f29;
 self.u_max = u_max;
 self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
-
-if ~(isfinite(self.hold_from) ...
-        && isfinite(self.f16) ...
-        && isfinite(self.f22) ...
-        && isfinite(self.f24) ...
-        && isfinite(self.f29))
-    error('ptc_tanh3_extern:param', 'the coefficients leave the range of numbers: take gains and rates nearer to 1');
-end
 self = ptc_tanh3_extern_arm(self, t0);
 end

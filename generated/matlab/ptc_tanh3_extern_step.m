@@ -1,30 +1,27 @@
 function [u, status] = ptc_tanh3_extern_step(self, t, x, pi0, after) %#codegen
-%PTC_TANH3_EXTERN_STEP  u at time t [s] and state x = (x1, x1', ...).
+%PTC_TANH3_EXTERN_STEP u at time t [s] and state x = (x1, x1', ...).
 %
-%   [u, status] = ptc_tanh3_extern_step(self, t, x, pi0, after), with self from ptc_tanh3_extern_init.
-%   pi0(xi, t) is the user-defined law, a function handle; t is the stretched time kappa + t0.
-%   after(x, t) gives u for t >= t0 + tau, a function handle.
+%   [u, status] = ptc_tanh3_extern_step(self, t, x, pi0, after), with self from
+%   ptc_tanh3_extern_init.
+%   pi0, a function handle: User-defined law pi0(xi, t); t is the stretched time kappa + t0.
+%   after, a function handle: User-defined law for t >= t0 + tau.
 %
-%   status (int32); u is 0 on a negative one:
+%   status (int32); on a negative one what is given is 0, and self is as it was:
 %      0  tracking
 %      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
 %      2  saturated: u clipped to u_max; wins over 1 and 3
-%      3  after: the deadline is over: u is 0 or that of the user-defined law
-%     -2  x or t not finite, or t before t0
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
 u = 0.0;
-status = int32(-2);
 t = double(t);
 x = double(x);
-x1 = double(x(1));
-x2 = double(x(2));
-x3 = double(x(3));
-if ~(isfinite(t) ...
-        && (t >= self.t0) ...
-        && isfinite(x1) ...
-        && isfinite(x2) ...
-        && isfinite(x3))
+x1 = x(1);
+x2 = x(2);
+x3 = x(3);
+if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
+    status = int32(-2);
     return;
 end
 past = (t - self.deadline) - self.correction;
@@ -38,35 +35,41 @@ v4 = v3 - 1.0;
 v5 = v4 * 0.5;
 v6 = T * unit;
 inv_r1 = 1.0 / v6;
-v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
 xi2 = x2 * v6;
 xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
 t_kappa = self.t0 + ((-real_log(T / (self.f16 - T))) / self.f22);
-law = double(pi0([x1; xi2; xi3], t_kappa));
-v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
-v = v8 * inv_r1;
-if past >= 0.0
-    v = double(after(x, t));
+xi = [x1; xi2; xi3];
+law = double(pi0(xi, t_kappa));
+if 0.0 <= past
+    applied = double(after(x, t));
+else
+    s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
+    s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1;
+    applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
 end
-if v > self.u_max
+v = applied;
+if self.u_max < v
     u = self.u_max;
     status = int32(2);
 elseif v < -self.u_max
     u = -self.u_max;
     status = int32(2);
-elseif ~isfinite(v)
-    status = int32(-3);
-elseif late < self.hold_from
-    u = v;
-    status = int32(0);
-elseif past >= 0.0
-    u = v;
-    status = int32(3);
+elseif isfinite(v)
+    if late < self.hold_from
+        u = v;
+        status = int32(0);
+    elseif 0.0 <= past
+        u = v;
+        status = int32(3);
+    else
+        u = v;
+        status = int32(1);
+    end
 else
-    u = v;
-    status = int32(1);
+    status = int32(-3);
 end
 end
+
 function r = pick(condition, yes, no)
 if condition
     r = yes;

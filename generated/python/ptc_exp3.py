@@ -87,10 +87,6 @@ __all__ = ["Control", "Gains", "Params", "PtcExp3", "Status"]
 _R = np.float64
 Array = NDArray[np.float64]
 
-def _kept(product: Array, factor: Array) -> bool:
-    """Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor."""
-    return bool(np.abs(product) >= 1e-200 or np.abs(factor) <= 0.0)
-
 class Status(IntEnum):
     """Status of u, which is 0 on a negative status."""
 
@@ -132,6 +128,13 @@ class Params:
     k: Sequence[float]
     """gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k[0] is k_1 [1/s^3], k[1] is k_2 [1/s^2], k[2] is k_3 [1/s]"""
 
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
 def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     """The states along the last axis, one by one."""
     states = np.asarray(x, dtype=_R)
@@ -140,68 +143,72 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     return tuple(np.moveaxis(states, -1, 0))
 
 class Gains:
-    """Feedback gains at one or more times: u = gain[..., 0]*x[..., 0] + ..."""
+    """Feedback gains at one or more times."""
 
     def __init__(self, gain: Array, u_max: Array, status: NDArray[np.int8]) -> None:
         self.gain = gain
-        """Shape (..., 3)."""
+        """u = gain[0] x[0] + ... + gain[2] x[2]; shape (..., 3)"""
         self.u_max = u_max
-        """Bound of |u|."""
+        """bound of |u|"""
         self.status = status
         """OK or HOLD, INPUT where the time was not legal."""
 
     def axis(self, x: ArrayLike) -> Control:
-        """u of one axis from its states x, of shape (..., 3)."""
+        """u of one axis from its state x = (x1, x1', ...) and the gains.
+
+        Each argument may be a batch; states stand along the last axis.
+        """
         x1, x2, x3 = _states(x, "x")
         with np.errstate(all="ignore"):
-            v1 = (self.gain[..., 0] * x1) + (self.gain[..., 1] * x2) + (self.gain[..., 2] * x3)
-            v = np.asarray(v1)
-            status = np.where(np.isfinite(v), self.status, Status.RANGE)
-            saturated = (v > self.u_max) | (v < -self.u_max)
-            v = np.where(v > self.u_max, self.u_max, np.where(v < -self.u_max, -self.u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            status = np.where(legal, status, Status.INPUT)
+            s1 = (self.gain[..., 0] * x1) + (self.gain[..., 1] * x2)
+            v = s1 + (self.gain[..., 2] * x3)
+            way1 = self.u_max < v
+            way2 = v < -self.u_max
+            way3 = np.isfinite(v)
+            status = np.where(np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, self.status, Status.RANGE))), Status.INPUT)
             status = np.where(self.status < 0, self.status, status)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self.u_max, np.where(way2, -self.u_max, v))), status.astype(np.int8))
 
 class PtcExp3:
-    """The controller: takes the parameters and arms at params.t0, or the fixed t0.
+    """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
 
     ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
-        if len(params.k) != 3:
-            raise ValueError(f"params.k has {len(params.k)} numbers; legal: 3 of them")
         with np.errstate(all="ignore"):
-            tau = np.asarray(params.tau, dtype=_R)
-            t0 = np.asarray(params.t0, dtype=_R)
-            eps = np.asarray(params.eps, dtype=_R)
-            u_max = np.asarray(params.u_max, dtype=_R)
-            a = np.asarray(params.a, dtype=_R)
-            k1 = np.asarray(params.k[0], dtype=_R)
-            k2 = np.asarray(params.k[1], dtype=_R)
-            k3 = np.asarray(params.k[2], dtype=_R)
-            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
-                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
+            given_tau = _R(params.tau)
+            given_t0 = _R(params.t0)
+            given_eps = _R(params.eps)
+            given_u_max = _R(params.u_max)
+            given_a = _R(params.a)
+            given_k = _numbers(params.k, 3, "params.k")
+            tau = given_tau
+            t0 = given_t0
+            eps = given_eps
+            u_max = given_u_max
+            a = given_a
+            k1 = given_k[0]
+            k2 = given_k[1]
+            k3 = given_k[2]
+            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
-                raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps >= 1e-150):
-                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
-            if not (u_max > 0.0):
-                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a) and (a >= 1e-150) and (a <= 1e150)):
-                raise ValueError(f"params.a is {a}; legal: from 1e-150 to 1e150")
+                raise ValueError(f"params.t0 is {params.t0}; legal: finite")
+            if not (1e-150 <= eps):
+                raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
+            if not (0.0 < u_max):
+                raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
+            if not (np.isfinite(a) and (1e-150 <= a) and (a <= 1e150)):
+                raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not np.isfinite(k1):
-                raise ValueError(f"params.k[0] is {k1}; legal: finite")
+                raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(k2):
-                raise ValueError(f"params.k[1] is {k2}; legal: finite")
+                raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not np.isfinite(k3):
-                raise ValueError(f"params.k[2] is {k3}; legal: finite")
+                raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
             if not (eps < tau):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+                raise ValueError(f"params.eps is {params.eps}; legal: < tau")
             v1 = a * a
             v2 = a * v1
             K1 = k1 / v2
@@ -211,90 +218,87 @@ class PtcExp3:
             c2 = ((-K2) + K3) - 1.0
             c3 = (-K3) + 3.0
             hold_from = -eps
-            self._c1 = np.asarray(c1)
-            self._c2 = np.asarray(c2)
-            self._c3 = np.asarray(c3)
-            self._tau = np.asarray(tau)
-            self._eps = np.asarray(eps)
-            self._hold_from = np.asarray(hold_from)
-            self._u_max = np.asarray(u_max)
-            self._t0 = np.asarray(0.0)
-            self._deadline = np.asarray(0.0)
-            self._correction = np.asarray(0.0)
+            if not (1e-200 <= v2):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            if not ((1e-200 <= np.abs(K1)) or (np.abs(k1) <= 0.0)):
+                raise ValueError(f"params.k[0] is {params.k[0]}; legal: as documented")
+            if not ((1e-200 <= np.abs(K2)) or (np.abs(k2) <= 0.0)):
+                raise ValueError(f"params.k[1] is {params.k[1]}; legal: as documented")
+            if not ((1e-200 <= np.abs(K3)) or (np.abs(k3) <= 0.0)):
+                raise ValueError(f"params.k[2] is {params.k[2]}; legal: as documented")
             if not (
-                (v2 >= 1e-200)
-                and _kept(K1, k1)
-                and _kept(K2, k2)
-                and _kept(K3, k3)
-                and np.isfinite(self._c1)
-                and np.isfinite(self._c2)
-                and np.isfinite(self._c3)
-                and np.isfinite(self._hold_from)
+                np.isfinite(c1)
+                and np.isfinite(c2)
+                and np.isfinite(c3)
+                and np.isfinite(hold_from)
             ):
-                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
-        self._arm(np.asarray(t0))
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._c1 = c1
+            self._c2 = c2
+            self._c3 = c3
+            self._tau = tau
+            self._eps = eps
+            self._hold_from = hold_from
+            self._u_max = u_max
+            self._t0 = _R(0.0)
+            self._deadline = _R(0.0)
+            self._correction = _R(0.0)
+        self.arm(t0)
 
     def arm(self, t0: float) -> None:
         """Starts again at t0 [s].
 
-        ValueError where t0 or the deadline is not finite; the controller is left as it was.
+        ValueError where an argument or what follows from it is not finite; the controller
+        is left as it was.
         """
-        self._arm(np.asarray(t0, dtype=_R))
-
-    def _arm(self, t0: Array) -> None:
-        if not np.isfinite(t0):
-            raise ValueError(f"t0 is {t0}; legal: finite")
         with np.errstate(all="ignore"):
+            t0 = _R(t0)
+            if not np.isfinite(t0):
+                raise ValueError("t0, and what follows, must be finite")
             deadline = t0 + self._tau
             v1 = deadline - t0
             correction = (t0 - (deadline - v1)) + (self._tau - v1)
             if not np.isfinite(deadline):
-                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
-            self._t0 = np.asarray(t0)
-            self._deadline = np.asarray(deadline)
-            self._correction = np.asarray(correction)
+                raise ValueError("t0, and what follows, must be finite")
+            self._t0 = t0
+            self._deadline = deadline
+            self._correction = correction
 
     def step(self, t: ArrayLike, x: ArrayLike) -> Control:
-        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 3); t and x[..., 0] are broadcast.
-        """
-        return self._step(np.asarray(t, dtype=_R), _states(x, "x"))
+        """u at time t [s] and state x = (x1, x1', ...).
 
-    def _step(self, t: Array, states: tuple[Array, ...]) -> Control:
-        x1, x2, x3 = states
+        Each argument may be a batch; states stand along the last axis.
+        """
+        t = np.asarray(t, dtype=_R)
+        x1, x2, x3 = _states(x, "x")
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
             inv_T = (-1.0) / late
-            v1 = (((self._c1 * x1 * inv_T) + (self._c2 * x2)) * inv_T) + (self._c3 * x3)
-            v = np.asarray(v1 * inv_T)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            status = np.where(np.isfinite(v), status, Status.RANGE)
-            saturated = (v > self._u_max) | (v < -self._u_max)
-            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            status = np.where(legal, status, Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            s1 = ((self._c1 * x1 * inv_T) + (self._c2 * x2)) * inv_T
+            v = (s1 + (self._c3 * x3)) * inv_T
+            way1 = self._u_max < v
+            way2 = v < -self._u_max
+            way3 = np.isfinite(v)
+            way4 = late < self._hold_from
+            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, Status.HOLD), Status.RANGE))), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
-        """The gains at times t [s], for several axes that share one deadline: tick once, then axis for each.
+        """The gains at time t [s], for several axes that share one deadline: tick once, then axis
+        for each. The result of tick and axis may differ from that of step in the last bits.
 
-        The result of tick and axis may differ from that of step in the last bits.
+        Each argument may be a batch; states stand along the last axis.
         """
-        return self._tick(np.asarray(t, dtype=_R))
-
-    def _tick(self, t: Array) -> Gains:
+        t = np.asarray(t, dtype=_R)
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
             inv_T = (-1.0) / late
-            gain = np.stack(np.broadcast_arrays(
-                self._c1 * (inv_T * inv_T) * inv_T,
-                self._c2 * inv_T * inv_T,
-                self._c3 * inv_T,
-            ), axis=-1)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            legal = np.isfinite(t) & (t >= self._t0)
-            status = np.where(legal, status, Status.INPUT)
-            return Gains(gain, self._u_max, status.astype(np.int8))
+            gain1 = self._c1 * (inv_T * inv_T) * inv_T
+            gain2 = self._c2 * inv_T * inv_T
+            gain3 = self._c3 * inv_T
+            way1 = late < self._hold_from
+            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            gain = np.stack(np.broadcast_arrays(gain1, gain2, gain3), axis=-1)
+            return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

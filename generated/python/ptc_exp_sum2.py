@@ -82,10 +82,6 @@ __all__ = ["Control", "Gains", "Params", "PtcExpSum2", "Status"]
 _R = np.float64
 Array = NDArray[np.float64]
 
-def _kept(product: Array, factor: Array) -> bool:
-    """Whether a product keeps its digits: it is well above the least normal number, or 0 with a factor."""
-    return bool(np.abs(product) >= 1e-200 or np.abs(factor) <= 0.0)
-
 class Status(IntEnum):
     """Status of u, which is 0 on a negative status."""
 
@@ -127,6 +123,13 @@ class Params:
     k: Sequence[float]
     """gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]"""
 
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
 def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     """The states along the last axis, one by one."""
     states = np.asarray(x, dtype=_R)
@@ -135,148 +138,152 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     return tuple(np.moveaxis(states, -1, 0))
 
 class Gains:
-    """Feedback gains at one or more times: u = gain[..., 0]*x[..., 0] + ..."""
+    """Feedback gains at one or more times."""
 
     def __init__(self, gain: Array, u_max: Array, status: NDArray[np.int8]) -> None:
         self.gain = gain
-        """Shape (..., 2)."""
+        """u = gain[0] x[0] + ... + gain[1] x[1]; shape (..., 2)"""
         self.u_max = u_max
-        """Bound of |u|."""
+        """bound of |u|"""
         self.status = status
         """OK or HOLD, INPUT where the time was not legal."""
 
     def axis(self, x: ArrayLike) -> Control:
-        """u of one axis from its states x, of shape (..., 2)."""
+        """u of one axis from its state x = (x1, x1', ...) and the gains.
+
+        Each argument may be a batch; states stand along the last axis.
+        """
         x1, x2 = _states(x, "x")
         with np.errstate(all="ignore"):
-            v = np.asarray((self.gain[..., 0] * x1) + (self.gain[..., 1] * x2))
-            status = np.where(np.isfinite(v), self.status, Status.RANGE)
-            saturated = (v > self.u_max) | (v < -self.u_max)
-            v = np.where(v > self.u_max, self.u_max, np.where(v < -self.u_max, -self.u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(x1) & np.isfinite(x2)
-            status = np.where(legal, status, Status.INPUT)
+            v = (self.gain[..., 0] * x1) + (self.gain[..., 1] * x2)
+            way1 = self.u_max < v
+            way2 = v < -self.u_max
+            way3 = np.isfinite(v)
+            status = np.where(np.isfinite(x1) & np.isfinite(x2), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, self.status, Status.RANGE))), Status.INPUT)
             status = np.where(self.status < 0, self.status, status)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self.u_max, np.where(way2, -self.u_max, v))), status.astype(np.int8))
 
 class PtcExpSum2:
-    """The controller: takes the parameters and arms at params.t0, or the fixed t0.
+    """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
 
     ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
-        if len(params.rates) != 2:
-            raise ValueError(f"params.rates has {len(params.rates)} numbers; legal: 2 of them")
-        if len(params.k) != 2:
-            raise ValueError(f"params.k has {len(params.k)} numbers; legal: 2 of them")
         with np.errstate(all="ignore"):
-            tau = np.asarray(params.tau, dtype=_R)
-            t0 = np.asarray(params.t0, dtype=_R)
-            eps = np.asarray(params.eps, dtype=_R)
-            u_max = np.asarray(params.u_max, dtype=_R)
-            a1 = np.asarray(params.rates[0], dtype=_R)
-            a2 = np.asarray(params.rates[1], dtype=_R)
-            k1 = np.asarray(params.k[0], dtype=_R)
-            k2 = np.asarray(params.k[1], dtype=_R)
-            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
-                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
+            given_tau = _R(params.tau)
+            given_t0 = _R(params.t0)
+            given_eps = _R(params.eps)
+            given_u_max = _R(params.u_max)
+            given_rates = _numbers(params.rates, 2, "params.rates")
+            given_k = _numbers(params.k, 2, "params.k")
+            tau = given_tau
+            t0 = given_t0
+            eps = given_eps
+            u_max = given_u_max
+            a1 = given_rates[0]
+            a2 = given_rates[1]
+            k1 = given_k[0]
+            k2 = given_k[1]
+            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
-                raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps >= 1e-150):
-                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
-            if not (u_max > 0.0):
-                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a1) and (a1 >= 1e-150) and (a1 <= 1e150)):
-                raise ValueError(f"params.rates[0] is {a1}; legal: from 1e-150 to 1e150")
-            if not (np.isfinite(a2) and (a2 >= 1e-150) and (a2 <= 1e150)):
-                raise ValueError(f"params.rates[1] is {a2}; legal: from 1e-150 to 1e150")
+                raise ValueError(f"params.t0 is {params.t0}; legal: finite")
+            if not (1e-150 <= eps):
+                raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
+            if not (0.0 < u_max):
+                raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
+            if not (np.isfinite(a1) and (1e-150 <= a1) and (a1 <= 1e150)):
+                raise ValueError(f"params.rates[0] is {params.rates[0]}; legal: >= 1e-150, >= a1")
+            if not (np.isfinite(a2) and (1e-150 <= a2) and (a2 <= 1e150)):
+                raise ValueError(f"params.rates[1] is {params.rates[1]}; legal: >= 1e-150, >= a2")
             if not np.isfinite(k1):
-                raise ValueError(f"params.k[0] is {k1}; legal: finite")
+                raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(k2):
-                raise ValueError(f"params.k[1] is {k2}; legal: finite")
+                raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not (eps < tau):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+                raise ValueError(f"params.eps is {params.eps}; legal: < tau")
             hold_from = -eps
             target_rate = 2.0 / tau
             v1 = 1.0 / a1
             v2 = 1.0 / a2
-            slowest = np.where(v1 < v2, v2, v1)
+            slowest = max(v1, v2)
             mean_period = 2.0 / (a1 + a2)
-            tolerance = 0.03 / (np.where(a1 < a2, a2, a1))
+            s1 = max(a1, a2)
+            tolerance = 0.03 / s1
             b1_1 = 0.5 * a1 * tau
             b1_2 = 0.5 * a2 * tau
             b2_1 = (-0.25) * (a1 * a1) * tau
             b2_2 = (-0.25) * (a2 * a2) * tau
             w1 = -k1
             w2 = -k2
-            self._a1 = np.asarray(a1)
-            self._a2 = np.asarray(a2)
-            self._tau = np.asarray(tau)
-            self._eps = np.asarray(eps)
-            self._hold_from = np.asarray(hold_from)
-            self._target_rate = np.asarray(target_rate)
-            self._slowest = np.asarray(slowest)
-            self._mean_period = np.asarray(mean_period)
-            self._tolerance = np.asarray(tolerance)
-            self._b1_1 = np.asarray(b1_1)
-            self._b1_2 = np.asarray(b1_2)
-            self._b2_1 = np.asarray(b2_1)
-            self._b2_2 = np.asarray(b2_2)
-            self._w1 = np.asarray(w1)
-            self._w2 = np.asarray(w2)
-            self._u_max = np.asarray(u_max)
-            self._t0 = np.asarray(0.0)
-            self._deadline = np.asarray(0.0)
-            self._correction = np.asarray(0.0)
+            if not ((b2_1 <= -1e-200) and (b2_2 <= -1e-200)):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            if not ((1e-200 <= np.abs(w1)) or (np.abs(k1) <= 0.0)):
+                raise ValueError(f"params.k[0] is {params.k[0]}; legal: as documented")
+            if not ((1e-200 <= np.abs(w2)) or (np.abs(k2) <= 0.0)):
+                raise ValueError(f"params.k[1] is {params.k[1]}; legal: as documented")
             if not (
-                (b2_1 <= -1e-200)
-                and (b2_2 <= -1e-200)
-                and _kept(w1, k1)
-                and _kept(w2, k2)
-                and np.isfinite(self._hold_from)
-                and np.isfinite(self._target_rate)
-                and np.isfinite(self._slowest)
-                and np.isfinite(self._mean_period)
-                and np.isfinite(self._tolerance)
-                and np.isfinite(self._b1_1)
-                and np.isfinite(self._b1_2)
-                and np.isfinite(self._b2_1)
-                and np.isfinite(self._b2_2)
-                and np.isfinite(self._w1)
-                and np.isfinite(self._w2)
+                np.isfinite(hold_from)
+                and np.isfinite(target_rate)
+                and np.isfinite(slowest)
+                and np.isfinite(mean_period)
+                and np.isfinite(tolerance)
+                and np.isfinite(b1_1)
+                and np.isfinite(b1_2)
+                and np.isfinite(b2_1)
+                and np.isfinite(b2_2)
+                and np.isfinite(w1)
+                and np.isfinite(w2)
             ):
-                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
-        self._arm(np.asarray(t0))
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._a1 = a1
+            self._a2 = a2
+            self._tau = tau
+            self._eps = eps
+            self._hold_from = hold_from
+            self._target_rate = target_rate
+            self._slowest = slowest
+            self._mean_period = mean_period
+            self._tolerance = tolerance
+            self._b1_1 = b1_1
+            self._b1_2 = b1_2
+            self._b2_1 = b2_1
+            self._b2_2 = b2_2
+            self._w1 = w1
+            self._w2 = w2
+            self._u_max = u_max
+            self._t0 = _R(0.0)
+            self._deadline = _R(0.0)
+            self._correction = _R(0.0)
+        self.arm(t0)
 
     def arm(self, t0: float) -> None:
         """Starts again at t0 [s].
 
-        ValueError where t0 or the deadline is not finite; the controller is left as it was.
+        ValueError where an argument or what follows from it is not finite; the controller
+        is left as it was.
         """
-        self._arm(np.asarray(t0, dtype=_R))
-
-    def _arm(self, t0: Array) -> None:
-        if not np.isfinite(t0):
-            raise ValueError(f"t0 is {t0}; legal: finite")
         with np.errstate(all="ignore"):
+            t0 = _R(t0)
+            if not np.isfinite(t0):
+                raise ValueError("t0, and what follows, must be finite")
             deadline = t0 + self._tau
             v1 = deadline - t0
             correction = (t0 - (deadline - v1)) + (self._tau - v1)
             if not np.isfinite(deadline):
-                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
-            self._t0 = np.asarray(t0)
-            self._deadline = np.asarray(deadline)
-            self._correction = np.asarray(correction)
+                raise ValueError("t0, and what follows, must be finite")
+            self._t0 = t0
+            self._deadline = deadline
+            self._correction = correction
 
     def step(self, t: ArrayLike, x: ArrayLike) -> Control:
-        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 2); t and x[..., 0] are broadcast.
-        """
-        return self._step(np.asarray(t, dtype=_R), _states(x, "x"))
+        """u at time t [s] and state x = (x1, x1', ...).
 
-    def _step(self, t: Array, states: tuple[Array, ...]) -> Control:
-        x1, x2 = states
+        Each argument may be a batch; states stand along the last axis.
+        """
+        t = np.asarray(t, dtype=_R)
+        x1, x2 = _states(x, "x")
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
@@ -299,10 +306,10 @@ class PtcExpSum2:
                 v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)))
                 v11 = 1.0 / (v6 + v8)
                 v12 = v7 * v11
-                v13 = 0.5 * v10 * ((((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0)
-                v14 = v10 * v12 * (1.0 + v13)
-                y_next = y + v14
-                y_size = np.abs(v14)
+                s1 = (((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0
+                v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
+                y_next = y + v13
+                y_size = np.abs(v13)
                 right = v10 > 0.0
                 y_low = np.where(right, y, y_low)
                 y_high = np.where(right, y_high, y)
@@ -312,40 +319,36 @@ class PtcExpSum2:
                 done = done | (y_size <= self._tolerance)
                 if done.all():
                     break
-            v15 = np.exp(-(self._a1 * y))
-            v16 = np.exp(-(self._a2 * y))
-            v17 = self._a1 * v15
-            v18 = self._a2 * v16
-            v19 = 1.0 / (v17 + v18)
-            v20 = ((v15 + v16) - target) * v19
-            v21 = 1.0 + (0.5 * (((self._a1 * v17) + (self._a2 * v18)) * v19 * v20))
-            v22 = v20 * v21
-            v23 = self._a1 * v22
+            v14 = np.exp(-(self._a1 * y))
+            v15 = np.exp(-(self._a2 * y))
+            v16 = self._a1 * v14
+            v17 = self._a2 * v15
+            v18 = 1.0 / (v16 + v17)
+            v19 = ((v14 + v15) - target) * v18
+            s2 = 1.0 + (0.5 * (((self._a1 * v16) + (self._a2 * v17)) * v18 * v19))
+            v20 = v19 * s2
+            v21 = self._a1 * v20
+            v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))))
+            v23 = self._a2 * v20
             v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))))
-            v25 = self._a2 * v22
-            v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))))
-            inv_r1 = 1.0 / ((self._b1_1 * v24) + (self._b1_2 * v26))
-            p2 = ((self._b2_1 * v24) + (self._b2_2 * v26)) * inv_r1
-            v27 = ((self._w1 * x1 * inv_r1) + ((self._w2 + ((-2.0) * p2)) * x2)) * inv_r1
-            v = np.asarray(v27)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            status = np.where(np.isfinite(v), status, Status.RANGE)
-            saturated = (v > self._u_max) | (v < -self._u_max)
-            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2)
-            status = np.where(legal, status, Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            inv_r1 = 1.0 / ((self._b1_1 * v22) + (self._b1_2 * v24))
+            p2 = ((self._b2_1 * v22) + (self._b2_2 * v24)) * inv_r1
+            s3 = (self._w1 * x1 * inv_r1) + ((self._w2 + ((-2.0) * p2)) * x2)
+            v = s3 * inv_r1
+            way1 = self._u_max < v
+            way2 = v < -self._u_max
+            way3 = np.isfinite(v)
+            way4 = late < self._hold_from
+            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, Status.HOLD), Status.RANGE))), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
-        """The gains at times t [s], for several axes that share one deadline: tick once, then axis for each.
+        """The gains at time t [s], for several axes that share one deadline: tick once, then axis
+        for each. The result of tick and axis may differ from that of step in the last bits.
 
-        The result of tick and axis may differ from that of step in the last bits.
+        Each argument may be a batch; states stand along the last axis.
         """
-        return self._tick(np.asarray(t, dtype=_R))
-
-    def _tick(self, t: Array) -> Gains:
+        t = np.asarray(t, dtype=_R)
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
@@ -368,10 +371,10 @@ class PtcExpSum2:
                 v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)))
                 v11 = 1.0 / (v6 + v8)
                 v12 = v7 * v11
-                v13 = 0.5 * v10 * ((((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0)
-                v14 = v10 * v12 * (1.0 + v13)
-                y_next = y + v14
-                y_size = np.abs(v14)
+                s1 = (((self._a1 * v6) + (self._a2 * v8)) * v11 * v12) - 1.0
+                v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
+                y_next = y + v13
+                y_size = np.abs(v13)
                 right = v10 > 0.0
                 y_low = np.where(right, y, y_low)
                 y_high = np.where(right, y_high, y)
@@ -381,25 +384,23 @@ class PtcExpSum2:
                 done = done | (y_size <= self._tolerance)
                 if done.all():
                     break
-            v15 = np.exp(-(self._a1 * y))
-            v16 = np.exp(-(self._a2 * y))
-            v17 = self._a1 * v15
-            v18 = self._a2 * v16
-            v19 = 1.0 / (v17 + v18)
-            v20 = ((v15 + v16) - target) * v19
-            v21 = 1.0 + (0.5 * (((self._a1 * v17) + (self._a2 * v18)) * v19 * v20))
-            v22 = v20 * v21
-            v23 = self._a1 * v22
+            v14 = np.exp(-(self._a1 * y))
+            v15 = np.exp(-(self._a2 * y))
+            v16 = self._a1 * v14
+            v17 = self._a2 * v15
+            v18 = 1.0 / (v16 + v17)
+            v19 = ((v14 + v15) - target) * v18
+            s2 = 1.0 + (0.5 * (((self._a1 * v16) + (self._a2 * v17)) * v18 * v19))
+            v20 = v19 * s2
+            v21 = self._a1 * v20
+            v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))))
+            v23 = self._a2 * v20
             v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))))
-            v25 = self._a2 * v22
-            v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))))
-            inv_r1 = 1.0 / ((self._b1_1 * v24) + (self._b1_2 * v26))
-            p2 = ((self._b2_1 * v24) + (self._b2_2 * v26)) * inv_r1
-            gain = np.stack(np.broadcast_arrays(
-                self._w1 * inv_r1 * inv_r1,
-                (self._w2 + ((-2.0) * p2)) * inv_r1,
-            ), axis=-1)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            legal = np.isfinite(t) & (t >= self._t0)
-            status = np.where(legal, status, Status.INPUT)
-            return Gains(gain, self._u_max, status.astype(np.int8))
+            inv_r1 = 1.0 / ((self._b1_1 * v22) + (self._b1_2 * v24))
+            p2 = ((self._b2_1 * v22) + (self._b2_2 * v24)) * inv_r1
+            gain1 = self._w1 * inv_r1 * inv_r1
+            gain2 = (self._w2 + ((-2.0) * p2)) * inv_r1
+            way1 = late < self._hold_from
+            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            gain = np.stack(np.broadcast_arrays(gain1, gain2), axis=-1)
+            return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

@@ -107,6 +107,13 @@ class Params:
     u_max: float
     """bound of |u| [unit of u], > 0, infinity allowed"""
 
+def _numbers(given: ArrayLike, length: int, name: str) -> Array:
+    """The numbers of a sequence of this length."""
+    numbers = np.asarray(given, dtype=_R)
+    if numbers.shape != (length,):
+        raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
+    return numbers
+
 def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     """The states along the last axis, one by one."""
     states = np.asarray(x, dtype=_R)
@@ -115,88 +122,82 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     return tuple(np.moveaxis(states, -1, 0))
 
 class PtcOwnLaw1Latched:
-    """The controller: takes the parameters and arms at params.t0, or the fixed t0, latching x0.
+    """The controller. Takes the parameters and arms at params.t0 (or the fixed t0), latching the state x0.
 
     ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params, x0: ArrayLike) -> None:
         with np.errstate(all="ignore"):
-            tau = np.asarray(params.tau, dtype=_R)
-            t0 = np.asarray(params.t0, dtype=_R)
-            eps = np.asarray(params.eps, dtype=_R)
-            u_max = np.asarray(params.u_max, dtype=_R)
-            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
-                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
+            given_tau = _R(params.tau)
+            given_t0 = _R(params.t0)
+            given_eps = _R(params.eps)
+            given_u_max = _R(params.u_max)
+            tau = given_tau
+            t0 = given_t0
+            eps = given_eps
+            u_max = given_u_max
+            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
-                raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps >= 1e-150):
-                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
-            if not (u_max > 0.0):
-                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
+                raise ValueError(f"params.t0 is {params.t0}; legal: finite")
+            if not (1e-150 <= eps):
+                raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
+            if not (0.0 < u_max):
+                raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (eps < tau):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+                raise ValueError(f"params.eps is {params.eps}; legal: < tau")
             hold_from = -eps
-            self._tau = np.asarray(tau)
-            self._eps = np.asarray(eps)
-            self._hold_from = np.asarray(hold_from)
-            self._u_max = np.asarray(u_max)
-            self._t0 = np.asarray(0.0)
-            self._deadline = np.asarray(0.0)
-            self._correction = np.asarray(0.0)
-            self._x1_0 = np.asarray(0.0)
-            if not (
-                np.isfinite(self._hold_from)
-            ):
-                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
-        self._arm(np.asarray(t0), np.asarray(x0, dtype=_R))
+            if not np.isfinite(hold_from):
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._tau = tau
+            self._eps = eps
+            self._hold_from = hold_from
+            self._u_max = u_max
+            self._t0 = _R(0.0)
+            self._deadline = _R(0.0)
+            self._correction = _R(0.0)
+            self._x1_0 = _R(0.0)
+        self.arm(t0, x0)
 
     def arm(self, t0: float, x0: ArrayLike) -> None:
-        """Starts again at t0 [s], latching the state x0 of shape (1,).
+        """Starts again at t0 [s], latching the state x0.
 
-        ValueError where t0, x0 or the deadline is not finite; the controller is left as it was.
+        ValueError where an argument or what follows from it is not finite; the controller
+        is left as it was.
         """
-        self._arm(np.asarray(t0, dtype=_R), np.asarray(x0, dtype=_R))
-
-    def _arm(self, t0: Array, x0: Array) -> None:
-        if not np.isfinite(t0):
-            raise ValueError(f"t0 is {t0}; legal: finite")
-        if x0.shape != (1,) or not (
-            np.isfinite(x0[0])
-        ):
-            raise ValueError(f"x0 is {x0}; legal: 1 finite numbers")
-        x1_0 = x0[0]
         with np.errstate(all="ignore"):
+            t0 = _R(t0)
+            x0 = _numbers(x0, 1, "x0")
+            if not (np.isfinite(t0) and np.isfinite(x0[0])):
+                raise ValueError("t0 and x0, and what follows, must be finite")
             deadline = t0 + self._tau
             v1 = deadline - t0
             correction = (t0 - (deadline - v1)) + (self._tau - v1)
             if not np.isfinite(deadline):
-                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
-            self._t0 = np.asarray(t0)
-            self._deadline = np.asarray(deadline)
-            self._correction = np.asarray(correction)
-            self._x1_0 = np.asarray(x1_0)
+                raise ValueError("t0 and x0, and what follows, must be finite")
+            self._t0 = t0
+            self._deadline = deadline
+            self._correction = correction
+            self._x1_0 = x0[0]
 
     def step(self, t: ArrayLike, x: ArrayLike) -> Control:
-        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 1); t and x[..., 0] are broadcast.
-        """
-        return self._step(np.asarray(t, dtype=_R), _states(x, "x"))
+        """u at time t [s] and state x = (x1, x1', ...).
 
-    def _step(self, t: Array, states: tuple[Array, ...]) -> Control:
-        x1,  = states
+        Each argument may be a batch; states stand along the last axis.
+        """
+        t = np.asarray(t, dtype=_R)
+        x1, = _states(x, "x")
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
             T = -late
             inv_r1 = 1.0 / T
             law = ((-2.0) * x1) - (x1 * self._x1_0)
-            v = np.asarray(law * inv_r1)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            status = np.where(np.isfinite(v), status, Status.RANGE)
-            saturated = (v > self._u_max) | (v < -self._u_max)
-            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1)
-            status = np.where(legal, status, Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            v = law * inv_r1
+            way1 = self._u_max < v
+            way2 = v < -self._u_max
+            way3 = np.isfinite(v)
+            way4 = late < self._hold_from
+            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, Status.HOLD), Status.RANGE))), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))

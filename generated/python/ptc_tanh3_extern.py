@@ -129,85 +129,93 @@ def _states(x: ArrayLike, name: str) -> tuple[Array, ...]:
     return tuple(np.moveaxis(states, -1, 0))
 
 class PtcTanh3Extern:
-    """The controller: takes the parameters and arms at params.t0, or the fixed t0.
+    """The controller. Takes the parameters and arms at params.t0 (or the fixed t0).
 
     ValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.
     """
 
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
-            tau = np.asarray(params.tau, dtype=_R)
-            t0 = np.asarray(params.t0, dtype=_R)
-            eps = np.asarray(params.eps, dtype=_R)
-            u_max = np.asarray(params.u_max, dtype=_R)
-            a = np.asarray(params.a, dtype=_R)
-            if not (np.isfinite(tau) and (tau >= 1e-150) and (tau <= 1e150)):
-                raise ValueError(f"params.tau is {tau}; legal: from 1e-150 to 1e150")
+            given_tau = _R(params.tau)
+            given_t0 = _R(params.t0)
+            given_eps = _R(params.eps)
+            given_u_max = _R(params.u_max)
+            given_a = _R(params.a)
+            tau = given_tau
+            t0 = given_t0
+            eps = given_eps
+            u_max = given_u_max
+            a = given_a
+            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+                raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
-                raise ValueError(f"params.t0 is {t0}; legal: finite")
-            if not (eps >= 1e-150):
-                raise ValueError(f"params.eps is {eps}; legal: >= 1e-150, < tau")
-            if not (u_max > 0.0):
-                raise ValueError(f"params.u_max is {u_max}; legal: > 0, infinity allowed")
-            if not (np.isfinite(a) and (a >= 1e-150) and (a <= 1e150)):
-                raise ValueError(f"params.a is {a}; legal: from 1e-150 to 1e150")
+                raise ValueError(f"params.t0 is {params.t0}; legal: finite")
+            if not (1e-150 <= eps):
+                raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
+            if not (0.0 < u_max):
+                raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
+            if not (np.isfinite(a) and (1e-150 <= a) and (a <= 1e150)):
+                raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not (eps < tau):
-                raise ValueError(f"params.eps is {eps}; legal: > 0, < tau")
+                raise ValueError(f"params.eps is {params.eps}; legal: < tau")
             hold_from = -eps
             f16 = 2.0 * tau
-            self._tau = np.asarray(tau)
-            self._eps = np.asarray(eps)
-            self._hold_from = np.asarray(hold_from)
-            self._f16 = np.asarray(f16)
-            self._a = np.asarray(a)
-            self._f22 = np.asarray(2.0 * a)
-            self._f24 = np.asarray(f16 * a)
-            self._f29 = np.asarray(1.0 / tau)
-            self._u_max = np.asarray(u_max)
-            self._t0 = np.asarray(0.0)
-            self._deadline = np.asarray(0.0)
-            self._correction = np.asarray(0.0)
+            f22 = 2.0 * a
+            f24 = f16 * a
+            f29 = 1.0 / tau
             if not (
-                np.isfinite(self._hold_from)
-                and np.isfinite(self._f16)
-                and np.isfinite(self._f22)
-                and np.isfinite(self._f24)
-                and np.isfinite(self._f29)
+                np.isfinite(hold_from)
+                and np.isfinite(f16)
+                and np.isfinite(f22)
+                and np.isfinite(f24)
+                and np.isfinite(f29)
             ):
-                raise ValueError("the coefficients leave the range of numbers; take gains and rates nearer to 1")
-        self._arm(np.asarray(t0))
+                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
+            self._tau = tau
+            self._eps = eps
+            self._hold_from = hold_from
+            self._f16 = f16
+            self._a = a
+            self._f22 = f22
+            self._f24 = f24
+            self._f29 = f29
+            self._u_max = u_max
+            self._t0 = _R(0.0)
+            self._deadline = _R(0.0)
+            self._correction = _R(0.0)
+        self.arm(t0)
 
     def arm(self, t0: float) -> None:
         """Starts again at t0 [s].
 
-        ValueError where t0 or the deadline is not finite; the controller is left as it was.
+        ValueError where an argument or what follows from it is not finite; the controller
+        is left as it was.
         """
-        self._arm(np.asarray(t0, dtype=_R))
-
-    def _arm(self, t0: Array) -> None:
-        if not np.isfinite(t0):
-            raise ValueError(f"t0 is {t0}; legal: finite")
         with np.errstate(all="ignore"):
+            t0 = _R(t0)
+            if not np.isfinite(t0):
+                raise ValueError("t0, and what follows, must be finite")
             deadline = t0 + self._tau
             v1 = deadline - t0
             correction = (t0 - (deadline - v1)) + (self._tau - v1)
             if not np.isfinite(deadline):
-                raise ValueError(f"t0 + tau is {deadline}; legal: finite")
-            self._t0 = np.asarray(t0)
-            self._deadline = np.asarray(deadline)
-            self._correction = np.asarray(correction)
+                raise ValueError("t0, and what follows, must be finite")
+            self._t0 = t0
+            self._deadline = deadline
+            self._correction = correction
 
     def step(self, t: ArrayLike, x: ArrayLike, *, pi0: Callable[[Array, Array], ArrayLike], after: Callable[[Array, Array], ArrayLike]) -> Control:
-        """u at times t [s] and states x = (x1, x1', ...) of shape (..., 3); t and x[..., 0] are broadcast.
+        """u at time t [s] and state x = (x1, x1', ...).
 
-        pi0(xi, t) is the user-defined law, for the whole batch; t is the stretched time kappa + t0.
+        Each argument may be a batch; states stand along the last axis.
 
-        after(x, t) gives u for t >= t0 + tau; it is called with the whole batch where any t is so late.
+        pi0 is called for the whole batch. User-defined law pi0(xi, t); t is the stretched time
+        kappa + t0.
+
+        after is called for the whole batch. User-defined law for t >= t0 + tau.
         """
-        return self._step(np.asarray(t, dtype=_R), _states(x, "x"), pi0, x, after)
-
-    def _step(self, t: Array, states: tuple[Array, ...], pi0: Callable[[Array, Array], ArrayLike], x: ArrayLike, after: Callable[[Array, Array], ArrayLike]) -> Control:
-        x1, x2, x3 = states
+        t = np.asarray(t, dtype=_R)
+        x1, x2, x3 = _states(x, "x")
         with np.errstate(all="ignore"):
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
@@ -220,24 +228,22 @@ class PtcTanh3Extern:
             v5 = v4 * 0.5
             v6 = T * unit
             inv_r1 = 1.0 / v6
-            v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit)
             xi2 = x2 * v6
             xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6
             t_kappa = self._t0 + ((-np.log(T / (self._f16 - T))) / self._f22)
             xi = np.stack(np.broadcast_arrays(x1, xi2, xi3), axis=-1)
-            law = np.asarray(pi0(xi, np.asarray(t_kappa)), dtype=_R)
-            v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3)
-            v = np.asarray(v8 * inv_r1)
-            status = np.where(late < self._hold_from, Status.OK, Status.HOLD)
-            over = np.asarray(past >= 0.0)
-            if over.any():
-                v = np.where(over, np.asarray(after(np.asarray(x, dtype=_R), t), dtype=_R), v)
-            status = np.where(over, Status.AFTER, status)
-            status = np.where(np.isfinite(v), status, Status.RANGE)
-            saturated = (v > self._u_max) | (v < -self._u_max)
-            v = np.where(v > self._u_max, self._u_max, np.where(v < -self._u_max, -self._u_max, v))
-            status = np.where(saturated, Status.SATURATED, status)
-
-            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
-            status = np.where(legal, status, Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), v), status.astype(np.int8))
+            law = np.asarray(pi0(np.asarray(xi, dtype=_R), np.asarray(t_kappa)), dtype=_R)
+            s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666
+            s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1
+            applied = np.asarray((s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1)
+            chosen = np.asarray(0.0 <= past)
+            if chosen.any():
+                applied = np.where(chosen, np.asarray(after(np.asarray(x, dtype=_R), np.asarray(t)), dtype=_R), applied)
+            v = applied
+            way1 = self._u_max < v
+            way2 = v < -self._u_max
+            way3 = np.isfinite(v)
+            way4 = late < self._hold_from
+            way5 = 0.0 <= past
+            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, np.where(way5, Status.AFTER, Status.HOLD)), Status.RANGE))), Status.INPUT)
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))

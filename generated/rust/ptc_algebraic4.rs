@@ -168,88 +168,96 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic4Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; `k[0]` is k_1 in 1/s^4, ..., `k[3]` is k_4 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k\[0\] is k_1 \[1/s^4\], ..., k\[3\] is k_4 \[1/s\].
     pub k: [f64; 4],
 }
 
-/// Prescribed-time controller of order 4.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic4 {
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^4 in the gain of x1
+    /// coefficient of one_plus_y2^4 in the gain of x1.
     c1_4: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau
+    /// 2*tau.
     two_tau: f64,
-    /// tau/2
+    /// tau/2.
     half_tau: f64,
-    /// coefficient of y^0 in the gain of x2
+    /// coefficient of y^0 in the gain of x2.
     c2_0: f64,
-    /// coefficient of y^1 in the gain of x2
+    /// coefficient of y^1 in the gain of x2.
     c2_1: f64,
-    /// coefficient of y^2 in the gain of x2
+    /// coefficient of y^2 in the gain of x2.
     c2_2: f64,
-    /// coefficient of y^3 in the gain of x2
+    /// coefficient of y^3 in the gain of x2.
     c2_3: f64,
-    /// coefficient of y^4 in the gain of x2
+    /// coefficient of y^4 in the gain of x2.
     c2_4: f64,
-    /// coefficient of y^5 in the gain of x2
+    /// coefficient of y^5 in the gain of x2.
     c2_5: f64,
-    /// coefficient of y^6 in the gain of x2
+    /// coefficient of y^6 in the gain of x2.
     c2_6: f64,
-    /// 1/tau
+    /// 1/tau.
     inv_tau: f64,
-    /// coefficient of y^0 in the gain of x3
+    /// coefficient of y^0 in the gain of x3.
     c3_0: f64,
-    /// coefficient of y^3 in the gain of x3
+    /// coefficient of y^3 in the gain of x3.
     c3_3: f64,
-    /// coefficient of y^2 in the gain of x3
+    /// coefficient of y^2 in the gain of x3.
     c3_2: f64,
-    /// coefficient of y^4 in the gain of x3
+    /// coefficient of y^4 in the gain of x3.
     c3_4: f64,
-    /// coefficient of y^2 in the gain of x4
+    /// coefficient of y^2 in the gain of x4.
     c4_2: f64,
-    /// coefficient of y^1 in the gain of x4
+    /// coefficient of y^1 in the gain of x4.
     c4_1: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcAlgebraic4`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic4Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[3\] x\[3\].
     pub gain: [f64; 4],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcAlgebraic4 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -264,13 +272,13 @@ impl PtcAlgebraic4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -318,6 +326,46 @@ impl PtcAlgebraic4 {
         let c3_4 = v16 / v4;
         let c4_2 = (-K4) / tau;
         let c4_1 = 18.0 / tau;
+        if !((1e-200 <= v2)
+            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && (1e-200 <= v3)
+            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && (1e-200 <= v5)
+            && ((1e-200 <= c1_4.abs()) || (k1.abs() <= 0.0))
+            && (1e-200 <= v8)
+            && ((1e-200 <= c2_0.abs()) || (v7.abs() <= 0.0))
+            && ((1e-200 <= c2_1.abs()) || (v10.abs() <= 0.0))
+            && ((1e-200 <= c2_2.abs()) || (v13.abs() <= 0.0))
+            && ((1e-200 <= c2_3.abs()) || (v14.abs() <= 0.0))
+            && ((1e-200 <= c2_4.abs()) || (v15.abs() <= 0.0))
+            && ((1e-200 <= c2_5.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c2_6.abs()) || (k2.abs() <= 0.0))
+            && ((1e-200 <= c3_3.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= c3_4.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c4_2.abs()) || (k4.abs() <= 0.0))
+            && c1_4.is_finite()
+            && hold_from.is_finite()
+            && two_tau.is_finite()
+            && half_tau.is_finite()
+            && c2_0.is_finite()
+            && c2_1.is_finite()
+            && c2_2.is_finite()
+            && c2_3.is_finite()
+            && c2_4.is_finite()
+            && c2_5.is_finite()
+            && c2_6.is_finite()
+            && inv_tau.is_finite()
+            && c3_0.is_finite()
+            && c3_3.is_finite()
+            && c3_2.is_finite()
+            && c3_4.is_finite()
+            && c4_2.is_finite()
+            && c4_1.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             c1_4,
@@ -344,67 +392,23 @@ impl PtcAlgebraic4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((v2 >= 1e-200)
-            && Self::kept(K1, k1)
-            && (v3 >= 1e-200)
-            && Self::kept(K2, k2)
-            && Self::kept(K3, k3)
-            && Self::kept(K4, k4)
-            && (v5 >= 1e-200)
-            && Self::kept(c1_4, k1)
-            && (v8 >= 1e-200)
-            && Self::kept(c2_0, v7)
-            && Self::kept(c2_1, v10)
-            && Self::kept(c2_2, v13)
-            && Self::kept(c2_3, v14)
-            && Self::kept(c2_4, v15)
-            && Self::kept(c2_5, k3)
-            && Self::kept(c2_6, k2)
-            && Self::kept(c3_3, k4)
-            && Self::kept(c3_4, k3)
-            && Self::kept(c4_2, k4)
-            && built.c1_4.is_finite()
-            && built.hold_from.is_finite()
-            && built.two_tau.is_finite()
-            && built.half_tau.is_finite()
-            && built.c2_0.is_finite()
-            && built.c2_1.is_finite()
-            && built.c2_2.is_finite()
-            && built.c2_3.is_finite()
-            && built.c2_4.is_finite()
-            && built.c2_5.is_finite()
-            && built.c2_6.is_finite()
-            && built.inv_tau.is_finite()
-            && built.c3_0.is_finite()
-            && built.c3_3.is_finite()
-            && built.c3_2.is_finite()
-            && built.c3_4.is_finite()
-            && built.c4_2.is_finite()
-            && built.c4_1.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -413,15 +417,18 @@ impl PtcAlgebraic4 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -430,106 +437,127 @@ impl PtcAlgebraic4 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
+        let s1 = self.half_tau / (self.two_tau + late);
+        let one_plus_y2 = (self.half_tau / T) + s1;
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let v2 = ((((self.c2_5 * y_squared) + self.c2_3) * y_squared) + self.c2_1) * y;
-        let v3 = ((((self.c2_6 * y_squared) + self.c2_4) * y_squared) + self.c2_2) * y_squared;
-        let row2 = v3 + self.c2_0 + v2;
-        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
+        let s2 = ((self.c2_6 * y_squared) + self.c2_4) * y_squared;
+        let s3 = ((self.c2_5 * y_squared) + self.c2_3) * y_squared;
+        let s4 = ((s2 + self.c2_2) * y_squared) + self.c2_0;
+        let row2 = s4 + ((s3 + self.c2_1) * y);
+        let s5 = ((self.c3_4 * y_squared) + self.c3_2) * y_squared;
+        let row3 = s5 + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
         let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
-        let v4 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-        let u = v4 * sec;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s6 = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
+        let v = (s6 + (row4 * x4)) * sec;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic4Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
+        let s1 = self.half_tau / (self.two_tau + late);
+        let one_plus_y2 = (self.half_tau / T) + s1;
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_4 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let v2 = ((((self.c2_5 * y_squared) + self.c2_3) * y_squared) + self.c2_1) * y;
-        let v3 = ((((self.c2_6 * y_squared) + self.c2_4) * y_squared) + self.c2_2) * y_squared;
-        let row2 = v3 + self.c2_0 + v2;
-        let row3 = (((self.c3_4 * y_squared) + self.c3_2) * y_squared) + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
+        let s2 = ((self.c2_6 * y_squared) + self.c2_4) * y_squared;
+        let s3 = ((self.c2_5 * y_squared) + self.c2_3) * y_squared;
+        let s4 = ((s2 + self.c2_2) * y_squared) + self.c2_0;
+        let row2 = s4 + ((s3 + self.c2_1) * y);
+        let s5 = ((self.c3_4 * y_squared) + self.c3_2) * y_squared;
+        let row3 = s5 + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
         let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
-        let v4 = sec * sec;
-        let held = late >= self.hold_from;
+        let v2 = sec * sec;
+        let gain1 = row1 * v2 * v2;
+        let gain2 = row2 * v2 * sec;
+        let gain3 = row3 * sec * sec;
+        let gain4 = row4 * sec;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcAlgebraic4Gains {
-            gain: [
-                row1 * v4 * v4,
-                row2 * v4 * sec,
-                row3 * sec * sec,
-                row4 * sec,
-            ],
+            gain: [gain1, gain2, gain3, gain4],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcAlgebraic4Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4] = *x;
-        let [gain1, gain2, gain3, gain4] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let v = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

@@ -178,106 +178,114 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic5Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k\[0\] is k_1 \[1/s^5\], ..., k\[4\] is k_5 \[1/s\].
     pub k: [f64; 5],
 }
 
-/// Prescribed-time controller of order 5.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcAlgebraic5 {
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// coefficient of one_plus_y2^5 in the gain of x1
+    /// coefficient of one_plus_y2^5 in the gain of x1.
     c1_5: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 2*tau
+    /// 2*tau.
     two_tau: f64,
-    /// tau/2
+    /// tau/2.
     half_tau: f64,
-    /// coefficient of y^0 in the gain of x2
+    /// coefficient of y^0 in the gain of x2.
     c2_0: f64,
-    /// coefficient of y^1 in the gain of x2
+    /// coefficient of y^1 in the gain of x2.
     c2_1: f64,
-    /// coefficient of y^2 in the gain of x2
+    /// coefficient of y^2 in the gain of x2.
     c2_2: f64,
-    /// coefficient of y^3 in the gain of x2
+    /// coefficient of y^3 in the gain of x2.
     c2_3: f64,
-    /// coefficient of y^4 in the gain of x2
+    /// coefficient of y^4 in the gain of x2.
     c2_4: f64,
-    /// coefficient of y^5 in the gain of x2
+    /// coefficient of y^5 in the gain of x2.
     c2_5: f64,
-    /// coefficient of y^6 in the gain of x2
+    /// coefficient of y^6 in the gain of x2.
     c2_6: f64,
-    /// coefficient of y^7 in the gain of x2
+    /// coefficient of y^7 in the gain of x2.
     c2_7: f64,
-    /// coefficient of y^8 in the gain of x2
+    /// coefficient of y^8 in the gain of x2.
     c2_8: f64,
-    /// 1/tau
+    /// 1/tau.
     inv_tau: f64,
-    /// coefficient of y^0 in the gain of x3
+    /// coefficient of y^0 in the gain of x3.
     c3_0: f64,
-    /// coefficient of y^1 in the gain of x3
+    /// coefficient of y^1 in the gain of x3.
     c3_1: f64,
-    /// coefficient of y^2 in the gain of x3
+    /// coefficient of y^2 in the gain of x3.
     c3_2: f64,
-    /// coefficient of y^3 in the gain of x3
+    /// coefficient of y^3 in the gain of x3.
     c3_3: f64,
-    /// coefficient of y^4 in the gain of x3
+    /// coefficient of y^4 in the gain of x3.
     c3_4: f64,
-    /// coefficient of y^5 in the gain of x3
+    /// coefficient of y^5 in the gain of x3.
     c3_5: f64,
-    /// coefficient of y^6 in the gain of x3
+    /// coefficient of y^6 in the gain of x3.
     c3_6: f64,
-    /// coefficient of y^0 in the gain of x4
+    /// coefficient of y^0 in the gain of x4.
     c4_0: f64,
-    /// coefficient of y^3 in the gain of x4
+    /// coefficient of y^3 in the gain of x4.
     c4_3: f64,
-    /// coefficient of y^2 in the gain of x4
+    /// coefficient of y^2 in the gain of x4.
     c4_2: f64,
-    /// coefficient of y^4 in the gain of x4
+    /// coefficient of y^4 in the gain of x4.
     c4_4: f64,
-    /// coefficient of y^2 in the gain of x5
+    /// coefficient of y^2 in the gain of x5.
     c5_2: f64,
-    /// coefficient of y^1 in the gain of x5
+    /// coefficient of y^1 in the gain of x5.
     c5_1: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcAlgebraic5`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcAlgebraic5Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[4\] x\[4\].
     pub gain: [f64; 5],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcAlgebraic5 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -293,13 +301,13 @@ impl PtcAlgebraic5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -370,6 +378,67 @@ impl PtcAlgebraic5 {
         let c4_4 = v28 / v5;
         let c5_2 = (-K5) / tau;
         let c5_1 = 30.0 / tau;
+        if !((1e-200 <= v2)
+            && (1e-200 <= v3)
+            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= v4)
+            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= K5.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= v6)
+            && (1e-200 <= v7)
+            && ((1e-200 <= c1_5.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= c2_0.abs()) || (v9.abs() <= 0.0))
+            && ((1e-200 <= c2_1.abs()) || (v11.abs() <= 0.0))
+            && ((1e-200 <= c2_2.abs()) || (v13.abs() <= 0.0))
+            && ((1e-200 <= c2_3.abs()) || (v15.abs() <= 0.0))
+            && ((1e-200 <= c2_4.abs()) || (v16.abs() <= 0.0))
+            && ((1e-200 <= c2_5.abs()) || (v17.abs() <= 0.0))
+            && ((1e-200 <= c2_6.abs()) || (v18.abs() <= 0.0))
+            && ((1e-200 <= c2_7.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c2_8.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= v21)
+            && ((1e-200 <= c3_0.abs()) || (v20.abs() <= 0.0))
+            && ((1e-200 <= c3_1.abs()) || (v23.abs() <= 0.0))
+            && ((1e-200 <= c3_2.abs()) || (v25.abs() <= 0.0))
+            && ((1e-200 <= c3_3.abs()) || (v26.abs() <= 0.0))
+            && ((1e-200 <= c3_4.abs()) || (v27.abs() <= 0.0))
+            && ((1e-200 <= c3_5.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= c3_6.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c4_3.abs()) || (k5.abs() <= 0.0))
+            && ((1e-200 <= c4_4.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= c5_2.abs()) || (k5.abs() <= 0.0))
+            && c1_5.is_finite()
+            && hold_from.is_finite()
+            && two_tau.is_finite()
+            && half_tau.is_finite()
+            && c2_0.is_finite()
+            && c2_1.is_finite()
+            && c2_2.is_finite()
+            && c2_3.is_finite()
+            && c2_4.is_finite()
+            && c2_5.is_finite()
+            && c2_6.is_finite()
+            && c2_7.is_finite()
+            && c2_8.is_finite()
+            && inv_tau.is_finite()
+            && c3_0.is_finite()
+            && c3_1.is_finite()
+            && c3_2.is_finite()
+            && c3_3.is_finite()
+            && c3_4.is_finite()
+            && c3_5.is_finite()
+            && c3_6.is_finite()
+            && c4_0.is_finite()
+            && c4_3.is_finite()
+            && c4_2.is_finite()
+            && c4_4.is_finite()
+            && c5_2.is_finite()
+            && c5_1.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             c1_5,
@@ -405,88 +474,23 @@ impl PtcAlgebraic5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((v2 >= 1e-200)
-            && (v3 >= 1e-200)
-            && Self::kept(K1, k1)
-            && Self::kept(K2, k2)
-            && (v4 >= 1e-200)
-            && Self::kept(K3, k3)
-            && Self::kept(K4, k4)
-            && Self::kept(K5, k5)
-            && (v6 >= 1e-200)
-            && (v7 >= 1e-200)
-            && Self::kept(c1_5, k1)
-            && Self::kept(c2_0, v9)
-            && Self::kept(c2_1, v11)
-            && Self::kept(c2_2, v13)
-            && Self::kept(c2_3, v15)
-            && Self::kept(c2_4, v16)
-            && Self::kept(c2_5, v17)
-            && Self::kept(c2_6, v18)
-            && Self::kept(c2_7, k3)
-            && Self::kept(c2_8, k2)
-            && (v21 >= 1e-200)
-            && Self::kept(c3_0, v20)
-            && Self::kept(c3_1, v23)
-            && Self::kept(c3_2, v25)
-            && Self::kept(c3_3, v26)
-            && Self::kept(c3_4, v27)
-            && Self::kept(c3_5, k4)
-            && Self::kept(c3_6, k3)
-            && Self::kept(c4_3, k5)
-            && Self::kept(c4_4, k4)
-            && Self::kept(c5_2, k5)
-            && built.c1_5.is_finite()
-            && built.hold_from.is_finite()
-            && built.two_tau.is_finite()
-            && built.half_tau.is_finite()
-            && built.c2_0.is_finite()
-            && built.c2_1.is_finite()
-            && built.c2_2.is_finite()
-            && built.c2_3.is_finite()
-            && built.c2_4.is_finite()
-            && built.c2_5.is_finite()
-            && built.c2_6.is_finite()
-            && built.c2_7.is_finite()
-            && built.c2_8.is_finite()
-            && built.inv_tau.is_finite()
-            && built.c3_0.is_finite()
-            && built.c3_1.is_finite()
-            && built.c3_2.is_finite()
-            && built.c3_3.is_finite()
-            && built.c3_4.is_finite()
-            && built.c3_5.is_finite()
-            && built.c3_6.is_finite()
-            && built.c4_0.is_finite()
-            && built.c4_3.is_finite()
-            && built.c4_2.is_finite()
-            && built.c4_4.is_finite()
-            && built.c5_2.is_finite()
-            && built.c5_1.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -495,15 +499,19 @@ impl PtcAlgebraic5 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -513,94 +521,124 @@ impl PtcAlgebraic5 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
+        let s1 = self.half_tau / (self.two_tau + late);
+        let one_plus_y2 = (self.half_tau / T) + s1;
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
-        let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
-        let row2 = ((v3 + self.c2_2) * y_squared) + self.c2_0 + ((v2 + self.c2_1) * y);
-        let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
-        let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
-        let row3 = v5 + self.c3_0 + v4;
-        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
+        let s2 = ((self.c2_8 * y_squared) + self.c2_6) * y_squared;
+        let s3 = (((s2 + self.c2_4) * y_squared) + self.c2_2) * y_squared;
+        let s4 = ((self.c2_7 * y_squared) + self.c2_5) * y_squared;
+        let s5 = (((s4 + self.c2_3) * y_squared) + self.c2_1) * y;
+        let row2 = s3 + self.c2_0 + s5;
+        let s6 = ((self.c3_6 * y_squared) + self.c3_4) * y_squared;
+        let s7 = ((self.c3_5 * y_squared) + self.c3_3) * y_squared;
+        let s8 = ((s6 + self.c3_2) * y_squared) + self.c3_0;
+        let row3 = s8 + ((s7 + self.c3_1) * y);
+        let s9 = ((self.c4_4 * y_squared) + self.c4_2) * y_squared;
+        let row4 = s9 + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
         let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
-        let v6 = (((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec) + (row4 * x4);
-        let u = ((v6 * sec) + (row5 * x5)) * sec;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s10 = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
+        let v = (((s10 + (row4 * x4)) * sec) + (row5 * x5)) * sec;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic5Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
-        let one_plus_y2 = (self.half_tau / T) + (self.half_tau / (self.two_tau + late));
+        let s1 = self.half_tau / (self.two_tau + late);
+        let one_plus_y2 = (self.half_tau / T) + s1;
         let v1 = one_plus_y2 * one_plus_y2;
         let row1 = self.c1_5 * one_plus_y2 * v1 * v1;
         let sec = math::sqrt(one_plus_y2);
         let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
-        let v2 = ((((self.c2_7 * y_squared) + self.c2_5) * y_squared) + self.c2_3) * y_squared;
-        let v3 = ((((self.c2_8 * y_squared) + self.c2_6) * y_squared) + self.c2_4) * y_squared;
-        let row2 = ((v3 + self.c2_2) * y_squared) + self.c2_0 + ((v2 + self.c2_1) * y);
-        let v4 = ((((self.c3_5 * y_squared) + self.c3_3) * y_squared) + self.c3_1) * y;
-        let v5 = ((((self.c3_6 * y_squared) + self.c3_4) * y_squared) + self.c3_2) * y_squared;
-        let row3 = v5 + self.c3_0 + v4;
-        let row4 = (((self.c4_4 * y_squared) + self.c4_2) * y_squared) + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
+        let s2 = ((self.c2_8 * y_squared) + self.c2_6) * y_squared;
+        let s3 = (((s2 + self.c2_4) * y_squared) + self.c2_2) * y_squared;
+        let s4 = ((self.c2_7 * y_squared) + self.c2_5) * y_squared;
+        let s5 = (((s4 + self.c2_3) * y_squared) + self.c2_1) * y;
+        let row2 = s3 + self.c2_0 + s5;
+        let s6 = ((self.c3_6 * y_squared) + self.c3_4) * y_squared;
+        let s7 = ((self.c3_5 * y_squared) + self.c3_3) * y_squared;
+        let s8 = ((s6 + self.c3_2) * y_squared) + self.c3_0;
+        let row3 = s8 + ((s7 + self.c3_1) * y);
+        let s9 = ((self.c4_4 * y_squared) + self.c4_2) * y_squared;
+        let row4 = s9 + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
         let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
-        let v6 = sec * sec;
-        let held = late >= self.hold_from;
+        let v2 = sec * sec;
+        let gain1 = row1 * (v2 * sec) * v2;
+        let gain2 = row2 * v2 * v2;
+        let gain3 = row3 * v2 * sec;
+        let gain4 = row4 * sec * sec;
+        let gain5 = row5 * sec;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcAlgebraic5Gains {
-            gain: [
-                row1 * (v6 * sec) * v6,
-                row2 * v6 * v6,
-                row3 * v6 * sec,
-                row4 * sec * sec,
-                row5 * sec,
-            ],
+            gain: [gain1, gain2, gain3, gain4, gain5],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcAlgebraic5Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
-        let [gain1, gain2, gain3, gain4, gain5] = self.gain;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -609,19 +647,19 @@ impl PtcAlgebraic5Gains {
         {
             return Err(Error::Input);
         }
-        let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let u = v1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let s2 = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
+        let v = s2 + (self.gain[4] * x5);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

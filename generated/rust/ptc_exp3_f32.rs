@@ -140,60 +140,68 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3F32Params {
-    /// Prescribed settling time, in s; from 1e-18 to 1e18.
+    /// prescribed settling time \[s\], from 1e-18 to 1e18.
     pub tau: f32,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f32,
-    /// Time-to-go at which the gains are held, in s; >= 1e-18, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-18, < tau.
     pub eps: f32,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f32,
-    /// Rate of stretched time, in 1/s; from 1e-18 to 1e18.
+    /// rate of stretched time \[1/s\], from 1e-18 to 1e18.
     pub a: f32,
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; `k[0]` is k_1 in 1/s^3, `k[1]` is k_2 in 1/s^2, `k[2]` is k_3 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_3 xi_3), finite; k\[0\] is k_1 \[1/s^3\], k\[1\] is k_2 \[1/s^2\], k\[2\] is k_3 \[1/s\].
     pub k: [f32; 3],
 }
 
-/// Prescribed-time controller of order 3.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3F32 {
-    /// coefficient of x1
+    /// coefficient of x1.
     c1: f32,
-    /// coefficient of x2
+    /// coefficient of x2.
     c2: f32,
-    /// coefficient of x3
+    /// coefficient of x3.
     c3: f32,
-    /// start time
+    /// start time.
     t0: f32,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f32,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f32,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f32,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f32,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f32,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f32,
 }
 
 /// Feedback gains of [`PtcExp3F32`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp3F32Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[2\] x\[2\].
     pub gain: [f32; 3],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f32,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp3F32 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -207,13 +215,13 @@ impl PtcExp3F32 {
         let k2 = params.k[1];
         let k3 = params.k[2];
         if !(tau.is_finite()
-            && (tau >= 1e-18)
+            && (1e-18 <= tau)
             && (tau <= 1e18)
             && t0.is_finite()
-            && (eps >= 1e-18)
-            && (u_max > 0.0)
+            && (1e-18 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-18)
+            && (1e-18 <= a)
             && (a <= 1e18)
             && k1.is_finite()
             && k2.is_finite()
@@ -231,6 +239,17 @@ impl PtcExp3F32 {
         let c2 = ((-K2) + K3) - 1.0;
         let c3 = (-K3) + 3.0;
         let hold_from = -eps;
+        if !((1e-30 <= v2)
+            && ((1e-30 <= K1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-30 <= K2.abs()) || (k2.abs() <= 0.0))
+            && ((1e-30 <= K3.abs()) || (k3.abs() <= 0.0))
+            && c1.is_finite()
+            && c2.is_finite()
+            && c3.is_finite()
+            && hold_from.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             c1,
             c2,
@@ -243,38 +262,23 @@ impl PtcExp3F32 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((v2 >= 1e-30)
-            && Self::kept(K1, k1)
-            && Self::kept(K2, k2)
-            && Self::kept(K3, k3)
-            && built.c1.is_finite()
-            && built.c2.is_finite()
-            && built.c3.is_finite()
-            && built.hold_from.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f32, factor: f32) -> bool {
-        product.abs() >= 1e-30 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f32) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -283,15 +287,17 @@ impl PtcExp3F32 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f32, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        let [x1, x2, x3] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
@@ -299,81 +305,96 @@ impl PtcExp3F32 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let v1 = (((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T) + (self.c3 * x3);
-        let u = v1 * inv_T;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let late = if past < self.hold_from {
+            past
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            self.hold_from
+        };
+        let inv_T = (-1.0) / late;
+        let s1 = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
+        let v = (s1 + (self.c3 * x3)) * inv_T;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
+        } else {
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f32) -> Result<PtcExp3F32Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_T = (-1.0) / late;
-        let held = late >= self.hold_from;
+        let gain1 = self.c1 * (inv_T * inv_T) * inv_T;
+        let gain2 = self.c2 * inv_T * inv_T;
+        let gain3 = self.c3 * inv_T;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcExp3F32Gains {
-            gain: [
-                self.c1 * (inv_T * inv_T) * inv_T,
-                self.c2 * inv_T * inv_T,
-                self.c3 * inv_T,
-            ],
+            gain: [gain1, gain2, gain3],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp3F32Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        let [x1, x2, x3] = *x;
-        let [gain1, gain2, gain3] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let v = s1 + (self.gain[2] * x3);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

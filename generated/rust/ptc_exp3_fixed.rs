@@ -139,23 +139,23 @@ pub trait Controller<const N: usize> {
 /// Run-time parameters of [`PtcExp3Fixed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
-pub struct PtcExp3FixedParams {
-}
+pub struct PtcExp3FixedParams {}
 
-/// Prescribed-time controller of order 3.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3Fixed {
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
 }
 
 /// Feedback gains of [`PtcExp3Fixed`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp3FixedGains {
     /// u = gain\[0\] x\[0\] + ... + gain\[2\] x\[2\].
     pub gain: [f64; 3],
@@ -163,14 +163,20 @@ pub struct PtcExp3FixedGains {
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp3Fixed {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PtcExp3FixedParams) -> Result<Self, Error> {
-        let PtcExp3FixedParams {} = params;
         let mut built = Self {
             t0: 0.0,
             deadline: 0.0,
@@ -179,18 +185,20 @@ impl PtcExp3Fixed {
         built.arm(0.0)?;
         Ok(built)
     }
-    /// Starts again at `t0`, in s.
+
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + 2.0;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (2.0 - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -199,15 +207,17 @@ impl PtcExp3Fixed {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
@@ -217,78 +227,85 @@ impl PtcExp3Fixed {
         let past = (t - self.deadline) - self.correction;
         let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
-        let v1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
-        let u = v1 * inv_T;
-if u > 50.0 {
-            return Ok(Control { u: 50.0, status: Status::Saturated });
-        }
-        if u < -50.0 {
-            return Ok(Control { u: -50.0, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > 0.001 {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
+        let v = s1 * inv_T;
+        let (u, status) = if 50.0 < v {
+            (50.0, Status::Saturated)
+        } else if v < -50.0 {
+            (-50.0, Status::Saturated)
+        } else if v.is_finite() {
+            if late < -0.001 {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp3FixedGains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
         let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
-        let held = late >= -0.001;
+        let gain1 = (-120.0) * (inv_T * inv_T) * inv_T;
+        let gain2 = (-60.0) * inv_T * inv_T;
+        let gain3 = (-12.0) * inv_T;
+        let status = if late < -0.001 {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcExp3FixedGains {
-            gain: [
-                (-120.0) * (inv_T * inv_T) * inv_T,
-                (-60.0) * inv_T * inv_T,
-                (-12.0) * inv_T,
-            ],
-            status: if held { Status::Hold } else { Status::Ok },
+            gain: [gain1, gain2, gain3],
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp3FixedGains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3] = *x;
-        let [gain1, gain2, gain3] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3);
-if u > 50.0 {
-            return Ok(Control { u: 50.0, status: Status::Saturated });
-        }
-        if u < -50.0 {
-            return Ok(Control { u: -50.0, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let v = s1 + (self.gain[2] * x3);
+        let (u, status) = if 50.0 < v {
+            (50.0, Status::Saturated)
+        } else if v < -50.0 {
+            (-50.0, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

@@ -153,64 +153,72 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp5Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k\[0\] is k_1 \[1/s^5\], ..., k\[4\] is k_5 \[1/s\].
     pub k: [f64; 5],
 }
 
-/// Prescribed-time controller of order 5.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp5 {
-    /// coefficient of x1
+    /// coefficient of x1.
     c1: f64,
-    /// coefficient of x2
+    /// coefficient of x2.
     c2: f64,
-    /// coefficient of x3
+    /// coefficient of x3.
     c3: f64,
-    /// coefficient of x4
+    /// coefficient of x4.
     c4: f64,
-    /// coefficient of x5
+    /// coefficient of x5.
     c5: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcExp5`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExp5Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[4\] x\[4\].
     pub gain: [f64; 5],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp5 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -226,13 +234,13 @@ impl PtcExp5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -258,6 +266,23 @@ impl PtcExp5 {
         let c4 = ((-K4) + (6.0 * K5)) - 25.0;
         let c5 = (-K5) + 10.0;
         let hold_from = -eps;
+        if !((1e-200 <= v2)
+            && (1e-200 <= v3)
+            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= v4)
+            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= K5.abs()) || (k5.abs() <= 0.0))
+            && c1.is_finite()
+            && c2.is_finite()
+            && c3.is_finite()
+            && c4.is_finite()
+            && c5.is_finite()
+            && hold_from.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             c1,
             c2,
@@ -272,44 +297,23 @@ impl PtcExp5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((v2 >= 1e-200)
-            && (v3 >= 1e-200)
-            && Self::kept(K1, k1)
-            && Self::kept(K2, k2)
-            && (v4 >= 1e-200)
-            && Self::kept(K3, k3)
-            && Self::kept(K4, k4)
-            && Self::kept(K5, k5)
-            && built.c1.is_finite()
-            && built.c2.is_finite()
-            && built.c3.is_finite()
-            && built.c4.is_finite()
-            && built.c5.is_finite()
-            && built.hold_from.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -318,15 +322,19 @@ impl PtcExp5 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -336,67 +344,87 @@ impl PtcExp5 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
-        let inv_T = (-1.0) / late;
-        let v1 = (((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T) + (self.c3 * x3);
-        let v2 = ((((v1 * inv_T) + (self.c4 * x4)) * inv_T) + (self.c5 * x5)) * inv_T;
-        let u = v2;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let late = if past < self.hold_from {
+            past
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            self.hold_from
+        };
+        let inv_T = (-1.0) / late;
+        let s1 = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
+        let s2 = (((s1 + (self.c3 * x3)) * inv_T) + (self.c4 * x4)) * inv_T;
+        let v = (s2 + (self.c5 * x5)) * inv_T;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
+        } else {
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp5Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
-        let held = late >= self.hold_from;
+        let gain1 = self.c1 * (v1 * inv_T) * v1;
+        let gain2 = self.c2 * v1 * v1;
+        let gain3 = self.c3 * v1 * inv_T;
+        let gain4 = self.c4 * inv_T * inv_T;
+        let gain5 = self.c5 * inv_T;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcExp5Gains {
-            gain: [
-                self.c1 * (v1 * inv_T) * v1,
-                self.c2 * v1 * v1,
-                self.c3 * v1 * inv_T,
-                self.c4 * inv_T * inv_T,
-                self.c5 * inv_T,
-            ],
+            gain: [gain1, gain2, gain3, gain4, gain5],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExp5Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
-        let [gain1, gain2, gain3, gain4, gain5] = self.gain;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -405,19 +433,19 @@ impl PtcExp5Gains {
         {
             return Err(Error::Input);
         }
-        let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let u = v1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let s2 = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
+        let v = s2 + (self.gain[4] * x5);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

@@ -163,84 +163,92 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum2OfThreeParams {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rates a_i of stretched time, from 1e-150 to 1e150; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s, `rates[2]` is a_3 in 1/s.
+    /// rates a_i of stretched time, from 1e-150 to 1e150; rates\[0\] is a_1 \[1/s\], rates\[1\] is a_2 \[1/s\], rates\[2\] is a_3 \[1/s\].
     pub rates: [f64; 3],
-    /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k\[0\] is k_1 \[1/s^2\], k\[1\] is k_2 \[1/s\].
     pub k: [f64; 2],
 }
 
-/// Prescribed-time controller of order 2.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum2OfThree {
-    /// rates a_i of stretched time
+    /// rates a_i of stretched time.
     a1: f64,
-    /// rates a_i of stretched time
+    /// rates a_i of stretched time.
     a2: f64,
-    /// rates a_i of stretched time
+    /// rates a_i of stretched time.
     a3: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// N/tau, N the number of rates
+    /// N/tau, N the number of rates.
     target_rate: f64,
-    /// 1/min a_i
+    /// 1/min a_i.
     slowest: f64,
-    /// 1/mean a_i
+    /// 1/mean a_i.
     mean_period: f64,
-    /// size of the last step of the iteration
+    /// size of the last step of the iteration.
     tolerance: f64,
-    /// weight of exp(-a1*y) in r1/1!
+    /// weight of exp(-a1*y) in r1/1!.
     b1_1: f64,
-    /// weight of exp(-a2*y) in r1/1!
+    /// weight of exp(-a2*y) in r1/1!.
     b1_2: f64,
-    /// weight of exp(-a3*y) in r1/1!
+    /// weight of exp(-a3*y) in r1/1!.
     b1_3: f64,
-    /// weight of exp(-a1*y) in r2/2!
+    /// weight of exp(-a1*y) in r2/2!.
     b2_1: f64,
-    /// weight of exp(-a2*y) in r2/2!
+    /// weight of exp(-a2*y) in r2/2!.
     b2_2: f64,
-    /// weight of exp(-a3*y) in r2/2!
+    /// weight of exp(-a3*y) in r2/2!.
     b2_3: f64,
-    /// weighted gain -0!*k1
+    /// weighted gain -0!*k1.
     w1: f64,
-    /// weighted gain -1!*k2
+    /// weighted gain -1!*k2.
     w2: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcExpSum2OfThree`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum2OfThreeGains {
     /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
     pub gain: [f64; 2],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExpSum2OfThree {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -255,19 +263,19 @@ impl PtcExpSum2OfThree {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a1.is_finite()
-            && (a1 >= 1e-150)
+            && (1e-150 <= a1)
             && (a1 <= 1e150)
             && a2.is_finite()
-            && (a2 >= 1e-150)
+            && (1e-150 <= a2)
             && (a2 <= 1e150)
             && a3.is_finite()
-            && (a3 >= 1e-150)
+            && (1e-150 <= a3)
             && (a3 <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -284,7 +292,8 @@ impl PtcExpSum2OfThree {
         let v5 = 1.0 / a3;
         let slowest = if v4 < v5 { v5 } else { v4 };
         let mean_period = 3.0 / (a1 + a2 + a3);
-        let tolerance = 0.03 / (if v2 < a3 { a3 } else { v2 });
+        let s1 = if v2 < a3 { a3 } else { v2 };
+        let tolerance = 0.03 / s1;
         let b1_1 = 0.3333333333333333 * a1 * tau;
         let b1_2 = 0.3333333333333333 * a2 * tau;
         let b1_3 = 0.3333333333333333 * a3 * tau;
@@ -293,6 +302,27 @@ impl PtcExpSum2OfThree {
         let b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
         let w1 = -k1;
         let w2 = -k2;
+        if !((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && (b2_3 <= -1e-200)
+            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && hold_from.is_finite()
+            && target_rate.is_finite()
+            && slowest.is_finite()
+            && mean_period.is_finite()
+            && tolerance.is_finite()
+            && b1_1.is_finite()
+            && b1_2.is_finite()
+            && b1_3.is_finite()
+            && b2_1.is_finite()
+            && b2_2.is_finite()
+            && b2_3.is_finite()
+            && w1.is_finite()
+            && w2.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             a1,
             a2,
@@ -317,48 +347,23 @@ impl PtcExpSum2OfThree {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((b2_1 <= -1e-200)
-            && (b2_2 <= -1e-200)
-            && (b2_3 <= -1e-200)
-            && Self::kept(w1, k1)
-            && Self::kept(w2, k2)
-            && built.hold_from.is_finite()
-            && built.target_rate.is_finite()
-            && built.slowest.is_finite()
-            && built.mean_period.is_finite()
-            && built.tolerance.is_finite()
-            && built.b1_1.is_finite()
-            && built.b1_2.is_finite()
-            && built.b1_3.is_finite()
-            && built.b2_1.is_finite()
-            && built.b2_2.is_finite()
-            && built.b2_3.is_finite()
-            && built.w1.is_finite()
-            && built.w2.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -367,22 +372,23 @@ impl PtcExpSum2OfThree {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 3.0);
@@ -403,16 +409,16 @@ impl PtcExpSum2OfThree {
             let v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
             let v13 = 1.0 / (v7 + v8 + v10);
             let v14 = v9 * v13;
-            let v15 = (((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v13 * v14) - 1.0;
-            let v16 = v12 * v14 * (1.0 + (0.5 * v12 * v15));
-            let y_next = y + v16;
-            let y_size = v16.abs();
-            if v12 > 0.0 {
+            let s1 = ((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v13;
+            let v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
+            let y_next = y + v15;
+            let y_size = v15.abs();
+            if 0.0 < v12 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -421,55 +427,60 @@ impl PtcExpSum2OfThree {
                 break;
             }
         }
-        let v17 = math::exp(-(self.a1 * y));
-        let v18 = math::exp(-(self.a2 * y));
-        let v19 = math::exp(-(self.a3 * y));
-        let v20 = self.a1 * v17;
-        let v21 = self.a2 * v18;
-        let v22 = self.a3 * v19;
-        let v23 = 1.0 / (v20 + v21 + v22);
-        let v24 = ((v17 + v18 + v19) - target) * v23;
-        let v25 = ((self.a1 * v20) + (self.a2 * v21) + (self.a3 * v22)) * v23 * v24;
-        let v26 = v24 * (1.0 + (0.5 * v25));
-        let v27 = self.a1 * v26;
+        let v16 = math::exp(-(self.a1 * y));
+        let v17 = math::exp(-(self.a2 * y));
+        let v18 = math::exp(-(self.a3 * y));
+        let v19 = self.a1 * v16;
+        let v20 = self.a2 * v17;
+        let v21 = self.a3 * v18;
+        let v22 = 1.0 / (v19 + v20 + v21);
+        let v23 = ((v16 + v17 + v18) - target) * v22;
+        let s2 = ((self.a1 * v19) + (self.a2 * v20) + (self.a3 * v21)) * v22;
+        let v24 = v23 * (1.0 + (0.5 * (s2 * v23)));
+        let v25 = self.a1 * v24;
+        let v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+        let v27 = self.a2 * v24;
         let v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
-        let v29 = self.a2 * v26;
+        let v29 = self.a3 * v24;
         let v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
-        let v31 = self.a3 * v26;
-        let v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
-        let inv_r1 = 1.0 / ((self.b1_1 * v28) + (self.b1_2 * v30) + (self.b1_3 * v32));
-        let p2 = ((self.b2_1 * v28) + (self.b2_2 * v30) + (self.b2_3 * v32)) * inv_r1;
-        let v33 = ((self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2)) * inv_r1;
-        let u = v33;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s3 = (self.b1_1 * v26) + (self.b1_2 * v28) + (self.b1_3 * v30);
+        let inv_r1 = 1.0 / s3;
+        let s4 = (self.b2_1 * v26) + (self.b2_2 * v28) + (self.b2_3 * v30);
+        let p2 = s4 * inv_r1;
+        let s5 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2);
+        let v = s5 * inv_r1;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum2OfThreeGains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 3.0);
@@ -490,16 +501,16 @@ if u > self.u_max {
             let v12 = v11 * (1.0 + (0.08333333333333333 * (v11 * v11)));
             let v13 = 1.0 / (v7 + v8 + v10);
             let v14 = v9 * v13;
-            let v15 = (((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v13 * v14) - 1.0;
-            let v16 = v12 * v14 * (1.0 + (0.5 * v12 * v15));
-            let y_next = y + v16;
-            let y_size = v16.abs();
-            if v12 > 0.0 {
+            let s1 = ((self.a1 * v7) + (self.a2 * v8) + (self.a3 * v10)) * v13;
+            let v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
+            let y_next = y + v15;
+            let y_size = v15.abs();
+            if 0.0 < v12 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -508,63 +519,72 @@ if u > self.u_max {
                 break;
             }
         }
-        let v17 = math::exp(-(self.a1 * y));
-        let v18 = math::exp(-(self.a2 * y));
-        let v19 = math::exp(-(self.a3 * y));
-        let v20 = self.a1 * v17;
-        let v21 = self.a2 * v18;
-        let v22 = self.a3 * v19;
-        let v23 = 1.0 / (v20 + v21 + v22);
-        let v24 = ((v17 + v18 + v19) - target) * v23;
-        let v25 = ((self.a1 * v20) + (self.a2 * v21) + (self.a3 * v22)) * v23 * v24;
-        let v26 = v24 * (1.0 + (0.5 * v25));
-        let v27 = self.a1 * v26;
+        let v16 = math::exp(-(self.a1 * y));
+        let v17 = math::exp(-(self.a2 * y));
+        let v18 = math::exp(-(self.a3 * y));
+        let v19 = self.a1 * v16;
+        let v20 = self.a2 * v17;
+        let v21 = self.a3 * v18;
+        let v22 = 1.0 / (v19 + v20 + v21);
+        let v23 = ((v16 + v17 + v18) - target) * v22;
+        let s2 = ((self.a1 * v19) + (self.a2 * v20) + (self.a3 * v21)) * v22;
+        let v24 = v23 * (1.0 + (0.5 * (s2 * v23)));
+        let v25 = self.a1 * v24;
+        let v26 = v16 - (v16 * (v25 * (1.0 - (0.5 * v25))));
+        let v27 = self.a2 * v24;
         let v28 = v17 - (v17 * (v27 * (1.0 - (0.5 * v27))));
-        let v29 = self.a2 * v26;
+        let v29 = self.a3 * v24;
         let v30 = v18 - (v18 * (v29 * (1.0 - (0.5 * v29))));
-        let v31 = self.a3 * v26;
-        let v32 = v19 - (v19 * (v31 * (1.0 - (0.5 * v31))));
-        let inv_r1 = 1.0 / ((self.b1_1 * v28) + (self.b1_2 * v30) + (self.b1_3 * v32));
-        let p2 = ((self.b2_1 * v28) + (self.b2_2 * v30) + (self.b2_3 * v32)) * inv_r1;
-        let held = late >= self.hold_from;
+        let s3 = (self.b1_1 * v26) + (self.b1_2 * v28) + (self.b1_3 * v30);
+        let inv_r1 = 1.0 / s3;
+        let s4 = (self.b2_1 * v26) + (self.b2_2 * v28) + (self.b2_3 * v30);
+        let p2 = s4 * inv_r1;
+        let gain1 = self.w1 * inv_r1 * inv_r1;
+        let gain2 = (self.w2 + ((-2.0) * p2)) * inv_r1;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcExpSum2OfThreeGains {
-            gain: [
-                self.w1 * inv_r1 * inv_r1,
-                (self.w2 + ((-2.0) * p2)) * inv_r1,
-            ],
+            gain: [gain1, gain2],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExpSum2OfThreeGains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        let [gain1, gain2] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

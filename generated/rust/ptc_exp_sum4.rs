@@ -174,90 +174,98 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum4Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rates a_i of stretched time, from 1e-150 to 1e150; `rates[0]` is a_1 in 1/s, `rates[1]` is a_2 in 1/s.
+    /// rates a_i of stretched time, from 1e-150 to 1e150; rates\[0\] is a_1 \[1/s\], rates\[1\] is a_2 \[1/s\].
     pub rates: [f64; 2],
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; `k[0]` is k_1 in 1/s^4, ..., `k[3]` is k_4 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_4 xi_4), finite; k\[0\] is k_1 \[1/s^4\], ..., k\[3\] is k_4 \[1/s\].
     pub k: [f64; 4],
 }
 
-/// Prescribed-time controller of order 4.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExpSum4 {
-    /// rates a_i of stretched time
+    /// rates a_i of stretched time.
     a1: f64,
-    /// rates a_i of stretched time
+    /// rates a_i of stretched time.
     a2: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// N/tau, N the number of rates
+    /// N/tau, N the number of rates.
     target_rate: f64,
-    /// 1/min a_i
+    /// 1/min a_i.
     slowest: f64,
-    /// 1/mean a_i
+    /// 1/mean a_i.
     mean_period: f64,
-    /// size of the last step of the iteration
+    /// size of the last step of the iteration.
     tolerance: f64,
-    /// weight of exp(-a1*y) in r1/1!
+    /// weight of exp(-a1*y) in r1/1!.
     b1_1: f64,
-    /// weight of exp(-a2*y) in r1/1!
+    /// weight of exp(-a2*y) in r1/1!.
     b1_2: f64,
-    /// weight of exp(-a1*y) in r2/2!
+    /// weight of exp(-a1*y) in r2/2!.
     b2_1: f64,
-    /// weight of exp(-a2*y) in r2/2!
+    /// weight of exp(-a2*y) in r2/2!.
     b2_2: f64,
-    /// weight of exp(-a1*y) in r3/3!
+    /// weight of exp(-a1*y) in r3/3!.
     b3_1: f64,
-    /// weight of exp(-a2*y) in r3/3!
+    /// weight of exp(-a2*y) in r3/3!.
     b3_2: f64,
-    /// weight of exp(-a1*y) in r4/4!
+    /// weight of exp(-a1*y) in r4/4!.
     b4_1: f64,
-    /// weight of exp(-a2*y) in r4/4!
+    /// weight of exp(-a2*y) in r4/4!.
     b4_2: f64,
-    /// weighted gain -0!*k1
+    /// weighted gain -0!*k1.
     w1: f64,
-    /// weighted gain -1!*k2
+    /// weighted gain -1!*k2.
     w2: f64,
-    /// weighted gain -2!*k3
+    /// weighted gain -2!*k3.
     w3: f64,
-    /// weighted gain -3!*k4
+    /// weighted gain -3!*k4.
     w4: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcExpSum4`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcExpSum4Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[3\] x\[3\].
     pub gain: [f64; 4],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExpSum4 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -273,16 +281,16 @@ impl PtcExpSum4 {
         let k3 = params.k[2];
         let k4 = params.k[3];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a1.is_finite()
-            && (a1 >= 1e-150)
+            && (1e-150 <= a1)
             && (a1 <= 1e150)
             && a2.is_finite()
-            && (a2 >= 1e-150)
+            && (1e-150 <= a2)
             && (a2 <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -298,7 +306,8 @@ impl PtcExpSum4 {
         let v2 = 1.0 / a2;
         let slowest = if v1 < v2 { v2 } else { v1 };
         let mean_period = 2.0 / (a1 + a2);
-        let tolerance = 0.03 / (if a1 < a2 { a2 } else { a1 });
+        let s1 = if a1 < a2 { a2 } else { a1 };
+        let tolerance = 0.03 / s1;
         let b1_1 = 0.5 * a1 * tau;
         let b1_2 = 0.5 * a2 * tau;
         let v3 = a1 * a1;
@@ -317,6 +326,40 @@ impl PtcExpSum4 {
         let w2 = -k2;
         let w3 = (-2.0) * k3;
         let w4 = (-6.0) * k4;
+        if !((b2_1 <= -1e-200)
+            && (b2_2 <= -1e-200)
+            && (1e-200 <= v5)
+            && (1e-200 <= b3_1)
+            && (1e-200 <= v6)
+            && (1e-200 <= b3_2)
+            && (1e-200 <= v7)
+            && (b4_1 <= -1e-200)
+            && (1e-200 <= v8)
+            && (b4_2 <= -1e-200)
+            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && ((1e-200 <= w3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= w4.abs()) || (k4.abs() <= 0.0))
+            && hold_from.is_finite()
+            && target_rate.is_finite()
+            && slowest.is_finite()
+            && mean_period.is_finite()
+            && tolerance.is_finite()
+            && b1_1.is_finite()
+            && b1_2.is_finite()
+            && b2_1.is_finite()
+            && b2_2.is_finite()
+            && b3_1.is_finite()
+            && b3_2.is_finite()
+            && b4_1.is_finite()
+            && b4_2.is_finite()
+            && w1.is_finite()
+            && w2.is_finite()
+            && w3.is_finite()
+            && w4.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             a1,
             a2,
@@ -344,61 +387,23 @@ impl PtcExpSum4 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((b2_1 <= -1e-200)
-            && (b2_2 <= -1e-200)
-            && (v5 >= 1e-200)
-            && (b3_1 >= 1e-200)
-            && (v6 >= 1e-200)
-            && (b3_2 >= 1e-200)
-            && (v7 >= 1e-200)
-            && (b4_1 <= -1e-200)
-            && (v8 >= 1e-200)
-            && (b4_2 <= -1e-200)
-            && Self::kept(w1, k1)
-            && Self::kept(w2, k2)
-            && Self::kept(w3, k3)
-            && Self::kept(w4, k4)
-            && built.hold_from.is_finite()
-            && built.target_rate.is_finite()
-            && built.slowest.is_finite()
-            && built.mean_period.is_finite()
-            && built.tolerance.is_finite()
-            && built.b1_1.is_finite()
-            && built.b1_2.is_finite()
-            && built.b2_1.is_finite()
-            && built.b2_2.is_finite()
-            && built.b3_1.is_finite()
-            && built.b3_2.is_finite()
-            && built.b4_1.is_finite()
-            && built.b4_2.is_finite()
-            && built.w1.is_finite()
-            && built.w2.is_finite()
-            && built.w3.is_finite()
-            && built.w4.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -407,15 +412,18 @@ impl PtcExpSum4 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -424,7 +432,11 @@ impl PtcExpSum4 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
@@ -443,16 +455,16 @@ impl PtcExpSum4 {
             let v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
             let v11 = 1.0 / (v6 + v8);
             let v12 = v7 * v11;
-            let v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
-            let v14 = v10 * v12 * (1.0 + v13);
-            let y_next = y + v14;
-            let y_size = v14.abs();
-            if v10 > 0.0 {
+            let s1 = (((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0;
+            let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+            let y_next = y + v13;
+            let y_size = v13.abs();
+            if 0.0 < v10 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -461,56 +473,61 @@ impl PtcExpSum4 {
                 break;
             }
         }
-        let v15 = math::exp(-(self.a1 * y));
-        let v16 = math::exp(-(self.a2 * y));
-        let v17 = self.a1 * v15;
-        let v18 = self.a2 * v16;
-        let v19 = 1.0 / (v17 + v18);
-        let v20 = ((v15 + v16) - target) * v19;
-        let v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
-        let v22 = self.a1 * v21;
-        let v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-        let v24 = self.a2 * v21;
-        let v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
-        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
-        let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
-        let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
-        let v26 = p2 + p2;
-        let row3 = (self.w3 + (self.w4 * v26) + ((-24.0) * (p3 + p3 + (p2 * p2)))) * 0.5;
-        let row4 = (self.w4 + ((-24.0) * (v26 + p2))) * 0.16666666666666666;
-        let v27 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * x2;
-        let v28 = ((((self.w1 * x1 * inv_r1) + v27) * inv_r1) + (row3 * x3)) * inv_r1;
-        let u = (v28 + (row4 * x4)) * inv_r1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let v14 = math::exp(-(self.a1 * y));
+        let v15 = math::exp(-(self.a2 * y));
+        let v16 = self.a1 * v14;
+        let v17 = self.a2 * v15;
+        let v18 = 1.0 / (v16 + v17);
+        let v19 = ((v14 + v15) - target) * v18;
+        let s2 = 1.0 + (0.5 * (((self.a1 * v16) + (self.a2 * v17)) * v18 * v19));
+        let v20 = v19 * s2;
+        let v21 = self.a1 * v20;
+        let v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+        let v23 = self.a2 * v20;
+        let v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+        let inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
+        let p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
+        let p3 = ((self.b3_1 * v22) + (self.b3_2 * v24)) * inv_r1;
+        let p4 = ((self.b4_1 * v22) + (self.b4_2 * v24)) * inv_r1;
+        let v25 = p2 + p2;
+        let s3 = self.w3 + (self.w4 * v25) + ((-24.0) * (p3 + p3 + (p2 * p2)));
+        let row3 = s3 * 0.5;
+        let row4 = (self.w4 + ((-24.0) * (v25 + p2))) * 0.16666666666666666;
+        let s4 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * x2;
+        let s5 = ((((self.w1 * x1 * inv_r1) + s4) * inv_r1) + (row3 * x3)) * inv_r1;
+        let v = (s5 + (row4 * x4)) * inv_r1;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum4Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let target = T * self.target_rate;
         let v1 = -math::ln(target / 2.0);
@@ -529,16 +546,16 @@ if u > self.u_max {
             let v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
             let v11 = 1.0 / (v6 + v8);
             let v12 = v7 * v11;
-            let v13 = 0.5 * v10 * ((((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0);
-            let v14 = v10 * v12 * (1.0 + v13);
-            let y_next = y + v14;
-            let y_size = v14.abs();
-            if v10 > 0.0 {
+            let s1 = (((self.a1 * v6) + (self.a2 * v8)) * v11 * v12) - 1.0;
+            let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+            let y_next = y + v13;
+            let y_size = v13.abs();
+            if 0.0 < v10 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -547,69 +564,79 @@ if u > self.u_max {
                 break;
             }
         }
-        let v15 = math::exp(-(self.a1 * y));
-        let v16 = math::exp(-(self.a2 * y));
-        let v17 = self.a1 * v15;
-        let v18 = self.a2 * v16;
-        let v19 = 1.0 / (v17 + v18);
-        let v20 = ((v15 + v16) - target) * v19;
-        let v21 = v20 * (1.0 + (0.5 * (((self.a1 * v17) + (self.a2 * v18)) * v19 * v20)));
-        let v22 = self.a1 * v21;
-        let v23 = v15 - (v15 * (v22 * (1.0 - (0.5 * v22))));
-        let v24 = self.a2 * v21;
-        let v25 = v16 - (v16 * (v24 * (1.0 - (0.5 * v24))));
-        let inv_r1 = 1.0 / ((self.b1_1 * v23) + (self.b1_2 * v25));
-        let p2 = ((self.b2_1 * v23) + (self.b2_2 * v25)) * inv_r1;
-        let p3 = ((self.b3_1 * v23) + (self.b3_2 * v25)) * inv_r1;
-        let p4 = ((self.b4_1 * v23) + (self.b4_2 * v25)) * inv_r1;
-        let v26 = p2 + p2;
-        let row3 = (self.w3 + (self.w4 * v26) + ((-24.0) * (p3 + p3 + (p2 * p2)))) * 0.5;
-        let row4 = (self.w4 + ((-24.0) * (v26 + p2))) * 0.16666666666666666;
-        let v27 = inv_r1 * inv_r1;
-        let v28 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * v27;
-        let held = late >= self.hold_from;
+        let v14 = math::exp(-(self.a1 * y));
+        let v15 = math::exp(-(self.a2 * y));
+        let v16 = self.a1 * v14;
+        let v17 = self.a2 * v15;
+        let v18 = 1.0 / (v16 + v17);
+        let v19 = ((v14 + v15) - target) * v18;
+        let s2 = 1.0 + (0.5 * (((self.a1 * v16) + (self.a2 * v17)) * v18 * v19));
+        let v20 = v19 * s2;
+        let v21 = self.a1 * v20;
+        let v22 = v14 - (v14 * (v21 * (1.0 - (0.5 * v21))));
+        let v23 = self.a2 * v20;
+        let v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
+        let inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
+        let p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
+        let p3 = ((self.b3_1 * v22) + (self.b3_2 * v24)) * inv_r1;
+        let p4 = ((self.b4_1 * v22) + (self.b4_2 * v24)) * inv_r1;
+        let v25 = p2 + p2;
+        let s3 = self.w3 + (self.w4 * v25) + ((-24.0) * (p3 + p3 + (p2 * p2)));
+        let row3 = s3 * 0.5;
+        let row4 = (self.w4 + ((-24.0) * (v25 + p2))) * 0.16666666666666666;
+        let v26 = inv_r1 * inv_r1;
+        let gain1 = self.w1 * v26 * v26;
+        let s4 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * v26;
+        let gain2 = s4 * inv_r1;
+        let gain3 = row3 * inv_r1 * inv_r1;
+        let gain4 = row4 * inv_r1;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcExpSum4Gains {
-            gain: [
-                self.w1 * v27 * v27,
-                v28 * inv_r1,
-                row3 * inv_r1 * inv_r1,
-                row4 * inv_r1,
-            ],
+            gain: [gain1, gain2, gain3, gain4],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcExpSum4Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4] = *x;
-        let [gain1, gain2, gain3, gain4] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let v = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

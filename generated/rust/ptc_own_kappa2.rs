@@ -125,47 +125,54 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnKappa2Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k\[0\] is k_1 \[1/s^2\], k\[1\] is k_2 \[1/s\].
     pub k: [f64; 2],
 }
 
-/// Prescribed-time controller of order 2.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnKappa2 {
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f15: f64,
-    /// weighted gain -0!*k1
+    /// weighted gain -0!*k1.
     w1: f64,
-    /// weighted gain -1!*k2
+    /// weighted gain -1!*k2.
     w2: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcOwnKappa2 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -177,11 +184,11 @@ impl PtcOwnKappa2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && k1.is_finite()
             && k2.is_finite()
             && (eps < tau))
@@ -191,11 +198,21 @@ impl PtcOwnKappa2 {
         let hold_from = -eps;
         let w1 = -k1;
         let w2 = -k2;
+        let f15 = tau * tau;
+        if !(((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && hold_from.is_finite()
+            && f15.is_finite()
+            && w1.is_finite()
+            && w2.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             eps,
             hold_from,
-            f15: tau * tau,
+            f15,
             w1,
             w2,
             u_max,
@@ -203,36 +220,23 @@ impl PtcOwnKappa2 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(Self::kept(w1, k1)
-            && Self::kept(w2, k2)
-            && built.hold_from.is_finite()
-            && built.f15.is_finite()
-            && built.w1.is_finite()
-            && built.w2.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -241,44 +245,47 @@ impl PtcOwnKappa2 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let v1 = T * T;
         let v2 = self.f15 + v1;
         let unit = T / v2;
         let inv_r1 = 1.0 / (T * unit);
-        let v3 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
-        let u = if past >= 0.0 { 0.0 } else { ((self.w1 * x1 * inv_r1) + ((self.w2 + v3) * x2)) * inv_r1 };
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
+        let s2 = ((self.w1 * x1 * inv_r1) + ((self.w2 + s1) * x2)) * inv_r1;
+        let v = if 0.0 <= past { 0.0 } else { s2 };
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else if 0.0 <= past {
+                (v, Status::After)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: if past >= 0.0 { Status::After } else { Status::Hold } })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

@@ -124,41 +124,48 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnLaw1LatchedParams {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
 }
 
-/// Prescribed-time controller of order 1.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnLaw1Latched {
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// state at the start
+    /// state at the start.
     x1_0: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcOwnLaw1Latched {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0), latching the state x0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -168,16 +175,19 @@ impl PtcOwnLaw1Latched {
         let eps = params.eps;
         let u_max = params.u_max;
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && (eps < tau))
         {
             return Err(Error::Param);
         }
         let hold_from = -eps;
+        if !hold_from.is_finite() {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             eps,
@@ -188,68 +198,65 @@ impl PtcOwnLaw1Latched {
             correction: 0.0,
             x1_0: 0.0,
         };
-        if !(built.hold_from.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0, x0)?;
         Ok(built)
     }
-    /// Starts again at `t0`, in s.
+
+    /// Starts again at t0 \[s\], latching the state x0.
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64, x0: &[f64; 1]) -> Result<(), Error> {
         if !(t0.is_finite() && x0[0].is_finite()) {
             return Err(Error::Param);
         }
-        let x1_0 = x0[0];
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
         self.deadline = deadline;
         self.correction = correction;
-        self.x1_0 = x1_0;
+        self.x1_0 = x0[0];
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        let [x1] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite())
-        {
+        let x1 = x[0];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let inv_r1 = 1.0 / T;
         let law = ((-2.0) * x1) - (x1 * self.x1_0);
-        let u = law * inv_r1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let v = law * inv_r1;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }

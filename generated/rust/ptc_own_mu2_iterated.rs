@@ -155,62 +155,70 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnMu2IteratedParams {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k\[0\] is k_1 \[1/s^2\], k\[1\] is k_2 \[1/s\].
     pub k: [f64; 2],
-    /// Parameter of mu, from 1e-150 to 1e150.
+    /// parameter of mu, from 1e-150 to 1e150.
     pub a: f64,
 }
 
-/// Prescribed-time controller of order 2.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcOwnMu2Iterated {
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f29: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f63: f64,
-    /// weighted gain -0!*k1
+    /// weighted gain -0!*k1.
     w1: f64,
-    /// weighted gain -1!*k2
+    /// weighted gain -1!*k2.
     w2: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcOwnMu2Iterated`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcOwnMu2IteratedGains {
     /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
     pub gain: [f64; 2],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcOwnMu2Iterated {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -223,15 +231,15 @@ impl PtcOwnMu2Iterated {
         let k2 = params.k[1];
         let p_a = params.a;
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && k1.is_finite()
             && k2.is_finite()
             && p_a.is_finite()
-            && (p_a >= 1e-150)
+            && (1e-150 <= p_a)
             && (p_a <= 1e150)
             && (eps < tau))
         {
@@ -241,12 +249,23 @@ impl PtcOwnMu2Iterated {
         let f29 = (-2.0) * p_a;
         let w1 = -k1;
         let w2 = -k2;
+        let f63 = f29 * f29 * 0.5;
+        if !(((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && hold_from.is_finite()
+            && f29.is_finite()
+            && f63.is_finite()
+            && w1.is_finite()
+            && w2.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             eps,
             hold_from,
             f29,
-            f63: f29 * f29 * 0.5,
+            f63,
             w1,
             w2,
             u_max,
@@ -254,37 +273,23 @@ impl PtcOwnMu2Iterated {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(Self::kept(w1, k1)
-            && Self::kept(w2, k2)
-            && built.hold_from.is_finite()
-            && built.f29.is_finite()
-            && built.f63.is_finite()
-            && built.w1.is_finite()
-            && built.w2.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -293,22 +298,23 @@ impl PtcOwnMu2Iterated {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let mut y = 0.0;
         let mut y_low = 0.0;
@@ -320,16 +326,16 @@ impl PtcOwnMu2Iterated {
             let v4 = 1.0 + v3;
             let v5 = (v3 * self.tau) / v4;
             let v6 = v2 + v5;
-            let v7 = (v2 * (-(2.0 * (1.0 / v1)))) + (v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29));
-            let v8 = math::ln(v6 / T);
-            let y_next = y - (v8 * (v6 / v7));
-            let y_size = v8.abs();
-            if v8 > 0.0 {
+            let v7 = math::ln(v6 / T);
+            let s1 = v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29);
+            let y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
+            let y_size = v7.abs();
+            if 0.0 < v7 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -338,50 +344,54 @@ impl PtcOwnMu2Iterated {
                 break;
             }
         }
-        let v9 = (y + 1.0) * 2.0;
-        let v10 = 2.0 * (1.0 / v9);
-        let v11 = -v10;
-        let v12 = self.tau / v9;
-        let v13 = math::exp(y * self.f29);
-        let v14 = 1.0 + v13;
-        let v15 = 1.0 / v14;
-        let v16 = v13 * self.f29 * v15;
-        let v17 = -v16;
-        let v18 = (-((v16 * v17) + (v13 * self.f63 * v15))) + (self.f29 * v17) + self.f63;
-        let v19 = (v13 * self.tau) / v14;
-        let v20 = (v12 * v11) + (v19 * (v17 + self.f29));
-        let inv_r1 = 1.0 / (-v20);
-        let v21 = self.w2 + ((-2.0) * (((v12 * (-(v10 * v11))) + (v19 * v18)) * (1.0 / v20)));
-        let u = ((self.w1 * x1 * inv_r1) + (v21 * x2)) * inv_r1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let v8 = (y + 1.0) * 2.0;
+        let v9 = 2.0 * (1.0 / v8);
+        let v10 = -v9;
+        let v11 = self.tau / v8;
+        let v12 = math::exp(y * self.f29);
+        let v13 = 1.0 + v12;
+        let v14 = 1.0 / v13;
+        let v15 = v12 * self.f29 * v14;
+        let v16 = -v15;
+        let v17 = (v12 * self.tau) / v13;
+        let v18 = (v11 * v10) + (v17 * (v16 + self.f29));
+        let inv_r1 = 1.0 / (-v18);
+        let s2 = (-((v15 * v16) + (v12 * self.f63 * v14))) + (self.f29 * v16);
+        let s3 = ((v11 * (-(v9 * v10))) + (v17 * (s2 + self.f63))) * (1.0 / v18);
+        let s4 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * s3)) * x2);
+        let v = s4 * inv_r1;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcOwnMu2IteratedGains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let mut y = 0.0;
         let mut y_low = 0.0;
@@ -393,16 +403,16 @@ if u > self.u_max {
             let v4 = 1.0 + v3;
             let v5 = (v3 * self.tau) / v4;
             let v6 = v2 + v5;
-            let v7 = (v2 * (-(2.0 * (1.0 / v1)))) + (v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29));
-            let v8 = math::ln(v6 / T);
-            let y_next = y - (v8 * (v6 / v7));
-            let y_size = v8.abs();
-            if v8 > 0.0 {
+            let v7 = math::ln(v6 / T);
+            let s1 = v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29);
+            let y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
+            let y_size = v7.abs();
+            if 0.0 < v7 {
                 y_low = y;
             } else {
                 y_high = y;
             }
-            if y_next >= y_low && y_next <= y_high {
+            if (y_low <= y_next) && (y_next <= y_high) {
                 y = y_next;
             } else {
                 y = 0.5 * (y_low + y_high);
@@ -411,59 +421,66 @@ if u > self.u_max {
                 break;
             }
         }
-        let v9 = (y + 1.0) * 2.0;
-        let v10 = 2.0 * (1.0 / v9);
-        let v11 = -v10;
-        let v12 = self.tau / v9;
-        let v13 = math::exp(y * self.f29);
-        let v14 = 1.0 + v13;
-        let v15 = 1.0 / v14;
-        let v16 = v13 * self.f29 * v15;
-        let v17 = -v16;
-        let v18 = (-((v16 * v17) + (v13 * self.f63 * v15))) + (self.f29 * v17) + self.f63;
-        let v19 = (v13 * self.tau) / v14;
-        let v20 = (v12 * v11) + (v19 * (v17 + self.f29));
-        let inv_r1 = 1.0 / (-v20);
-        let v21 = self.w2 + ((-2.0) * (((v12 * (-(v10 * v11))) + (v19 * v18)) * (1.0 / v20)));
-        let held = late >= self.hold_from;
+        let v8 = (y + 1.0) * 2.0;
+        let v9 = 2.0 * (1.0 / v8);
+        let v10 = -v9;
+        let v11 = self.tau / v8;
+        let v12 = math::exp(y * self.f29);
+        let v13 = 1.0 + v12;
+        let v14 = 1.0 / v13;
+        let v15 = v12 * self.f29 * v14;
+        let v16 = -v15;
+        let v17 = (v12 * self.tau) / v13;
+        let v18 = (v11 * v10) + (v17 * (v16 + self.f29));
+        let inv_r1 = 1.0 / (-v18);
+        let gain1 = self.w1 * inv_r1 * inv_r1;
+        let s2 = (-((v15 * v16) + (v12 * self.f63 * v14))) + (self.f29 * v16);
+        let s3 = ((v11 * (-(v9 * v10))) + (v17 * (s2 + self.f63))) * (1.0 / v18);
+        let gain2 = (self.w2 + ((-2.0) * s3)) * inv_r1;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcOwnMu2IteratedGains {
-            gain: [
-                self.w1 * inv_r1 * inv_r1,
-                v21 * inv_r1,
-            ],
+            gain: [gain1, gain2],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcOwnMu2IteratedGains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        let [gain1, gain2] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

@@ -153,68 +153,76 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcPower2Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
-    /// Exponent of the power mapping, dimensionless; from 1e-150 to 225.
+    /// exponent of the power mapping \[1\], from 1e-150 to 225.
     pub m: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; `k[0]` is k_1 in 1/s^2, `k[1]` is k_2 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k\[0\] is k_1 \[1/s^2\], k\[1\] is k_2 \[1/s\].
     pub k: [f64; 2],
 }
 
-/// Prescribed-time controller of order 2.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcPower2 {
-    /// coefficient of q^2 in the gain of x1
+    /// coefficient of q^2 in the gain of x1.
     c1_2: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// -tau
+    /// -tau.
     minus_tau: f64,
-    /// exponent of the power mapping
+    /// exponent of the power mapping.
     m: f64,
-    /// coefficient of q^0 in the gain of x2
+    /// coefficient of q^0 in the gain of x2.
     c2_0: f64,
-    /// coefficient of q^1 in the gain of x2
+    /// coefficient of q^1 in the gain of x2.
     c2_1: f64,
-    /// 1/tau
+    /// 1/tau.
     inv_tau: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcPower2`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower2Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
     pub gain: [f64; 2],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcPower2 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -228,16 +236,16 @@ impl PtcPower2 {
         let k1 = params.k[0];
         let k2 = params.k[1];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && m.is_finite()
-            && (m >= 1e-150)
+            && (1e-150 <= m)
             && (m <= 225.0)
             && k1.is_finite()
             && k2.is_finite()
@@ -253,6 +261,17 @@ impl PtcPower2 {
         let c2_0 = m + 1.0;
         let c2_1 = -K2;
         let inv_tau = 1.0 / tau;
+        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && c1_2.is_finite()
+            && hold_from.is_finite()
+            && minus_tau.is_finite()
+            && c2_0.is_finite()
+            && c2_1.is_finite()
+            && inv_tau.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             c1_2,
             tau,
@@ -268,38 +287,23 @@ impl PtcPower2 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(Self::kept(K1, k1)
-            && Self::kept(K2, k2)
-            && built.c1_2.is_finite()
-            && built.hold_from.is_finite()
-            && built.minus_tau.is_finite()
-            && built.c2_0.is_finite()
-            && built.c2_1.is_finite()
-            && built.inv_tau.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -308,101 +312,112 @@ impl PtcPower2 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_w = self.minus_tau / late;
         let q = math::pow(inv_w, self.m);
         let row1 = self.c1_2 * q * q;
         let row2 = (self.c2_1 * q) + self.c2_0;
         let inv_T = inv_w * self.inv_tau;
-        let u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcPower2Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_w = self.minus_tau / late;
         let q = math::pow(inv_w, self.m);
         let row1 = self.c1_2 * q * q;
         let row2 = (self.c2_1 * q) + self.c2_0;
         let inv_T = inv_w * self.inv_tau;
-        let held = late >= self.hold_from;
+        let gain1 = row1 * inv_T * inv_T;
+        let gain2 = row2 * inv_T;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcPower2Gains {
-            gain: [
-                row1 * inv_T * inv_T,
-                row2 * inv_T,
-            ],
+            gain: [gain1, gain2],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcPower2Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        let [gain1, gain2] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2);
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

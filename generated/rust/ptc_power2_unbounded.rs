@@ -136,38 +136,39 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcPower2UnboundedParams {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
 }
 
-/// Prescribed-time controller of order 2.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcPower2Unbounded {
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// -tau
+    /// -tau.
     minus_tau: f64,
-    /// 1/tau
+    /// 1/tau.
     inv_tau: f64,
 }
 
 /// Feedback gains of [`PtcPower2Unbounded`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcPower2UnboundedGains {
     /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
     pub gain: [f64; 2],
@@ -175,9 +176,16 @@ pub struct PtcPower2UnboundedGains {
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcPower2Unbounded {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -186,10 +194,10 @@ impl PtcPower2Unbounded {
         let t0 = params.t0;
         let eps = params.eps;
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
+            && (1e-150 <= eps)
             && (eps < tau))
         {
             return Err(Error::Param);
@@ -197,6 +205,9 @@ impl PtcPower2Unbounded {
         let hold_from = -eps;
         let minus_tau = -tau;
         let inv_tau = 1.0 / tau;
+        if !(hold_from.is_finite() && minus_tau.is_finite() && inv_tau.is_finite()) {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             eps,
@@ -207,27 +218,23 @@ impl PtcPower2Unbounded {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.hold_from.is_finite()
-            && built.minus_tau.is_finite()
-            && built.inv_tau.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Starts again at `t0`, in s.
+
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -236,90 +243,105 @@ impl PtcPower2Unbounded {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        if !(t.is_finite()
-            && (t >= self.t0)
-            && x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_w = self.minus_tau / late;
         let q = inv_w * inv_w;
         let v1 = (-4.0) * q;
         let row1 = v1 * q;
         let row2 = v1 + 3.0;
         let inv_T = inv_w * self.inv_tau;
-        let u = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+        let status = if v.is_finite() {
+            if late < self.hold_from {
+                Status::Ok
+            } else {
+                Status::Hold
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u: v, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcPower2UnboundedGains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let inv_w = self.minus_tau / late;
         let q = inv_w * inv_w;
         let v1 = (-4.0) * q;
         let row1 = v1 * q;
         let row2 = v1 + 3.0;
         let inv_T = inv_w * self.inv_tau;
-        let held = late >= self.hold_from;
+        let gain1 = row1 * inv_T * inv_T;
+        let gain2 = row2 * inv_T;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcPower2UnboundedGains {
-            gain: [
-                row1 * inv_T * inv_T,
-                row2 * inv_T,
-            ],
-            status: if held { Status::Hold } else { Status::Ok },
+            gain: [gain1, gain2],
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcPower2UnboundedGains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let [x1, x2] = *x;
-        let [gain1, gain2] = self.gain;
-        if !(x1.is_finite()
-            && x2.is_finite())
-        {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(x1.is_finite() && x2.is_finite()) {
             return Err(Error::Input);
         }
-        let u = (gain1 * x1) + (gain2 * x2);
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let status = if v.is_finite() {
+            self.status
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u: v, status })
     }
 }
 

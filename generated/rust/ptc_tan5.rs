@@ -166,108 +166,116 @@ pub trait Controller<const N: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTan5Params {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
-    /// Gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; `k[0]` is k_1 in 1/s^5, ..., `k[4]` is k_5 in 1/s.
+    /// gains of pi0 = -(k_1 xi_1 + ... + k_5 xi_5), finite; k\[0\] is k_1 \[1/s^5\], ..., k\[4\] is k_5 \[1/s\].
     pub k: [f64; 5],
 }
 
-/// Prescribed-time controller of order 5.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTan5 {
-    /// coefficient of slope^5 in the gain of x1
+    /// coefficient of slope^5 in the gain of x1.
     c1_5: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// pi/(2*tau)
+    /// pi/(2*tau).
     angle_rate: f64,
-    /// 2*tau/pi
+    /// 2*tau/pi.
     inv_angle_rate: f64,
-    /// start time
+    /// start time.
     t0: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// 1/tau
+    /// 1/tau.
     inv_tau: f64,
-    /// coefficient of cot_rate^0 in the gain of x2
+    /// coefficient of cot_rate^0 in the gain of x2.
     c2_0: f64,
-    /// coefficient of cot_rate^1 in the gain of x2
+    /// coefficient of cot_rate^1 in the gain of x2.
     c2_1: f64,
-    /// coefficient of cot_rate^2 in the gain of x2
+    /// coefficient of cot_rate^2 in the gain of x2.
     c2_2: f64,
-    /// coefficient of cot_rate^3 in the gain of x2
+    /// coefficient of cot_rate^3 in the gain of x2.
     c2_3: f64,
-    /// coefficient of cot_rate^4 in the gain of x2
+    /// coefficient of cot_rate^4 in the gain of x2.
     c2_4: f64,
-    /// coefficient of cot_rate^5 in the gain of x2
+    /// coefficient of cot_rate^5 in the gain of x2.
     c2_5: f64,
-    /// coefficient of cot_rate^6 in the gain of x2
+    /// coefficient of cot_rate^6 in the gain of x2.
     c2_6: f64,
-    /// coefficient of cot_rate^7 in the gain of x2
+    /// coefficient of cot_rate^7 in the gain of x2.
     c2_7: f64,
-    /// coefficient of cot_rate^8 in the gain of x2
+    /// coefficient of cot_rate^8 in the gain of x2.
     c2_8: f64,
-    /// coefficient of cot_rate^0 in the gain of x3
+    /// coefficient of cot_rate^0 in the gain of x3.
     c3_0: f64,
-    /// coefficient of cot_rate^1 in the gain of x3
+    /// coefficient of cot_rate^1 in the gain of x3.
     c3_1: f64,
-    /// coefficient of cot_rate^2 in the gain of x3
+    /// coefficient of cot_rate^2 in the gain of x3.
     c3_2: f64,
-    /// coefficient of cot_rate^3 in the gain of x3
+    /// coefficient of cot_rate^3 in the gain of x3.
     c3_3: f64,
-    /// coefficient of cot_rate^4 in the gain of x3
+    /// coefficient of cot_rate^4 in the gain of x3.
     c3_4: f64,
-    /// coefficient of cot_rate^5 in the gain of x3
+    /// coefficient of cot_rate^5 in the gain of x3.
     c3_5: f64,
-    /// coefficient of cot_rate^6 in the gain of x3
+    /// coefficient of cot_rate^6 in the gain of x3.
     c3_6: f64,
-    /// coefficient of cot_rate^0 in the gain of x4
+    /// coefficient of cot_rate^0 in the gain of x4.
     c4_0: f64,
-    /// coefficient of cot_rate^1 in the gain of x4
+    /// coefficient of cot_rate^1 in the gain of x4.
     c4_1: f64,
-    /// coefficient of cot_rate^2 in the gain of x4
+    /// coefficient of cot_rate^2 in the gain of x4.
     c4_2: f64,
-    /// coefficient of cot_rate^3 in the gain of x4
+    /// coefficient of cot_rate^3 in the gain of x4.
     c4_3: f64,
-    /// coefficient of cot_rate^4 in the gain of x4
+    /// coefficient of cot_rate^4 in the gain of x4.
     c4_4: f64,
-    /// coefficient of cot_rate^0 in the gain of x5
+    /// coefficient of cot_rate^0 in the gain of x5.
     c5_0: f64,
-    /// coefficient of cot_rate^2 in the gain of x5
+    /// coefficient of cot_rate^2 in the gain of x5.
     c5_2: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
 /// Feedback gains of [`PtcTan5`] at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
 pub struct PtcTan5Gains {
     /// u = gain\[0\] x\[0\] + ... + gain\[4\] x\[4\].
     pub gain: [f64; 5],
-    /// Bound of |u|.
+    /// bound of |u|.
     pub u_max: f64,
     /// `Ok` or `Hold`.
     pub status: Status,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcTan5 {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -283,13 +291,13 @@ impl PtcTan5 {
         let k4 = params.k[3];
         let k5 = params.k[4];
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && k1.is_finite()
             && k2.is_finite()
@@ -314,33 +322,34 @@ impl PtcTan5 {
         let inv_angle_rate = 0.6366197723675814 * tau;
         let hold_from = -eps;
         let inv_tau = 1.0 / tau;
-        let v5 = ((-(6.088068189625153 * K2)) + (12.176136379250305 * K4)) - 146.11363655100365;
+        let s1 = (-(6.088068189625153 * K2)) + (12.176136379250305 * K4);
+        let v5 = s1 - 146.11363655100365;
         let v6 = tau * tau;
         let v7 = v6 * v6;
         let c2_0 = v5 / v7;
         let v8 = (7.751569170074955 * K3) - (93.01883004089946 * K5);
         let v9 = tau * v6;
         let c2_1 = v8 / v9;
-        let v10 = ((-(9.869604401089358 * K2)) - (4.934802200544679 * K4)) + 592.1762640653615;
-        let c2_2 = v10 / v6;
+        let s2 = (-(9.869604401089358 * K2)) - (4.934802200544679 * K4);
+        let c2_2 = (s2 + 592.1762640653615) / v6;
         let c2_3 = (9.42477796076938 * K3) / tau;
         let c2_4 = ((-(6.0 * K2)) - (10.0 * K4)) - 120.0;
-        let v11 = (3.819718634205488 * K3) + (15.278874536821952 * K5);
-        let c2_5 = v11 * tau;
-        let v12 = 2.4317084074161066 * K4;
-        let v13 = (-(1.6211389382774044 * K2)) - v12;
-        let c2_6 = v13 * v6;
+        let v10 = (3.819718634205488 * K3) + (15.278874536821952 * K5);
+        let c2_5 = v10 * tau;
+        let v11 = 2.4317084074161066 * K4;
+        let v12 = (-(1.6211389382774044 * K2)) - v11;
+        let c2_6 = v12 * v6;
         let c2_7 = 0.5160245509311918 * K3 * v9;
         let c2_8 = (-(0.16425571607494938 * K2)) * v7;
-        let v14 = (-(3.8757845850374775 * K3)) + (31.00627668029982 * K5);
-        let c3_0 = v14 / v9;
+        let v13 = (-(3.8757845850374775 * K3)) + (31.00627668029982 * K5);
+        let c3_0 = v13 / v9;
         let c3_1 = ((14.804406601634039 * K4) - 394.78417604357435) / v6;
-        let v15 = (-(4.71238898038469 * K3)) - (43.982297150257104 * K5);
-        let c3_2 = v15 / tau;
+        let v14 = (-(4.71238898038469 * K3)) - (43.982297150257104 * K5);
+        let c3_2 = v14 / tau;
         let c3_3 = (12.0 * K4) + 240.0;
-        let v16 = (-(1.909859317102744 * K3)) - (22.91831180523293 * K5);
-        let c3_4 = v16 * tau;
-        let c3_5 = v12 * v6;
+        let v15 = (-(1.909859317102744 * K3)) - (22.91831180523293 * K5);
+        let c3_4 = v15 * tau;
+        let c3_5 = v11 * v6;
         let c3_6 = (-(0.2580122754655959 * K3)) * v9;
         let c4_0 = ((-(2.4674011002723395 * K4)) + 49.34802200544679) / v6;
         let c4_1 = (18.84955592153876 * K5) / tau;
@@ -349,6 +358,64 @@ impl PtcTan5 {
         let c4_4 = (-(0.4052847345693511 * K4)) * v6;
         let c5_0 = (-(1.5707963267948966 * K5)) / tau;
         let c5_2 = (-(0.6366197723675814 * K5)) * tau;
+        if !((1e-200 <= v2)
+            && (1e-200 <= v3)
+            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= v4)
+            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= K5.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= v7)
+            && ((1e-200 <= c2_0.abs()) || (v5.abs() <= 0.0))
+            && (1e-200 <= v9)
+            && ((1e-200 <= c2_1.abs()) || (v8.abs() <= 0.0))
+            && ((1e-200 <= c2_3.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c2_5.abs()) || (v10.abs() <= 0.0))
+            && ((1e-200 <= c2_6.abs()) || (v12.abs() <= 0.0))
+            && ((1e-200 <= c2_7.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c2_8.abs()) || (k2.abs() <= 0.0))
+            && ((1e-200 <= c3_0.abs()) || (v13.abs() <= 0.0))
+            && ((1e-200 <= c3_2.abs()) || (v14.abs() <= 0.0))
+            && ((1e-200 <= c3_4.abs()) || (v15.abs() <= 0.0))
+            && ((1e-200 <= c3_5.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= c3_6.abs()) || (k3.abs() <= 0.0))
+            && ((1e-200 <= c4_1.abs()) || (k5.abs() <= 0.0))
+            && ((1e-200 <= c4_3.abs()) || (k5.abs() <= 0.0))
+            && ((1e-200 <= c4_4.abs()) || (k4.abs() <= 0.0))
+            && ((1e-200 <= c5_0.abs()) || (k5.abs() <= 0.0))
+            && ((1e-200 <= c5_2.abs()) || (k5.abs() <= 0.0))
+            && c1_5.is_finite()
+            && angle_rate.is_finite()
+            && inv_angle_rate.is_finite()
+            && hold_from.is_finite()
+            && inv_tau.is_finite()
+            && c2_0.is_finite()
+            && c2_1.is_finite()
+            && c2_2.is_finite()
+            && c2_3.is_finite()
+            && c2_4.is_finite()
+            && c2_5.is_finite()
+            && c2_6.is_finite()
+            && c2_7.is_finite()
+            && c2_8.is_finite()
+            && c3_0.is_finite()
+            && c3_1.is_finite()
+            && c3_2.is_finite()
+            && c3_3.is_finite()
+            && c3_4.is_finite()
+            && c3_5.is_finite()
+            && c3_6.is_finite()
+            && c4_0.is_finite()
+            && c4_1.is_finite()
+            && c4_2.is_finite()
+            && c4_3.is_finite()
+            && c4_4.is_finite()
+            && c5_0.is_finite()
+            && c5_2.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             c1_5,
             tau,
@@ -385,85 +452,23 @@ impl PtcTan5 {
             deadline: 0.0,
             correction: 0.0,
         };
-        if !((v2 >= 1e-200)
-            && (v3 >= 1e-200)
-            && Self::kept(K1, k1)
-            && Self::kept(K2, k2)
-            && (v4 >= 1e-200)
-            && Self::kept(K3, k3)
-            && Self::kept(K4, k4)
-            && Self::kept(K5, k5)
-            && (v7 >= 1e-200)
-            && Self::kept(c2_0, v5)
-            && (v9 >= 1e-200)
-            && Self::kept(c2_1, v8)
-            && Self::kept(c2_3, k3)
-            && Self::kept(c2_5, v11)
-            && Self::kept(c2_6, v13)
-            && Self::kept(c2_7, k3)
-            && Self::kept(c2_8, k2)
-            && Self::kept(c3_0, v14)
-            && Self::kept(c3_2, v15)
-            && Self::kept(c3_4, v16)
-            && Self::kept(c3_5, k4)
-            && Self::kept(c3_6, k3)
-            && Self::kept(c4_1, k5)
-            && Self::kept(c4_3, k5)
-            && Self::kept(c4_4, k4)
-            && Self::kept(c5_0, k5)
-            && Self::kept(c5_2, k5)
-            && built.c1_5.is_finite()
-            && built.angle_rate.is_finite()
-            && built.inv_angle_rate.is_finite()
-            && built.hold_from.is_finite()
-            && built.inv_tau.is_finite()
-            && built.c2_0.is_finite()
-            && built.c2_1.is_finite()
-            && built.c2_2.is_finite()
-            && built.c2_3.is_finite()
-            && built.c2_4.is_finite()
-            && built.c2_5.is_finite()
-            && built.c2_6.is_finite()
-            && built.c2_7.is_finite()
-            && built.c2_8.is_finite()
-            && built.c3_0.is_finite()
-            && built.c3_1.is_finite()
-            && built.c3_2.is_finite()
-            && built.c3_3.is_finite()
-            && built.c3_4.is_finite()
-            && built.c3_5.is_finite()
-            && built.c3_6.is_finite()
-            && built.c4_0.is_finite()
-            && built.c4_1.is_finite()
-            && built.c4_2.is_finite()
-            && built.c4_3.is_finite()
-            && built.c4_4.is_finite()
-            && built.c5_0.is_finite()
-            && built.c5_2.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Whether a product keeps its digits: it is well above the least normal number, or 0 with a
-    /// factor.
-    fn kept(product: f64, factor: f64) -> bool {
-        product.abs() >= 1e-200 || factor.abs() <= 0.0
-    }
 
-    /// Starts again at `t0`, in s.
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -472,15 +477,19 @@ impl PtcTan5 {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...).
+    /// u at time t \[s\] and state x = (x1, x1', ...).
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -490,115 +499,147 @@ impl PtcTan5 {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let v1 = late * self.inv_tau;
         let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
+        let s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+        let s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+        let s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+        let s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+        let s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+        let s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+        let s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+        let s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+        let s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+        let th_cot_th = (s9 * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
-        let v9 = slope * slope;
-        let row1 = self.c1_5 * slope * v9 * v9;
+        let v3 = slope * slope;
+        let row1 = self.c1_5 * slope * v3 * v3;
         let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v10 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
-        let v11 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
-        let v12 = (((v11 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v12 + (((v10 * cot_rate_squared) + self.c2_1) * cot_rate);
-        let v13 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
-        let v14 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
-        let row3 = (v14 * cot_rate_squared) + self.c3_0 + (v13 * cot_rate);
-        let v15 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
-        let row4 = v15 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
-        let row5 = (self.c5_2 * cot_rate_squared) + self.c5_0 + (20.0 * cot_rate);
-        let v16 = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
-        let u = v16;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let s10 = (self.c2_8 * cot_rate_squared) + self.c2_6;
+        let s11 = ((s10 * cot_rate_squared) + self.c2_4) * cot_rate_squared;
+        let s12 = (self.c2_7 * cot_rate_squared) + self.c2_5;
+        let s13 = ((s12 * cot_rate_squared) + self.c2_3) * cot_rate_squared;
+        let s14 = ((s11 + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = s14 + ((s13 + self.c2_1) * cot_rate);
+        let s15 = (self.c3_6 * cot_rate_squared) + self.c3_4;
+        let s16 = ((s15 * cot_rate_squared) + self.c3_2) * cot_rate_squared;
+        let s17 = (self.c3_5 * cot_rate_squared) + self.c3_3;
+        let s18 = ((s17 * cot_rate_squared) + self.c3_1) * cot_rate;
+        let row3 = s16 + self.c3_0 + s18;
+        let s19 = (self.c4_4 * cot_rate_squared) + self.c4_2;
+        let s20 = ((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate;
+        let row4 = (s19 * cot_rate_squared) + self.c4_0 + s20;
+        let s21 = (self.c5_2 * cot_rate_squared) + self.c5_0;
+        let row5 = s21 + (20.0 * cot_rate);
+        let v = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else {
+                (v, Status::Hold)
+            }
         } else {
-            Ok(Control { u, status: Status::Hold })
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 
-    /// The gains at time `t`, in s, for several axes that share one deadline. u may differ
-    /// from that of `step` in the last bits.
+    /// The gains at time t \[s\], for several axes that share one deadline: tick once, then axis
+    /// for each. The result of tick and axis may differ from that of step in the last bits.
     ///
     /// # Errors
-    /// `Input`: `t` is not finite or lies before the start.
+    /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan5Gains, Error> {
-        if !(t.is_finite() && (t >= self.t0)) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let v1 = late * self.inv_tau;
         let inv_T_squared = 1.0 / (late * late);
         let v2 = v1 * v1;
-        let v3 = ((((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2) - 1.6867939433688022e-7;
-        let v4 = ((((v3 * v2) + 8.247582914168544e-8) * v2) - 6.748341805449633e-7) * v2;
-        let v5 = (((v4 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6) * v2;
-        let v6 = (((v5 - 3.049467456647586e-5) * v2) - 0.00012208352032846455) * v2;
-        let v7 = (((v6 - 0.0004884004503196425) * v2) - 0.001955067633906801) * v2;
-        let v8 = ((((v7 - 0.007844354338480027) * v2) - 0.031791970687246554) * v2) - 0.13529040421388916;
-        let th_cot_th = (((v8 * v2) - 0.8224670334241132) * v2) + 1.0;
+        let s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+        let s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+        let s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+        let s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+        let s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+        let s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+        let s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+        let s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+        let s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+        let th_cot_th = (s9 * v2) + 1.0;
         let cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
         let slope = self.angle_rate + (self.inv_angle_rate * cot_rate_squared);
-        let v9 = slope * slope;
-        let row1 = self.c1_5 * slope * v9 * v9;
+        let v3 = slope * slope;
+        let row1 = self.c1_5 * slope * v3 * v3;
         let T = -late;
         let cot_rate = T * inv_T_squared * th_cot_th;
-        let v10 = (((self.c2_7 * cot_rate_squared) + self.c2_5) * cot_rate_squared) + self.c2_3;
-        let v11 = (((self.c2_8 * cot_rate_squared) + self.c2_6) * cot_rate_squared) + self.c2_4;
-        let v12 = (((v11 * cot_rate_squared) + self.c2_2) * cot_rate_squared) + self.c2_0;
-        let row2 = v12 + (((v10 * cot_rate_squared) + self.c2_1) * cot_rate);
-        let v13 = (((self.c3_5 * cot_rate_squared) + self.c3_3) * cot_rate_squared) + self.c3_1;
-        let v14 = (((self.c3_6 * cot_rate_squared) + self.c3_4) * cot_rate_squared) + self.c3_2;
-        let row3 = (v14 * cot_rate_squared) + self.c3_0 + (v13 * cot_rate);
-        let v15 = (((self.c4_4 * cot_rate_squared) + self.c4_2) * cot_rate_squared) + self.c4_0;
-        let row4 = v15 + (((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate);
-        let row5 = (self.c5_2 * cot_rate_squared) + self.c5_0 + (20.0 * cot_rate);
-        let held = late >= self.hold_from;
+        let s10 = (self.c2_8 * cot_rate_squared) + self.c2_6;
+        let s11 = ((s10 * cot_rate_squared) + self.c2_4) * cot_rate_squared;
+        let s12 = (self.c2_7 * cot_rate_squared) + self.c2_5;
+        let s13 = ((s12 * cot_rate_squared) + self.c2_3) * cot_rate_squared;
+        let s14 = ((s11 + self.c2_2) * cot_rate_squared) + self.c2_0;
+        let row2 = s14 + ((s13 + self.c2_1) * cot_rate);
+        let s15 = (self.c3_6 * cot_rate_squared) + self.c3_4;
+        let s16 = ((s15 * cot_rate_squared) + self.c3_2) * cot_rate_squared;
+        let s17 = (self.c3_5 * cot_rate_squared) + self.c3_3;
+        let s18 = ((s17 * cot_rate_squared) + self.c3_1) * cot_rate;
+        let row3 = s16 + self.c3_0 + s18;
+        let s19 = (self.c4_4 * cot_rate_squared) + self.c4_2;
+        let s20 = ((self.c4_3 * cot_rate_squared) + self.c4_1) * cot_rate;
+        let row4 = (s19 * cot_rate_squared) + self.c4_0 + s20;
+        let s21 = (self.c5_2 * cot_rate_squared) + self.c5_0;
+        let row5 = s21 + (20.0 * cot_rate);
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
         Ok(PtcTan5Gains {
-            gain: [
-                row1,
-                row2,
-                row3,
-                row4,
-                row5,
-            ],
+            gain: [row1, row2, row3, row4, row5],
             u_max: self.u_max,
-            status: if held { Status::Hold } else { Status::Ok },
+            status,
         })
     }
 }
 
-#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcTan5Gains {
-    /// u of one axis with state `x` = (x1, x1', ...).
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
-    /// `Input`: `x` is not finite. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3, x4, x5] = *x;
-        let [gain1, gain2, gain3, gain4, gain5] = self.gain;
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
+        let x4 = x[3];
+        let x5 = x[4];
         if !(x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -607,19 +648,19 @@ impl PtcTan5Gains {
         {
             return Err(Error::Input);
         }
-        let v1 = (gain1 * x1) + (gain2 * x2) + (gain3 * x3) + (gain4 * x4) + (gain5 * x5);
-        let u = v1;
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        if u.is_finite() {
-            Ok(Control { u, status: self.status })
+        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let s2 = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
+        let v = s2 + (self.gain[4] * x5);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
         } else {
-            Err(Error::Range)
-        }
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }
 

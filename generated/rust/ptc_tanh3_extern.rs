@@ -151,51 +151,58 @@ mod math {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh3ExternParams {
-    /// Prescribed settling time, in s; from 1e-150 to 1e150.
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
     pub tau: f64,
-    /// Start time, in s; finite.
+    /// start time \[s\], finite.
     pub t0: f64,
-    /// Time-to-go at which the gains are held, in s; >= 1e-150, < tau.
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
     pub eps: f64,
-    /// Bound of |u|, in the unit of u; > 0, infinity allowed.
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
     pub u_max: f64,
-    /// Rate of stretched time, in 1/s; from 1e-150 to 1e150.
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
     pub a: f64,
 }
 
-/// Prescribed-time controller of order 3.
+/// Prescribed-time controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcTanh3Extern {
-    /// start time
+    /// start time.
     t0: f64,
-    /// prescribed settling time
+    /// prescribed settling time.
     tau: f64,
-    /// t0 + tau, rounded
+    /// t0 + tau, rounded.
     deadline: f64,
-    /// low part of t0 + tau (compensated sum)
+    /// low part of t0 + tau (compensated sum).
     correction: f64,
-    /// time-to-go at which the gains are held
+    /// time-to-go at which the gains are held.
     eps: f64,
-    /// -eps: later than this the gains are held
+    /// -eps: later than this the gains are held.
     hold_from: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f16: f64,
-    /// rate of stretched time
+    /// rate of stretched time.
     a: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f22: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f24: f64,
-    /// derived from the parameters
+    /// derived from the parameters.
     f29: f64,
-    /// bound of |u|
+    /// bound of |u|.
     u_max: f64,
 }
 
-#[allow(non_snake_case, dead_code, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
 impl PtcTanh3Extern {
-    /// Takes the parameters and arms at the start time among them (or the fixed one).
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
@@ -206,13 +213,13 @@ impl PtcTanh3Extern {
         let u_max = params.u_max;
         let a = params.a;
         if !(tau.is_finite()
-            && (tau >= 1e-150)
+            && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (eps >= 1e-150)
-            && (u_max > 0.0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
             && a.is_finite()
-            && (a >= 1e-150)
+            && (1e-150 <= a)
             && (a <= 1e150)
             && (eps < tau))
         {
@@ -220,43 +227,48 @@ impl PtcTanh3Extern {
         }
         let hold_from = -eps;
         let f16 = 2.0 * tau;
+        let f22 = 2.0 * a;
+        let f24 = f16 * a;
+        let f29 = 1.0 / tau;
+        if !(hold_from.is_finite()
+            && f16.is_finite()
+            && f22.is_finite()
+            && f24.is_finite()
+            && f29.is_finite())
+        {
+            return Err(Error::Param);
+        }
         let mut built = Self {
             tau,
             eps,
             hold_from,
             f16,
             a,
-            f22: 2.0 * a,
-            f24: f16 * a,
-            f29: 1.0 / tau,
+            f22,
+            f24,
+            f29,
             u_max,
             t0: 0.0,
             deadline: 0.0,
             correction: 0.0,
         };
-        if !(built.hold_from.is_finite()
-            && built.f16.is_finite()
-            && built.f22.is_finite()
-            && built.f24.is_finite()
-            && built.f29.is_finite())
-        {
-            return Err(Error::Param);
-        }
         built.arm(t0)?;
         Ok(built)
     }
-    /// Starts again at `t0`, in s.
+
+    /// Starts again at t0 \[s\].
     ///
     /// # Errors
-    /// `Param`: `t0` or the deadline is not finite; the controller is left as it was.
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
     pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
-        if !(t0.is_finite()) {
+        if !t0.is_finite() {
             return Err(Error::Param);
         }
         let deadline = t0 + self.tau;
         let v1 = deadline - t0;
         let correction = (t0 - (deadline - v1)) + (self.tau - v1);
-        if !(deadline.is_finite()) {
+        if !deadline.is_finite() {
             return Err(Error::Param);
         }
         self.t0 = t0;
@@ -265,15 +277,25 @@ impl PtcTanh3Extern {
         Ok(())
     }
 
-/// u at time `t`, in s, and state `x` = (x1, x1', ...). `pi0` is the law of xi and stretched time. `after` gives u from x and t once the deadline is over.
+    /// u at time t \[s\] and state x = (x1, x1', ...).
+    /// `pi0`: User-defined law pi0(xi, t); t is the stretched time kappa + t0.
+    /// `after`: User-defined law for t >= t0 + tau.
     ///
     /// # Errors
-    /// `Input`: `t` or `x` is not finite, or `t` lies before the start. `Range`: u is not finite.
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
-    pub fn step(&self, t: f64, x: &[f64; 3], pi0: impl FnOnce(&[f64; 3], f64) -> f64, after: impl FnOnce(&[f64; 3], f64) -> f64) -> Result<Control<f64>, Error> {
-        let [x1, x2, x3] = *x;
+    pub fn step(
+        &self,
+        t: f64,
+        x: &[f64; 3],
+        pi0: impl FnOnce(&[f64; 3], f64) -> f64,
+        after: impl FnOnce(&[f64; 3], f64) -> f64,
+    ) -> Result<Control<f64>, Error> {
+        let x1 = x[0];
+        let x2 = x[1];
+        let x3 = x[2];
         if !(t.is_finite()
-            && (t >= self.t0)
+            && (self.t0 <= t)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite())
@@ -281,7 +303,11 @@ impl PtcTanh3Extern {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
-        let late = if past < self.hold_from { past } else { self.hold_from };
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
         let T = -late;
         let v1 = T * self.a;
         let v2 = self.f24 + (-v1);
@@ -291,27 +317,35 @@ impl PtcTanh3Extern {
         let v5 = v4 * 0.5;
         let v6 = T * unit;
         let inv_r1 = 1.0 / v6;
-        let v7 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666 * (unit * unit);
         let xi2 = x2 * v6;
         let xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
         let t_kappa = self.t0 + ((-math::ln(T / (self.f16 - T))) / self.f22);
-        let law = pi0(&[x1, xi2, xi3], t_kappa);
-        let v8 = (((law * inv_r1) + ((-6.0) * v7 * x2)) * inv_r1) + ((-3.0) * ((v5 + v5) * unit) * x3);
-        let u = if past >= 0.0 { after(x, t) } else { v8 * inv_r1 };
-if u > self.u_max {
-            return Ok(Control { u: self.u_max, status: Status::Saturated });
-        }
-        if u < -self.u_max {
-            return Ok(Control { u: -self.u_max, status: Status::Saturated });
-        }
-        // Time-to-go, or NaN where u is not finite: one comparison detects tracking.
-        let margin = (u - u) - late;
-        if margin > self.eps {
-            Ok(Control { u, status: Status::Ok })
-        } else if margin.is_nan() {
-            Err(Error::Range)
+        let xi = &[x1, xi2, xi3];
+        let law = pi0(xi, t_kappa);
+        let applied: f64;
+        if 0.0 <= past {
+            applied = after(x, t);
         } else {
-            Ok(Control { u, status: if past >= 0.0 { Status::After } else { Status::Hold } })
+            let s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
+            let s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1;
+            applied = (s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1;
         }
+        let v = applied;
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            if late < self.hold_from {
+                (v, Status::Ok)
+            } else if 0.0 <= past {
+                (v, Status::After)
+            } else {
+                (v, Status::Hold)
+            }
+        } else {
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
     }
 }

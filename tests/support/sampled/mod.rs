@@ -63,7 +63,7 @@ impl Design {
     /// What it gives beside u, with the lengths of arrays.
     fn given(&self) -> impl Iterator<Item = (&Function, Option<usize>)> {
         let others = self.code.functions.iter().filter(|f| !["step", "arm"].contains(&f.name));
-        others.map(|function| match function.results[0].variable.shape {
+        others.map(|function| match function.results[0].shape {
             Shape::Reals(length) => (function, Some(length)),
             _ => (function, None),
         })

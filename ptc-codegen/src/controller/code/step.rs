@@ -32,10 +32,10 @@ impl Builder<'_> {
                         // The user's function is called where it is needed alone.
                         let next = Expr::Callback("after", "x".to_owned(), Box::new(t()));
                         let set =
-                            |value| vec![Statement::Set(Place::Local("law".to_owned()), value)];
-                        statements.push(Statement::Variable("law".to_owned(), Shape::Real));
+                            |value| vec![Statement::Set(Place::Local("applied".to_owned()), value)];
+                        statements.push(Statement::Variable("applied".to_owned(), Shape::Real));
                         statements.push(Statement::If(over, set(next), set(law.clone())));
-                        Expr::local("law")
+                        Expr::local("applied")
                     }
                     After::Hold | After::Zero => Expr::choose(over, zero(), law.clone()),
                 }

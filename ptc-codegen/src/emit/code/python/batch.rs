@@ -70,17 +70,11 @@ impl Python<'_> {
     fn chosen(&mut self, statement: &Statement) {
         match statement {
             Statement::If(test, yes, no) => {
-                let (
-                    [Statement::Set(Place::Local(name), yes)],
-                    [Statement::Set(Place::Local(other), no)],
-                ) = (yes.as_slice(), no.as_slice())
-                else {
-                    fault("a test in a batch does more than to choose".to_owned())
-                };
+                let ((name, yes), (other, no)) = (self.set_last(yes), self.set_last(no));
                 if name != other {
                     fault(format!("{name} and {other} are chosen by one test"));
                 }
-                let (test, yes, no) = (self.test(test), self.alone(yes), self.alone(no));
+                let test = self.test(test);
                 self.out.line(format!("{name} = np.asarray({no})"));
                 self.out.line(format!("chosen = np.asarray({test})"));
                 self.out.line("if chosen.any():");
@@ -89,6 +83,15 @@ impl Python<'_> {
             Statement::Solve(solve) => self.each_root(solve),
             statement => self.statement(statement),
         }
+    }
+
+    /// The variable that a branch sets, and its value; what stands before it is computed on both ways.
+    fn set_last<'s>(&mut self, branch: &'s [Statement]) -> (&'s str, String) {
+        let Some((Statement::Set(Place::Local(name), value), before)) = branch.split_last() else {
+            fault("a test in a batch does more than to choose".to_owned())
+        };
+        before.iter().for_each(|statement| self.chosen(statement));
+        (name, self.alone(value))
     }
 
     /// Each element of the batch stays as it is from its own last round on.
