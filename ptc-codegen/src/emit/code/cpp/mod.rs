@@ -62,7 +62,7 @@ impl Text for Cpp<'_> {
     }
 
     fn not_number(&self, value: &str) -> String {
-        format!("({value} != {value})")
+        format!("(!({value} <= {value}))")
     }
 }
 
