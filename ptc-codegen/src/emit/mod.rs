@@ -1,7 +1,7 @@
-//! Back ends: one staged program in, source text out.
+//! Back ends: the program of a controller in, source text out.
 //!
-//! A printer ([`print`]) writes expressions and statements; a template places them. A template
-//! holds structure and API text, never arithmetic.
+//! The printers in `code` write whole controllers; templates hold what stands around them: self-tests,
+//! FMUs, projects.
 
 mod acsl;
 mod apart;

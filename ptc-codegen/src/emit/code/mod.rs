@@ -5,6 +5,8 @@
 mod block;
 mod c;
 mod cpp;
+mod gives;
+mod legal;
 mod matlab;
 mod python;
 mod rust;

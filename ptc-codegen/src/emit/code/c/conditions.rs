@@ -1,6 +1,6 @@
 //! Conditions of `init` and `arm` as C writes them, for what stands around the controller.
 
-use super::super::block::{checks, copies};
+use super::super::legal::{checks, copies};
 use super::super::text::Text;
 use super::{C, Notes};
 use crate::code::{Code, Statement, Test};

@@ -1,6 +1,7 @@
 //! The file around the functions.
 
-use super::super::block::{Block, Gives, calls_library};
+use super::super::block::Block;
+use super::super::gives::{Gives, calls_library};
 use super::super::text::Text;
 use super::Cpp;
 use crate::code::{Code, Expr, Owner, Shape, Statement, Variable};
@@ -175,5 +176,5 @@ impl Cpp<'_> {
 
 /// Whether `init` calls a function of the library.
 fn init_calls(code: &Code) -> bool {
-    code.init.iter().any(super::super::block::calls)
+    code.init.iter().any(super::super::gives::calls)
 }

@@ -3,7 +3,8 @@
 mod header;
 mod rows;
 
-use super::block::{Block, Branch, Gives, calls_library};
+use super::block::{Block, Branch};
+use super::gives::{Gives, calls_library};
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Code, Ending, Expr, Function, Shape, Status, Test};
 use crate::emit::File;

@@ -1,6 +1,8 @@
 //! The files of the functions.
 
-use super::super::block::{Block, Gives, copies};
+use super::super::block::Block;
+use super::super::gives::Gives;
+use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
 use crate::code::{Access, Function, Owner, Shape, Statement, Status};

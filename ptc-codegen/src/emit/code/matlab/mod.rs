@@ -6,7 +6,9 @@ mod helpers;
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Branch, Gives, checks};
+use super::block::{Block, Branch};
+use super::gives::Gives;
+use super::legal::checks;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};

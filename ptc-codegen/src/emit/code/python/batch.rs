@@ -1,6 +1,7 @@
 //! Functions of many calls at a time: tests choose between values, and statuses between one another.
 
-use super::super::block::{Block, Gives};
+use super::super::block::Block;
+use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{Python, word};
 use crate::code::{Ending, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test};

@@ -1,6 +1,8 @@
 //! The class of the controller: its constructor, and functions of one call at a time.
 
-use super::super::block::{Block, Gives, copies};
+use super::super::block::Block;
+use super::super::gives::Gives;
+use super::super::legal::copies;
 use super::super::text::Text;
 use super::{Python, annotation};
 use crate::code::{Function, Owner, Shape};

@@ -6,7 +6,9 @@ mod module;
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Branch, Gives, checks};
+use super::block::{Block, Branch};
+use super::gives::Gives;
+use super::legal::checks;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};

@@ -1,6 +1,7 @@
 //! The items: structures, functions and the trait.
 
-use super::super::block::{Block, Gives};
+use super::super::block::Block;
+use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{CHOICE, Rust};
 use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};

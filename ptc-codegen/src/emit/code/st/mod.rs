@@ -4,7 +4,8 @@
 mod block;
 mod helpers;
 
-use super::block::{Block, Branch, Gives};
+use super::block::{Block, Branch};
+use super::gives::Gives;
 use super::text::{Level, Lines, Text};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, st};

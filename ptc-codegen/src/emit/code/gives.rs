@@ -1,0 +1,60 @@
+//! What a call gives, and whether it needs the mathematical library.
+
+use crate::code::{Expr, Function, Shape, Statement, Status};
+use crate::expression::Function as Math;
+
+/// What a call gives, by the words that languages have for it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Gives {
+    /// Nothing.
+    Nothing,
+    /// Its status.
+    Status,
+    /// u and its status.
+    Control,
+    /// An array and its status.
+    Rate,
+    /// Gains, their status among them.
+    Gains,
+    /// An array.
+    Array,
+    /// A number.
+    Number,
+}
+
+impl Gives {
+    pub(super) fn of(function: &Function) -> Self {
+        let shape = function.results.first().map(|result| result.shape);
+        let ranges = function.failures.contains(&Status::Range);
+        match shape {
+            None if function.failures.is_empty() => Self::Nothing,
+            None => Self::Status,
+            Some(Shape::Gains) => Self::Gains,
+            Some(Shape::Reals(_)) if ranges => Self::Rate,
+            Some(Shape::Reals(_)) => Self::Array,
+            Some(_) if ranges => Self::Control,
+            Some(_) => Self::Number,
+        }
+    }
+}
+
+/// Whether a statement calls a function of the mathematical library.
+pub(super) fn calls(statement: &Statement) -> bool {
+    let mut found = false;
+    statement.visit(&mut |value| found |= is_call(value));
+    found
+}
+
+/// Whether a function does.
+pub(super) fn calls_library(function: &Function) -> bool {
+    let mut found = false;
+    function.visit(&mut |value| found |= is_call(value));
+    found
+}
+
+fn is_call(value: &Expr) -> bool {
+    match value {
+        Expr::Call(function, _) => !matches!(function, Math::Abs | Math::Sign),
+        value => matches!(value, Expr::Pow(..)),
+    }
+}
