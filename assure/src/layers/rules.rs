@@ -117,8 +117,8 @@ const DEFECTS: [(Defect, &str); 5] = [
     ),
     (
         (
-            "(self != NULL) && isfinite(t0)",
-            "self != NULL && isfinite(t0)",
+            "(self != NULL) && (x != NULL)",
+            "self != NULL && (x != NULL)",
             "precedence left to the reader",
         ),
         "12.1",

@@ -14,16 +14,26 @@ use crate::layers::seeded::{Defect, put_in};
 
 /// Defects of the example, and the mode in which each is seen.
 const DEFECTS: [(Defect, usize); 10] = [
-    (("            && isfinite(x1)\n", "", "the guard of x1 left out"), 0),
-    (("isfinite(t)\n            && (t >= self->t0)", "isfinite(t)", "the guard of t0 left out"), 1),
+    ((" && (isfinite(x1) != 0)", "", "the guard of x1 left out"), 0),
+    (
+        ("(isfinite(t) != 0) && (self->t0 <= t)", "(isfinite(t) != 0)", "the guard of t0 left out"),
+        1,
+    ),
     (("&& (x != NULL)", "", "the check of x for NULL left out"), 0),
     (("        *u = 0.0;\n", "        ;\n", "u not set to 0 first"), 0),
-    (("                v = -self->u_max;\n", "", "the lower clamp left out"), 1),
+    (("(v < -self->u_max)", "(v < (-2.0 * self->u_max))", "the lower clamp too low"), 1),
     (("hold_from = -eps", "hold_from = eps", "the bound of the hold with the wrong sign"), 1),
     (("(past < self->hold_from) ? past : self->hold_from", "past", "the hold at eps left out"), 1),
-    (("            built.c2 = c2;\n", "", "a field that nothing sets"), 1),
+    (("                built.c2 = c2;\n", "", "a field that nothing sets"), 1),
     (("x2 = x[1]", "x2 = x[2]", "a state beyond the array"), 0),
-    (("            if (status == PTC_OK) {", "            {", "a refused init that writes"), 0),
+    (
+        (
+            "                if (status == PTC_OK) {",
+            "                {",
+            "a refused init that writes",
+        ),
+        0,
+    ),
 ];
 
 /// Defects where loops are.
