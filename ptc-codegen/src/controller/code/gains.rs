@@ -2,7 +2,8 @@
 
 use super::Builder;
 use crate::code::{
-    Access, Ending, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
+    Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
+    Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
@@ -76,12 +77,14 @@ impl Builder<'_> {
         statements.extend(body.statements);
         let Some(u) = body.roots.first() else { fault("gains without an axis") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
-        let v = Expr::local("v");
-        let within = Finish::choose(
-            Test::Finite(v.clone()),
-            Finish::Give(vec![v], Ending::OfGains),
-            Finish::Fail(Status::Range),
-        );
+        let v = || Expr::local("v");
+        let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
+        let within = if self.guarded() {
+            Finish::choose(Test::Finite(v()), give, fail)
+        } else {
+            let nothing = Expr::binary(Operator::Sub, v(), v());
+            Finish::choose(Test::NotNumber(nothing), fail, give)
+        };
         Function {
             name: "axis",
             about: "u of one axis from its state x = (x1, x1', ...) and the gains.".to_owned(),

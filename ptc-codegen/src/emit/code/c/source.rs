@@ -133,7 +133,10 @@ impl C<'_> {
             }
             Finish::Fail(status) => self.fail(function, *status),
             Finish::If(..) => {
-                let same = finish.results().filter(|_| !fails && !done);
+                // One store for all ends, but where the result is 0 from the start.
+                let scalar = function.results.iter().all(|result| result.shape == Shape::Real);
+                let early = !fails || (scalar && !self.zeroed);
+                let same = finish.results().filter(|_| early && !done);
                 if let Some(values) = same {
                     self.hand_over(function, values);
                 }
