@@ -106,6 +106,18 @@ impl Finish {
         rest.iter().all(|values| values == first).then_some(first)
     }
 
+    /// Puts other results in the place of those of every end.
+    pub fn give_all(&mut self, results: &[Expr]) {
+        match self {
+            Self::If(_, yes, no) => {
+                yes.give_all(results);
+                no.give_all(results);
+            }
+            Self::Give(values, _) => *values = results.to_vec(),
+            Self::Fail(_) => {}
+        }
+    }
+
     /// Calls `look` on every end.
     pub fn each<'a>(&'a self, look: &mut dyn FnMut(&'a Self)) {
         match self {

@@ -36,16 +36,7 @@ impl Builder<'_> {
         let body = self.body(Routine::Tick);
         statements.extend(body.statements);
         let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
-        let mut values = Vec::new();
-        for (j, gain) in gains.iter().enumerate() {
-            if matches!(gain, Expr::Local(_) | Expr::Field(_) | Expr::Number(_)) {
-                values.push(gain.clone());
-                continue;
-            }
-            let name = format!("gain{}", j + 1);
-            statements.push(Statement::Let(name.clone(), Shape::Real, gain.clone()));
-            values.push(Expr::local(name));
-        }
+        let mut values = gains.to_vec();
         if let Some(limit) = self.limits.u_max.filter(|_| self.run_time_limit()) {
             values.push(self.field(limit));
         }

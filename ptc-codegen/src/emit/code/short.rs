@@ -20,6 +20,11 @@ pub(in crate::emit) fn short(mut code: Code) -> Code {
         let mut short = Short::new(precision, &body);
         short.used.extend(function.arguments.iter().map(|argument| argument.name.clone()));
         function.body = short.block(body);
+        if let Some(values) = function.finish.results() {
+            let mut values = values.to_vec();
+            short.each(&mut values, &mut function.body);
+            function.finish.give_all(&values);
+        }
     }
     code
 }

@@ -146,6 +146,16 @@ impl C<'_> {
     }
 
     fn ends(&mut self, function: &Function, finish: &Finish, done: bool) {
+        if done
+            && let (tests, Finish::Give(_, Ending::Known(status)), rest) = same(finish)
+            && self.standing == Some(*status)
+        {
+            // The way that is taken most often leaves all as it stands.
+            let test = bare(either(self, &tests));
+            self.out.open(format!("if (!({test})) {{"));
+            self.ends(function, rest, done);
+            return self.out.close("}");
+        }
         let (mut rest, mut first) = (finish, true);
         while let Finish::If(..) = rest {
             let (tests, yes, no) = same(rest);
@@ -156,6 +166,9 @@ impl C<'_> {
             }
             self.finish(function, yes, done);
             rest = no;
+        }
+        if first {
+            return self.finish(function, rest, done);
         }
         self.out.turn("} else {");
         self.finish(function, rest, done);
