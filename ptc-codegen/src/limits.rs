@@ -95,7 +95,7 @@ table! {
     EFFORT = 5_000_000 "steps", "a refusal takes less than a second and 500 MB",
         "write it with fewer functions, powers and fractions in each other";
     /// Steps of the work on one self-test, each of about a nanosecond.
-    SELFTEST = 1_000_000_000 "steps of work", "a refusal takes about a second",
+    SELFTEST = 2_000_000_000 "steps of work", "a refusal takes about two seconds",
         "write mu, kappa, pi0 or g with fewer functions, lower the order, or test the controller by hand";
     /// Messages about one input.
     MESSAGES = 20 "messages", "the first ones are to be mended first", "";

@@ -20,7 +20,7 @@ impl Work {
 
     /// Takes so many steps; false where they are not left, and none are from then on.
     pub(crate) fn spend(&self, steps: u64) -> bool {
-        let left = self.0.get().checked_sub(steps).unwrap_or(0);
+        let left = self.0.get().saturating_sub(steps);
         self.0.set(left);
         left > 0
     }
