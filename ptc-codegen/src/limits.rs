@@ -77,6 +77,9 @@ table! {
     /// Operations and operands of an expression, its families written out.
     SIZE = 10_000 "operations and operands", "families in families multiply it",
         "write it shorter";
+    /// Coefficients of the expansion of a mapping: those of a triangle of the order for each operation.
+    EXPANSION = 100_000 "coefficients in its expansion", "each is a line of the emitted step",
+        "write it shorter, or lower the order";
     /// Bits of a constant over or under its fraction bar.
     BITS = 4_096 "bits in a constant", "powers of powers multiply them",
         "write it with constants of fewer digits";
@@ -91,6 +94,9 @@ table! {
     /// Steps of the work on one expression, each of about a tenth of a microsecond.
     EFFORT = 5_000_000 "steps", "a refusal takes less than a second and 500 MB",
         "write it with fewer functions, powers and fractions in each other";
+    /// Steps of the work on one self-test, each of about a nanosecond.
+    SELFTEST = 2_000_000_000 "steps of work", "a refusal takes about two seconds",
+        "write mu, kappa, pi0 or g with fewer functions, lower the order, or test the controller by hand";
     /// Messages about one input.
     MESSAGES = 20 "messages", "the first ones are to be mended first", "";
 }

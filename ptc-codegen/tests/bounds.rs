@@ -74,6 +74,36 @@ fn expressions_that_grow_when_they_are_simplified_end() {
     }
 }
 
+/// A step with a line for each coefficient grows with the mapping and the square of the order.
+#[test]
+fn mappings_of_any_size_are_expanded_in_time_or_refused() {
+    let mut terms: Vec<_> = (1..256).map(|k| format!("sin(dt*{k})*atan(dt/{k})")).collect();
+    while terms.len() > 1 {
+        terms = terms.chunks(2).map(|pair| format!("({})", pair.join("+"))).collect();
+    }
+    let kappa = format!("--kappa=-ln(1-dt/tau)+{}", terms[0]);
+    let own = ["emit", "--lang", "c", "-o", "-", "--allow", "membership,growth"];
+    refused(
+        &[&own[..], &["--n=13", &kappa]].concat(),
+        &["coefficients in its expansion", "100000"],
+    );
+    assert!(run(&[&own[..], &["--n=4", &kappa]].concat()).status.success());
+}
+
+/// The work of a self-test is bounded, whatever its design holds.
+#[test]
+fn self_tests_end() {
+    let steep = (3..=12).fold("t".to_owned(), |e, k| format!("({e}+sin({e})/{k})"));
+    let steep = (13..=60).fold(steep, |e, k| format!("({e}+sin(t)/{k})"));
+    let mu = format!("--mu=tau*(1-exp(-({steep})))");
+    let own = ["emit", "--lang", "c", "--selftest", "-o", "-", "--allow", "membership,growth"];
+    for n in ["--n=2", "--n=4"] {
+        refused(&[&own[..], &[n, &mu]].concat(), &["steps of work", "fewer functions"]);
+    }
+    let output = run(&[&own[..], &["--n=16", "--mu=tan"]].concat());
+    assert!(output.status.success());
+}
+
 #[test]
 fn what_is_too_large_is_refused_with_its_size_and_the_limit() {
     let nest = nested("(E)", 150, "t");

@@ -243,6 +243,20 @@ const DESIGNS: [&[&str]; 7] = [
 const STRICT: [&str; 7] =
     ["-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-ffp-contract=off"];
 
+/// Names of CMake's own targets, of the library that is linked, of files and of crates.
+#[test]
+fn names_of_the_tools_are_refused() {
+    let home = folder("projects_names");
+    for kind in ["cmake", "cortex-m", "rust-embedded", "arduino"] {
+        for name in ["test", "all", "install", "clean", "help", "ZERO_CHECK", "m", "startup"] {
+            let arguments = [DESIGNS[3], &["--name", name]].concat();
+            let output = emit(kind, &arguments, Some(Path::new("out")), &home);
+            assert!(told(&output, 2).contains("error[reserved-name]"), "{kind} {name}");
+            assert!(!home.join("out").exists());
+        }
+    }
+}
+
 /// The example of the CMake library, which is the firmware's main too.
 #[test]
 fn the_example_arrives() {

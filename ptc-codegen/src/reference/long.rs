@@ -3,6 +3,7 @@
 use astro_float_num::{BigFloat, Consts, INF_POS, NAN, RoundingMode};
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use super::work::{Costs, Work};
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::Function;
 
@@ -13,16 +14,28 @@ const ANY: RoundingMode = RoundingMode::None;
 /// Arguments beyond 2^MAX_EXPONENT give no exponential, sine or cosine.
 const MAX_EXPONENT: i32 = 26;
 
-/// Arithmetic with a fixed number of bits.
+/// Arithmetic with a fixed number of bits. Once its work is spent every result is no number.
 pub(super) struct Arithmetic {
     bits: usize,
     constants: Consts,
+    costs: Costs,
+    work: Work,
 }
 
 impl Arithmetic {
     /// Arithmetic with `bits` bits; `None` where there is no memory for its constants.
     pub(super) fn new(bits: usize) -> Option<Self> {
-        Some(Self { bits, constants: Consts::new().ok()? })
+        Self::within(bits, Work::unlimited())
+    }
+
+    /// The same with a bound of its work.
+    pub(super) fn within(bits: usize, work: Work) -> Option<Self> {
+        Some(Self { bits, constants: Consts::new().ok()?, costs: Costs::of(bits), work })
+    }
+
+    /// What `compute` gives, if the work for it is left.
+    fn charged(&mut self, compute: impl FnOnce(&mut Self) -> BigFloat) -> BigFloat {
+        if self.work.spend(self.costs.function) { compute(self) } else { NAN }
     }
 
     /// Bits of a number.
@@ -66,22 +79,22 @@ impl Arithmetic {
 
     /// a + b.
     pub(super) fn add(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
-        a.add(b, self.bits, NEAREST)
+        if self.work.spend(self.costs.sum) { a.add(b, self.bits, NEAREST) } else { NAN }
     }
 
     /// a - b.
     pub(super) fn sub(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
-        a.sub(b, self.bits, NEAREST)
+        if self.work.spend(self.costs.sum) { a.sub(b, self.bits, NEAREST) } else { NAN }
     }
 
     /// a * b.
     pub(super) fn mul(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
-        a.mul(b, self.bits, NEAREST)
+        if self.work.spend(self.costs.product) { a.mul(b, self.bits, NEAREST) } else { NAN }
     }
 
     /// a / b.
     pub(super) fn div(&self, a: &BigFloat, b: &BigFloat) -> BigFloat {
-        a.div(b, self.bits, NEAREST)
+        if self.work.spend(self.costs.quotient) { a.div(b, self.bits, NEAREST) } else { NAN }
     }
 
     /// 2^exponent, a long way from the ends of the range.
@@ -93,7 +106,7 @@ impl Arithmetic {
 
     /// Square root.
     pub(super) fn sqrt(&self, a: &BigFloat) -> BigFloat {
-        a.sqrt(self.bits, ANY)
+        if self.work.spend(self.costs.function) { a.sqrt(self.bits, ANY) } else { NAN }
     }
 
     /// e^a, 0 and infinity where it leaves the range.
@@ -102,13 +115,13 @@ impl Arithmetic {
             Some(e) if e > MAX_EXPONENT && a.is_negative() => self.integer(0),
             Some(e) if e > MAX_EXPONENT => INF_POS,
             _ if self.is_negligible(a) => self.add(&self.integer(1), a),
-            _ => a.exp(self.bits, ANY, &mut self.constants),
+            _ => self.charged(|own| a.exp(own.bits, ANY, &mut own.constants)),
         }
     }
 
     /// ln a.
     pub(super) fn ln(&mut self, a: &BigFloat) -> BigFloat {
-        a.ln(self.bits, ANY, &mut self.constants)
+        self.charged(|own| a.ln(own.bits, ANY, &mut own.constants))
     }
 
     /// a^b for positive a.
@@ -124,15 +137,18 @@ impl Arithmetic {
             Some(e) if e > MAX_EXPONENT => [NAN, NAN],
             _ if self.is_negligible(a) => [a.clone(), self.integer(1)],
             _ => [
-                a.sin(self.bits, ANY, &mut self.constants),
-                a.cos(self.bits, ANY, &mut self.constants),
+                self.charged(|own| a.sin(own.bits, ANY, &mut own.constants)),
+                self.charged(|own| a.cos(own.bits, ANY, &mut own.constants)),
             ],
         }
     }
 
     /// atan a.
     pub(super) fn atan(&mut self, a: &BigFloat) -> BigFloat {
-        if self.is_negligible(a) { a.clone() } else { a.atan(self.bits, ANY, &mut self.constants) }
+        if self.is_negligible(a) {
+            return a.clone();
+        }
+        self.charged(|own| a.atan(own.bits, ANY, &mut own.constants))
     }
 
     /// Whether a is 0, or so small that its square is below the last place of 1: there sin a and

@@ -164,6 +164,9 @@ impl Arithmetic {
             if !is_finite(&left[0]) || !is_finite(&left[1]) {
                 return None;
             }
+            if left[0].cmp(to_go) == Some(0) {
+                return Some(y);
+            }
             let late = !below(to_go, &left[0]);
             if late {
                 high = y.clone()
@@ -178,8 +181,9 @@ impl Arithmetic {
                 if inside { newton } else { self.div(&self.add(&low, &high), &self.integer(2)) };
             let moved = self.sub(&next, &y).abs();
             y = next;
-            let last_place = self.mul(&y, &self.two_to(4 - places));
-            if !below(&last_place, &moved) {
+            // Such a step of Newton's leaves its square, which only more digits would lessen.
+            let half = self.mul(&y, &self.two_to(-places / 2));
+            if inside && !below(&half, &moved) {
                 return Some(y);
             }
         }
@@ -227,5 +231,37 @@ impl Arithmetic {
     ) -> [BigFloat; 2] {
         let mu = self.around(mu, Variable::SinceStart, y, 1, parameter);
         [self.sub(tau, &mu[0]), mu[1].neg()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::long::nearest;
+
+    /// The first digits are enough: the root is found with as many as it is asked for.
+    #[test]
+    fn the_root_is_found_with_few_digits() {
+        for family in crate::family::FAMILIES.iter().map(|info| info.family) {
+            let mu = definition(family, 2);
+            let parameter = |p: Parameter| match p {
+                Parameter::Tau => 2.0,
+                Parameter::Rate(2) => 1.5,
+                Parameter::M => 1.25,
+                _ => 0.75,
+            };
+            for to_go in [1.999, 1.0, 0.8, 0.02, 2e-6, 1.9999002454085257e-12] {
+                let root = |bits| {
+                    let mut arithmetic = Arithmetic::new(bits).expect("memory");
+                    let to_go = arithmetic.double(to_go);
+                    arithmetic.root(&mu, &to_go, &parameter)
+                };
+                let [few, many] = [192, 768].map(root);
+                let (few, many) = (few.expect("a root"), many.expect("a root"));
+                let exact = Arithmetic::new(768).expect("memory");
+                let off = nearest(&exact.div(&exact.sub(&few, &many), &many)).abs();
+                assert!(off < 2f64.powi(-140), "{family:?} {to_go}: {off}");
+            }
+        }
     }
 }

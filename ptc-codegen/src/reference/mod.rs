@@ -11,6 +11,7 @@ mod long;
 mod mapping;
 mod series;
 pub mod tolerance;
+mod work;
 
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -24,6 +25,7 @@ use crate::request::{After, Feedback, Spec};
 use law::{Leaves, Term, larger};
 use long::{Arithmetic, below, double, is_finite, nearest};
 use mapping::{Mapping, Point};
+pub(crate) use work::Work;
 
 /// Bits of the first of the precisions, each of which has twice those of the one before.
 const FIRST_BITS: usize = 192;
@@ -181,16 +183,23 @@ pub struct Reference<'a> {
     exact: Arithmetic,
     /// By the doublings of [`FIRST_BITS`].
     precisions: Vec<Kept>,
+    work: Work,
 }
 
 impl<'a> Reference<'a> {
     /// The definition of the controller of `spec`; `None` where there is no memory for it.
     pub fn new(spec: &'a Spec) -> Option<Self> {
+        Self::within(spec, Work::unlimited())
+    }
+
+    /// The same with a bound of its work, beyond which no call is known.
+    pub(crate) fn within(spec: &'a Spec, work: Work) -> Option<Self> {
         Some(Self {
             spec,
             mapping: Mapping::new(spec),
             exact: Arithmetic::new(4352)?,
             precisions: Vec::new(),
+            work,
         })
     }
 
@@ -239,10 +248,13 @@ impl<'a> Reference<'a> {
         let bits = std::iter::successors(Some(FIRST_BITS), |bits| Some(2 * bits));
         for (index, bits) in bits.take_while(|bits| *bits <= MAX_BITS).enumerate() {
             if self.precisions.len() == index {
-                self.precisions.push(Kept::new(bits)?);
+                self.precisions.push(Kept::new(bits, self.work.clone())?);
             }
             let kept = &mut self.precisions[index];
             let next = kept.control((self.spec, &self.mapping), call, to_go, parameter);
+            if self.work.is_spent() {
+                return None;
+            }
             let arithmetic = &kept.arithmetic;
             if let (Some(last), Some(next)) = (&last, &next) {
                 let off = arithmetic.sub(&last.value, &next.value).abs();
@@ -315,8 +327,8 @@ fn clipped(spec: &Spec, outcome: Outcome, parameter: &dyn Fn(Parameter) -> f64) 
 }
 
 impl Kept {
-    fn new(bits: usize) -> Option<Self> {
-        Some(Self { arithmetic: Arithmetic::new(bits)?, points: VecDeque::new() })
+    fn new(bits: usize, work: Work) -> Option<Self> {
+        Some(Self { arithmetic: Arithmetic::within(bits, work)?, points: VecDeque::new() })
     }
 
     /// u at time-to-go `to_go`.

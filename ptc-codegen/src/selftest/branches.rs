@@ -65,7 +65,7 @@ impl Maker<'_> {
         let all: Vec<_> = spec.run_time_parameters().collect();
         let mut found = Vec::new();
         let iterated = self.spec().is_iterated();
-        for round in 0..if iterated { ITERATED } else { CANDIDATES } {
+        for round in self.trials.rounds(if iterated { ITERATED } else { CANDIDATES }) {
             let eps = draw.of(&[1e-3, 0.05, 0.3]);
             let mut session = self.session(eps);
             for (at, parameter) in all.iter().enumerate() {

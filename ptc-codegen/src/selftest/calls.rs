@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
-use super::{CANDIDATES, Call, Draw, Session, Unreachable};
+use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable};
 use crate::controller::{Controller, checked};
 use crate::parameter::Parameter;
 use crate::program::digits::Condition;
@@ -23,14 +23,17 @@ pub(super) fn sessions(
     controller: &Controller<'_>,
     machine: &Machine,
     chosen: &Chosen<'_>,
+    trials: &Trials,
 ) -> (Vec<Session>, Vec<Unreachable>) {
     let mut armed = controller.spec().clone();
     armed.fixed.remove(&Parameter::StartTime);
-    let Some(reference) = Reference::new(&armed) else { return (Vec::new(), Vec::new()) };
+    let Some(reference) = Reference::within(&armed, trials.work.clone()) else {
+        return (Vec::new(), Vec::new());
+    };
     let reference = RefCell::new(reference);
     let checked = checked(controller);
     let mut maker =
-        Maker { controller, machine, chosen, reference, taken: BTreeSet::new(), checked };
+        Maker { controller, machine, chosen, trials, reference, taken: BTreeSet::new(), checked };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
     sessions.extend(maker.bounded());
     sessions.extend(maker.without_gains());
@@ -205,7 +208,8 @@ impl Maker<'_> {
             }
             // Where u does not grow with the state, another direction may do.
             let mut draw = Draw(4);
-            for _ in 0..if missing.is_empty() { 0 } else { CANDIDATES / 4 } {
+            let most = if missing.is_empty() { 0 } else { CANDIDATES / 4 };
+            for _ in self.trials.rounds(most) {
                 let size = draw.of(&[1e-3, 1.0, 1e3]);
                 let x: Vec<_> =
                     (0..n).map(|_| settle(draw.between(-size, size), spec.precision)).collect();

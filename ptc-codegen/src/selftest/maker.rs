@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
-use super::{Call, Session, greatest, own_law, own_rest};
+use super::{Call, Session, Trials, greatest, own_law, own_rest};
 use crate::controller::Controller;
 use crate::parameter::{Parameter, Precision};
 use crate::program::digits::Condition;
@@ -22,6 +22,7 @@ pub(super) struct Maker<'a> {
     /// A machine of its program that has computed nothing yet.
     pub(super) machine: &'a Machine,
     pub(super) chosen: &'a Chosen<'a>,
+    pub(super) trials: &'a Trials,
     /// The definition, with t0 as it is armed, whatever the parameter is.
     pub(super) reference: RefCell<Reference<'a>>,
     /// The branches that were taken so far.

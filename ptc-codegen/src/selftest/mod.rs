@@ -16,8 +16,9 @@ mod trial;
 use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
+use crate::limits;
 use crate::program::machine::Machine;
-use crate::reference::Status;
+use crate::reference::{Status, Work};
 use crate::request::{Spec, What};
 
 /// Random calls among which those are kept that take a branch no other took.
@@ -104,7 +105,16 @@ impl SelfTest {
         }
         let chosen = parameters::Chosen::new(controller);
         let machine = Machine::new(controller.program, &[]);
-        let (sessions, never) = calls::sessions(controller, &machine, &chosen);
+        let trials = Trials::new(controller);
+        let (sessions, never) = calls::sessions(controller, &machine, &chosen, &trials);
+        let overflow = overflow::find(controller, &machine, &chosen, &trials);
+        if trials.work.is_spent() {
+            return Err(refusal(
+                "selftest",
+                &limits::SELFTEST.beyond(&format!("the self-test of {}", spec.name())),
+                limits::SELFTEST.fix,
+            ));
+        }
         if sessions.first().is_none_or(|session| session.calls.is_empty()) {
             return Err(refusal(
                 "selftest",
@@ -112,7 +122,6 @@ impl SelfTest {
                 "fix the parameters of the mapping to values with which it is one, or test it by hand",
             ));
         }
-        let overflow = overflow::find(controller, &machine, &chosen);
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
         let mut refused_states =
@@ -125,6 +134,28 @@ impl SelfTest {
             tau_is_kept: spec.run_time_parameters().any(|p| p == crate::parameter::Parameter::Tau),
             unreachable: [overflow.unreachable, never].concat(),
         })
+    }
+}
+
+/// The work of a self-test: that of the long arithmetic, and of the trials of the program.
+struct Trials {
+    work: Work,
+    /// Of one trial.
+    steps: u64,
+}
+
+impl Trials {
+    fn new(controller: &Controller<'_>) -> Self {
+        // An operation takes some 50 ns with the look for what needs it; an iteration repeats some.
+        let rounds = if controller.spec().is_iterated() { 2 } else { 1 };
+        let steps = 50 * rounds * controller.program.values.len() as u64;
+        Self { work: Work::of(limits::SELFTEST.most), steps }
+    }
+
+    /// The first `most` numbers, as far as there is work left for a trial each.
+    fn rounds(&self, most: usize) -> impl Iterator<Item = usize> + use<> {
+        let (work, steps) = (self.work.clone(), self.steps);
+        (0..most).take_while(move |_| work.spend(steps))
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::parameters::Chosen;
 use super::trial::Trial;
-use super::{Always, Draw, Unreachable, greatest};
+use super::{Always, Draw, Trials, Unreachable, greatest};
 use crate::controller::{Controller, checked};
 use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::digits::Condition;
@@ -25,7 +25,12 @@ pub(super) struct Found {
 }
 
 /// Looks for the sets.
-pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chosen<'_>) -> Found {
+pub(super) fn find(
+    controller: &Controller<'_>,
+    machine: &Machine,
+    chosen: &Chosen<'_>,
+    trials: &Trials,
+) -> Found {
     let (spec, program) = (controller.spec(), controller.program);
     let mut draw = Draw(1);
     let [fields, armed] = checked(controller);
@@ -33,7 +38,7 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
     let usual = chosen.run_time(0.0625);
     let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.n]);
     let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
-    for round in 0..if usual.is_empty() { 0 } else { TRIALS } {
+    for round in trials.rounds(if usual.is_empty() { 0 } else { TRIALS }) {
         let set = extreme(spec, chosen, &usual, round, &mut draw);
         let trial =
             Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
@@ -68,7 +73,7 @@ pub(super) fn find(controller: &Controller<'_>, machine: &Machine, chosen: &Chos
         });
     }
     let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];
-    for round in 0..if armed.is_empty() { 0 } else { TRIALS } {
+    for round in trials.rounds(if armed.is_empty() { 0 } else { TRIALS }) {
         let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
         let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
         let trial =

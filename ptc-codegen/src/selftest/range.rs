@@ -19,7 +19,7 @@ impl Maker<'_> {
         let all: Vec<_> = spec.run_time_parameters().collect();
         let mut found = Vec::new();
         let mut kinds = vec![(true, true), (true, false)];
-        for round in 0..2 * CANDIDATES {
+        for round in self.trials.rounds(2 * CANDIDATES) {
             let mut session = self.session(if round % 2 == 0 { 0.0625 } else { 1e-4 });
             if round < CANDIDATES {
                 self.at_the_ends(&mut session, round);

@@ -65,9 +65,14 @@ impl Trial<'_> {
         let input = |input| self.input(input, &[]);
         let mut interpreter = Interpreter::on(self.program(), self.machine.clone(), &input);
         let precision = self.spec().precision;
-        checks
-            .iter()
-            .position(|check| !check.holds(&interpreter.values(&check.values()), precision))
+        let wanted: Vec<_> = checks.iter().flat_map(Condition::values).collect();
+        let numbers = interpreter.values(&wanted);
+        let mut numbers = numbers.as_slice();
+        checks.iter().position(|check| {
+            let (own, others) = numbers.split_at(check.values().len());
+            numbers = others;
+            !check.holds(own, precision)
+        })
     }
 
     /// Runs `step`, and `tick` with `axis` where there are gains.

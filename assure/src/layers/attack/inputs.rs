@@ -19,6 +19,8 @@ const MEMORY: u64 = 500_000;
 /// How long inputs are drawn.
 const TIME: Duration = Duration::from_secs(600);
 const BRIEF: Duration = Duration::from_secs(30);
+/// The design file under way; that of failure N is kept as `failedN.toml`.
+const DRAWN: &str = "drawn.toml";
 /// How many failures end it.
 const ENOUGH: usize = 5;
 /// Characters beyond which an expression is not drawn on; a word of a command has 128 KB.
@@ -42,6 +44,10 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
         if let Some(fault) = fault(&output) {
             failed += 1;
             finding.failures.push(format!("{fault}\n{words:?}"));
+            let file = folder.join(DRAWN);
+            if file.is_file() {
+                fs::copy(file, folder.join(format!("failed{failed}.toml")))?;
+            }
         }
     }
     for (script, defect) in DEFECTS {
@@ -96,7 +102,10 @@ fn command_line(random: &mut Random, folder: &Path) -> Result<Vec<String>> {
         0 => vec!["check".to_owned()],
         _ => {
             let language = of(random, &["c", "rust", "cpp", "python", "st"]);
-            ["emit", "--lang", language, "-o", "-"].map(str::to_owned).to_vec()
+            let mut words = ["emit", "--lang", language, "-o", "-"].map(str::to_owned).to_vec();
+            words
+                .extend((language == "c" && random.below(2) == 0).then(|| "--selftest".to_owned()));
+            words
         }
     };
     let mut keys = keys(random);
@@ -116,7 +125,7 @@ fn command_line(random: &mut Random, folder: &Path) -> Result<Vec<String>> {
         let brackets = ["[", "]", "\"", "[[objective]]\n", "\u{0}", "a.", "#"];
         text.push_str(&of(random, &brackets).repeat(count(random)));
     }
-    let file = folder.join("drawn.toml");
+    let file = folder.join(DRAWN);
     fs::write(&file, text)?;
     words.push(file.display().to_string());
     Ok(words)

@@ -77,7 +77,9 @@ impl Project {
             found.push("not-alone", "g", None, message, help);
         }
         let name = spec.name();
-        if NAMES.contains(&name.as_str()) {
+        // Some file systems, and the types of the code, know no case.
+        let plain = name.to_ascii_lowercase();
+        if NAMES.split_whitespace().any(|own| own == plain) {
             let message = format!("`{name}` is a name in the files of a project");
             found.push("reserved-name", "name", None, message, "choose another name");
         }
@@ -99,11 +101,15 @@ impl Project {
     }
 }
 
-/// What the files of the projects call their own parts.
-const NAMES: [&str; 16] = [
-    "arrived", "build", "config", "control", "core", "debug", "fail", "loop", "norm", "plant",
-    "real", "run", "setup", "stop", "vector", "word",
-];
+/// What the files of the projects call their own parts: in the sources, among the files, and among
+/// the crates; and the targets that CMake keeps for itself, with the library it links.
+const NAMES: &str = "
+    arrived build config control core debug fail loop norm plant real run setup stop vector word
+    main startup
+    alloc cortex_m cortex_m_rt cortex_m_semihosting std
+    all all_build clean continuous depend edit_cache experimental help install m nightly package
+    package_source preinstall rebuild_cache run_tests test zero_check
+";
 
 /// A number that an input gain is.
 fn constant(gain: &Expression) -> Option<&BigRational> {

@@ -4,6 +4,7 @@ use super::{Reader, count, shown, suggestion};
 use crate::diagnostic::{near_miss, shorten};
 use crate::expression::{Expression, Function, Scope, Subject, resolve};
 use crate::family::{FAMILIES, Family, FamilyInfo};
+use crate::limits::EXPANSION;
 use crate::mapping::{Custom, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::MAX_RATES;
@@ -48,6 +49,12 @@ impl Reader<'_> {
             let help =
                 "a mapping is as often differentiable as the order of the plant: leave them out";
             self.found.push("bad-expression", subject.key(), Some(node.place), message, help);
+            return None;
+        }
+        let coefficients = given.size().saturating_mul(n * (n + 1) / 2);
+        if !EXPANSION.admits(coefficients) {
+            let message = EXPANSION.exceeded(subject.key(), coefficients);
+            self.found.push("too-large", subject.key(), Some(node.place), message, EXPANSION.fix);
             return None;
         }
         match Custom::new(subject, given) {
