@@ -23,8 +23,14 @@ use crate::request::{Spec, What};
 /// Cells at which the program may be looked at.
 const MOST: usize = 20_000;
 
-/// A cell is halved until T/tau and tau change by less than one part of as many in it.
+/// A cell is not halved where T/tau and tau change by less than one part of as many in it.
 const NARROW: i64 = 256;
+
+/// What a bound of an error may be of that in the middle of its cell.
+const CLOSE: f64 = 4.0;
+
+/// What it may be of the greatest of these, however far from that of its own cell.
+const SMALL: f64 = 1.0 / 16.0;
 
 /// The emitted program over the envelope.
 pub(super) struct Emitted {
@@ -42,7 +48,7 @@ impl Emitted {
         let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
         let precision = program.precision;
         let mut left: Vec<Box> = prover.run();
-        let mut errors = Vec::new();
+        let (mut errors, mut greatest) = (Vec::new(), 0.0_f64);
         for _ in 0..MOST {
             let Some((share, tau)) = left.pop() else {
                 return Ok(Self { precision: precision.name(), errors });
@@ -52,13 +58,28 @@ impl Emitted {
             let least = BigRational::new(1.into(), NARROW.into());
             let narrow = of_share <= least && of_tau <= least;
             let what = match prover.states(&share, &tau) {
-                // A wide cell whose rest is most of x gives a bound of no use.
-                Some((_, false)) if !narrow => None,
                 None => Some("x, which is not bounded,".to_owned()),
-                Some((states, _)) => match over(&program, &spec, (&share, &tau), &states) {
+                Some([states, middle]) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {
-                        errors.push((outwards(&share), error));
-                        continue;
+                        let is_close = narrow
+                            || error.is_some_and(|error| error <= SMALL * greatest)
+                            || {
+                                let [share, tau] = [&share, &tau].map(middle_of);
+                                let here = over(&program, &spec, (&share, &tau), &middle);
+                                match (error, here.ok().flatten()) {
+                                    (None, here) => here.is_none(),
+                                    (Some(_), None) => false,
+                                    (Some(error), Some(here)) => {
+                                        greatest = greatest.max(here);
+                                        error <= CLOSE * here
+                                    }
+                                }
+                            };
+                        if is_close {
+                            errors.push((outwards(&share), error));
+                            continue;
+                        }
+                        None
                     }
                     Err(what) => Some(what),
                 },
@@ -100,6 +121,12 @@ impl Emitted {
              {of_u}; sampling, and what rounding makes of x, are not included"
         )
     }
+}
+
+/// The middle of an interval.
+fn middle_of([low, high]: &[BigRational; 2]) -> [BigRational; 2] {
+    let middle = (low + high) / integer(2);
+    [middle.clone(), middle]
 }
 
 /// Doubles that hold an interval; long fractions take long to compare.
