@@ -31,6 +31,8 @@ pub(super) struct Cell {
     /// What f adds to each at the least T/tau and at the greatest, with what it may add beyond both
     /// between them; none where f is 0.
     pub(super) added: Option<[Vec<Range>; 2]>,
+    /// About what f adds at most.
+    pub(super) about: Vec<Range>,
 }
 
 /// The loop in units of tau.
@@ -145,11 +147,16 @@ impl Loop {
             true => Range::from(0.0),
             false => Range::from(&Interval::exact(&((high - low) / integer(2)))),
         };
+        let mut about = vec![Range::from(0.0); n + 1];
         let added = match self.drift {
             None => None,
             Some(drift) => {
                 let [last, first] = [self.answer(low)?, self.answer(high)?];
                 let rest = self.beyond(share, half, &over_cell, &last)?;
+                for (i, about) in about.iter_mut().enumerate() {
+                    let at = |end: &Response| drift.of(end.signed[i], end.size[i]);
+                    *about = at(&last).hull(at(&first));
+                }
                 let with = |end: &Response| {
                     let row = |i: usize| {
                         let rest = drift.most() * rest[i];
@@ -167,6 +174,7 @@ impl Loop {
             middle: [from(&centre, 0), from(&centre, 1)],
             over: [from(&rows, 0), from(&rows, 1), from(&rows, 2)],
             added,
+            about,
         })
     }
 

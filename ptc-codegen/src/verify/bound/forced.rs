@@ -81,8 +81,8 @@ struct Piece<'a> {
 }
 
 impl Piece<'_> {
-    /// Integrals of m phi_j over the piece.
-    fn integrals(&self) -> Vec<Range> {
+    /// Integrals of the powers of y times the polynomial of the weight over the piece.
+    fn moments(&self) -> Vec<Range> {
         let count = TERMS + self.weight.len();
         let [mut low, mut high] = [Range::from(1.0); 2];
         let mut moments = Vec::with_capacity(count);
@@ -90,41 +90,28 @@ impl Piece<'_> {
             (low, high) = (low * self.ends[0], high * self.ends[1]);
             moments.push((high - low) / real(l));
         }
-        let size = self.weight[0].size() + self.rest;
-        let mut away = Range::from(1.0);
-        let of_power = |l: usize| {
-            let exact = dot(&self.weight, &moments[l..]);
-            let rest = (self.rest * away * self.length).both_signs();
-            away = away * self.away;
-            exact + rest
-        };
-        let powers: Vec<_> = (0..=TERMS).map(of_power).collect();
-        // The weight at the node may be small beside that at the ends.
-        let greatest = size + self.weight.iter().skip(1).fold(Range::from(0.0), |sum, term| {
-            sum + term.size()
-                * self.away.power(1).most(self.away.power(i32::try_from(self.weight.len()).unwrap_or(1)))
-        });
-        let last = self.impulse.terms.len() - 1;
-        let one = |(j, terms): (usize, &Vec<Range>)| {
-            let left = self.left[usize::from(j == last)] * greatest * self.length;
-            dot(terms, &powers) + left.both_signs()
-        };
-        self.impulse.terms.iter().enumerate().map(one).collect()
+        (0..=TERMS).map(|l| dot(&self.weight, &moments[l..])).collect()
     }
 
-    /// The integrals of m times a row over phi, and of its size, from those of m phi_j.
-    fn of_row(&self, row: &[Range], integrals: &[Range]) -> [Range; 2] {
-        let signed = dot(row, integrals);
+    /// A bound of the polynomial of the weight.
+    fn greatest(&self) -> Range {
+        let horner = |sum: Range, term: &Range| sum * self.away + term.size();
+        self.weight.iter().rev().fold(Range::from(0.0), horner)
+    }
+
+    /// The integrals of m times a row over phi, and of its size.
+    fn of_row(&self, row: &[Range], moments: &[Range], greatest: Range) -> [Range; 2] {
         let terms = along(row, self.impulse, TERMS);
         let left = sizes(row, self.left);
-        let mut far = left;
-        for term in terms[1..].iter().rev() {
-            far = far + term.size();
-            far = far * self.away;
-        }
-        // `left` stands for all of its order.
-        let far = far + left;
-        if far.is_below(terms[0].size()) {
+        // The rests of both are beside the sum of the row, of which the terms may cancel.
+        let far = terms[1..]
+            .iter()
+            .rev()
+            .fold(Range::from(0.0), |sum, term| (sum + term.size()) * self.away);
+        let most = terms[0].size() + far;
+        let rest = (self.rest * (most + left) + left * greatest) * self.length;
+        let signed = dot(&terms, moments) + rest.both_signs();
+        if (far + left).is_below(terms[0].size()) {
             return [signed, signed.size()];
         }
         [signed, self.in_parts(&terms, left)]
@@ -133,9 +120,10 @@ impl Piece<'_> {
     /// A bound of the integral of the size of a polynomial with a rest, times m.
     fn in_parts(&self, terms: &[Range], left: Range) -> Range {
         let [low, high] = [self.ends[0].low(), self.ends[1].high()];
-        let bent = terms.iter().enumerate().skip(2).rev().fold(Range::from(0.0), |sum, (l, term)| {
-            sum * self.away + term.size() * real(l) * real(l - 1)
-        });
+        let bent =
+            terms.iter().enumerate().skip(2).rev().fold(Range::from(0.0), |sum, (l, term)| {
+                sum * self.away + term.size() * real(l) * real(l - 1)
+            });
         let width = (high - low) / f64::from(PARTS);
         let part = |k: u32| {
             let ends = [0, 1].map(|end| match k + end {
@@ -225,9 +213,9 @@ impl Loop {
                     rest: own.rest,
                     left: self.flow.rest(&impulse, TERMS + 1, away),
                 };
-                let integrals = over.integrals();
+                let (moments, greatest) = (over.moments(), over.greatest());
                 for (r, row) in rows.iter().enumerate() {
-                    let [signed, size] = over.of_row(row, &integrals);
+                    let [signed, size] = over.of_row(row, &moments, greatest);
                     response.signed[r] = response.signed[r] + signed;
                     response.size[r] = response.size[r] + size;
                 }
@@ -293,9 +281,8 @@ impl Loop {
         let lags = early.hull(late);
         let phi = self.range_of_phi(lags)?;
         let ranges: Vec<_> = rows.iter().map(|row| dot(row, &phi) * of_weight).collect();
-        let little = |(range, size): (&Range, &Range)| {
-            (passed * range.size()).high() <= LITTLE * size.low()
-        };
+        let little =
+            |(range, size): (&Range, &Range)| (passed * range.size()).high() <= LITTLE * size.low();
         let taken = match ranges.iter().zip(&last.size).all(little) {
             true => None,
             false => {
@@ -366,9 +353,9 @@ impl Loop {
         // B'' + 2 B' kappa' m'/m + B (kappa'^2 m''/m + kappa'' m'/m), times w^(r+2).
         let of = |r: usize, j: usize| {
             let first = at(r + 1, j, 0) - one * at(r, j, 1);
-            let second = at(r + 2, j, 0) - Range::from(2.0) * one * at(r + 1, j, 1)
-                - two * at(r, j, 1)
-                + one.square() * at(r, j, 2);
+            let second =
+                at(r + 2, j, 0) - Range::from(2.0) * one * at(r + 1, j, 1) - two * at(r, j, 1)
+                    + one.square() * at(r, j, 2);
             let own = at(r, j, 0);
             let power = inverse.power(i32::try_from(r + 2).unwrap_or(i32::MAX));
             let slopes = Range::from(2.0) * one * first + two * own;

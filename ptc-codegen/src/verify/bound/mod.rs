@@ -38,10 +38,10 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
-const CELLS: usize = 6000;
+const CELLS: usize = 20_000;
 
 /// The same where an f is summed at each.
-const DRIVEN: usize = 2000;
+const DRIVEN: usize = 4000;
 
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
@@ -184,8 +184,12 @@ impl Prover {
             let ([first, _], [second, _]) = (halved(&share), halved(&tau));
             let [here, there] = [first, second].map(|[_, middle]| [middle.clone(), middle]);
             self.holds(&aim, &here, &there)?.map_err(|why| why.at(&here, &there))?;
+            // Where one of the two is what stands in the way, it is halved.
+            let of_share = self.holds(&aim, &share, &there)?.is_err();
+            let of_tau = self.holds(&aim, &here, &tau)?.is_err();
             let width = |[low, high]: &[BigRational; 2]| high / low;
-            if width(&share) >= width(&tau) {
+            let is_wider = width(&share) >= width(&tau);
+            if if of_share == of_tau { is_wider } else { of_share } {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));
             } else {
                 left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
@@ -245,7 +249,8 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 3], Strin
         Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
         _ => None,
     });
-    let of_constants = campaign.intervals.iter().map(|(symbol, interval)| (*symbol, *interval, true));
+    let of_constants =
+        campaign.intervals.iter().map(|(symbol, interval)| (*symbol, *interval, true));
     let of_signals = campaign.disturbances.iter().map(|(symbol, interval, signals)| {
         (*symbol, *interval, signals.iter().all(|signal| *signal == Signal::Constant))
     });

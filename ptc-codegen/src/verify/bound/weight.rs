@@ -124,7 +124,8 @@ impl Span {
                     true => 0.0,
                     false => first.about()[1].next_up().next_up(),
                 };
-                holds = Range::from(begin).hull(Range::from(last.about()[0].next_down().next_down()));
+                holds =
+                    Range::from(begin).hull(Range::from(last.about()[0].next_down().next_down()));
                 let at = (low + high) / integer(2);
                 middle = clock.stretched(&at)?;
                 around = Interval::exact(&at);
