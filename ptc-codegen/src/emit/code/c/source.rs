@@ -147,6 +147,7 @@ impl C<'_> {
 
     fn ends(&mut self, function: &Function, finish: &Finish, done: bool) {
         if done
+            && matches!(finish, Finish::If(..))
             && let (tests, Finish::Give(_, Ending::Known(status)), rest) = same(finish)
             && self.standing == Some(*status)
         {
