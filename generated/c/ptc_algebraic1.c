@@ -130,8 +130,7 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
             const double one_plus_y2 = (self->half_tau / T) + s1;
             const double row1 = self->c1_1 * one_plus_y2;
             const double sec = sqrt(one_plus_y2);
-            const double gain1 = row1 * sec;
-            gains->gain[0] = gain1;
+            gains->gain[0] = row1 * sec;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

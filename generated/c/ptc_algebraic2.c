@@ -151,10 +151,8 @@ ptc_status ptc_algebraic2_tick(const ptc_algebraic2 *self, double t, ptc_algebra
             const double y = ((late * self->inv_tau) + 1.0) * sec;
             const double y_squared = one_plus_y2 - 1.0;
             const double row2 = (self->c2_2 * y_squared) + self->c2_2 + (self->c2_1 * y);
-            const double gain1 = row1 * sec * sec;
-            const double gain2 = row2 * sec;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = row1 * sec * sec;
+            gains->gain[1] = row2 * sec;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

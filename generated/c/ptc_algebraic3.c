@@ -185,12 +185,9 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
             const double s2 = ((self->c2_4 * y_squared) + self->c2_2) * y_squared;
             const double row2 = s2 + self->c2_0 + (((self->c2_3 * y_squared) + self->c2_3) * y);
             const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
-            const double gain1 = row1 * (sec * sec) * sec;
-            const double gain2 = row2 * sec * sec;
-            const double gain3 = row3 * sec;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
+            gains->gain[0] = row1 * (sec * sec) * sec;
+            gains->gain[1] = row2 * sec * sec;
+            gains->gain[2] = row3 * sec;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -244,14 +244,10 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
             const double row3 = s5 + self->c3_0 + (((self->c3_3 * y_squared) + self->c3_3) * y);
             const double row4 = (self->c4_2 * y_squared) + self->c4_2 + (self->c4_1 * y);
             const double v2 = sec * sec;
-            const double gain1 = row1 * v2 * v2;
-            const double gain2 = row2 * v2 * sec;
-            const double gain3 = row3 * sec * sec;
-            const double gain4 = row4 * sec;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
+            gains->gain[0] = row1 * v2 * v2;
+            gains->gain[1] = row2 * v2 * sec;
+            gains->gain[2] = row3 * sec * sec;
+            gains->gain[3] = row4 * sec;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

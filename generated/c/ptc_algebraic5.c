@@ -310,16 +310,11 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
             const double row4 = s9 + self->c4_0 + (((self->c4_3 * y_squared) + self->c4_3) * y);
             const double row5 = (self->c5_2 * y_squared) + self->c5_2 + (self->c5_1 * y);
             const double v2 = sec * sec;
-            const double gain1 = row1 * (v2 * sec) * v2;
-            const double gain2 = row2 * v2 * v2;
-            const double gain3 = row3 * v2 * sec;
-            const double gain4 = row4 * sec * sec;
-            const double gain5 = row5 * sec;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = row1 * (v2 * sec) * v2;
+            gains->gain[1] = row2 * v2 * v2;
+            gains->gain[2] = row3 * v2 * sec;
+            gains->gain[3] = row4 * sec * sec;
+            gains->gain[4] = row5 * sec;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

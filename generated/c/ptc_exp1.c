@@ -112,8 +112,7 @@ ptc_status ptc_exp1_tick(const ptc_exp1 *self, double t, ptc_exp1_gains *gains)
         if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double gain1 = self->K1 / late;
-            gains->gain[0] = gain1;
+            gains->gain[0] = self->K1 / late;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

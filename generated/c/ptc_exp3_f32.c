@@ -139,12 +139,9 @@ ptc_status ptc_exp3_f32_tick(const ptc_exp3_f32 *self, float t, ptc_exp3_f32_gai
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float inv_T = (-1.0f) / late;
-            const float gain1 = self->c1 * (inv_T * inv_T) * inv_T;
-            const float gain2 = self->c2 * inv_T * inv_T;
-            const float gain3 = self->c3 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
+            gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
+            gains->gain[1] = self->c2 * inv_T * inv_T;
+            gains->gain[2] = self->c3 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

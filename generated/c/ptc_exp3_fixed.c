@@ -93,12 +93,9 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
-            const double gain1 = (-120.0) * (inv_T * inv_T) * inv_T;
-            const double gain2 = (-60.0) * inv_T * inv_T;
-            const double gain3 = (-12.0) * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
+            gains->gain[0] = (-120.0) * (inv_T * inv_T) * inv_T;
+            gains->gain[1] = (-60.0) * inv_T * inv_T;
+            gains->gain[2] = (-12.0) * inv_T;
             if (late < -0.001) {
                 status = PTC_OK;
             } else {

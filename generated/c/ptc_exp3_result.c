@@ -131,16 +131,11 @@ ptc_status ptc_exp3_result_tick(
     const double past = (t - self->deadline) - self->correction;
     const double late = (past < self->hold_from) ? past : self->hold_from;
     const double inv_T = (-1.0) / late;
-    const double gain1 = self->c1 * (inv_T * inv_T) * inv_T;
-    const double gain2 = self->c2 * inv_T * inv_T;
-    const double gain3 = self->c3 * inv_T;
-    gains->gain[0] = gain1;
-    gains->gain[1] = gain2;
-    gains->gain[2] = gain3;
+    gains->gain[0] = self->c1 * (inv_T * inv_T) * inv_T;
+    gains->gain[1] = self->c2 * inv_T * inv_T;
+    gains->gain[2] = self->c3 * inv_T;
     gains->u_max = self->u_max;
-    if (late < self->hold_from) {
-        status = PTC_OK;
-    } else {
+    if (!(late < self->hold_from)) {
         status = PTC_HOLD;
     }
     gains->status = status;
@@ -159,12 +154,12 @@ ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double
     } else if (v < -gains->u_max) {
         *u = -gains->u_max;
         status = PTC_SATURATED;
-    } else if (isfinite(v) != 0) {
-        *u = v;
-        status = gains->status;
-    } else {
+    } else if (isnan((v - v)) != 0) {
         *u = 0.0;
         status = PTC_E_RANGE;
+    } else {
+        *u = v;
+        status = gains->status;
     }
     return status;
 }

@@ -163,16 +163,11 @@ ptc_status ptc_exp5_tick(const ptc_exp5 *self, double t, ptc_exp5_gains *gains)
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
             const double v1 = inv_T * inv_T;
-            const double gain1 = self->c1 * (v1 * inv_T) * v1;
-            const double gain2 = self->c2 * v1 * v1;
-            const double gain3 = self->c3 * v1 * inv_T;
-            const double gain4 = self->c4 * inv_T * inv_T;
-            const double gain5 = self->c5 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = self->c1 * (v1 * inv_T) * v1;
+            gains->gain[1] = self->c2 * v1 * v1;
+            gains->gain[2] = self->c3 * v1 * inv_T;
+            gains->gain[3] = self->c4 * inv_T * inv_T;
+            gains->gain[4] = self->c5 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -238,8 +238,7 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
             const double s3 = self->b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
             const double s4 = s3 + (self->b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
             const double inv_r1 = 1.0 / s4;
-            const double gain1 = self->w1 * inv_r1;
-            gains->gain[0] = gain1;
+            gains->gain[0] = self->w1 * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

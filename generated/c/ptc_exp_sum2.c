@@ -256,10 +256,8 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
             const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
             const double inv_r1 = 1.0 / ((self->b1_1 * v22) + (self->b1_2 * v24));
             const double p2 = ((self->b2_1 * v22) + (self->b2_2 * v24)) * inv_r1;
-            const double gain1 = self->w1 * inv_r1 * inv_r1;
-            const double gain2 = (self->w2 + ((-2.0) * p2)) * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = self->w1 * inv_r1 * inv_r1;
+            gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

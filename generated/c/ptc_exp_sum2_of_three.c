@@ -296,10 +296,8 @@ ptc_status ptc_exp_sum2_of_three_tick(
             const double inv_r1 = 1.0 / s3;
             const double s4 = (self->b2_1 * v26) + (self->b2_2 * v28) + (self->b2_3 * v30);
             const double p2 = s4 * inv_r1;
-            const double gain1 = self->w1 * inv_r1 * inv_r1;
-            const double gain2 = (self->w2 + ((-2.0) * p2)) * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = self->w1 * inv_r1 * inv_r1;
+            gains->gain[1] = (self->w2 + ((-2.0) * p2)) * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -285,12 +285,9 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
             const double p2 = ((self->b2_1 * v22) + (self->b2_2 * v24)) * inv_r1;
             const double p3 = ((self->b3_1 * v22) + (self->b3_2 * v24)) * inv_r1;
             const double row3 = (self->w3 + ((-6.0) * (p2 + p2))) * 0.5;
-            const double gain1 = self->w1 * (inv_r1 * inv_r1) * inv_r1;
-            const double gain2 = (self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1;
-            const double gain3 = row3 * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
+            gains->gain[0] = self->w1 * (inv_r1 * inv_r1) * inv_r1;
+            gains->gain[1] = (self->w2 + (self->w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1;
+            gains->gain[2] = row3 * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -315,15 +315,11 @@ ptc_status ptc_exp_sum4_tick(const ptc_exp_sum4 *self, double t, ptc_exp_sum4_ga
             const double row3 = s3 * 0.5;
             const double row4 = (self->w4 + ((-24.0) * (v25 + p2))) * 0.16666666666666666;
             const double v26 = inv_r1 * inv_r1;
-            const double gain1 = self->w1 * v26 * v26;
             const double s4 = (self->w2 + (self->w3 * p2) + (self->w4 * p3) + ((-24.0) * p4)) * v26;
-            const double gain2 = s4 * inv_r1;
-            const double gain3 = row3 * inv_r1 * inv_r1;
-            const double gain4 = row4 * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
+            gains->gain[0] = self->w1 * v26 * v26;
+            gains->gain[1] = s4 * inv_r1;
+            gains->gain[2] = row3 * inv_r1 * inv_r1;
+            gains->gain[3] = row4 * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -348,17 +348,12 @@ ptc_status ptc_exp_sum5_tick(const ptc_exp_sum5 *self, double t, ptc_exp_sum5_ga
             const double row4 = s4 * 0.16666666666666666;
             const double row5 = (self->w5 + ((-120.0) * (v28 + p2))) * 0.041666666666666664;
             const double v29 = inv_r1 * inv_r1;
-            const double gain1 = self->w1 * (v29 * inv_r1) * v29;
             const double s5 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4);
-            const double gain2 = (s5 + ((-120.0) * p5)) * v29 * v29;
-            const double gain3 = row3 * v29 * inv_r1;
-            const double gain4 = row4 * inv_r1 * inv_r1;
-            const double gain5 = row5 * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = self->w1 * (v29 * inv_r1) * v29;
+            gains->gain[1] = (s5 + ((-120.0) * p5)) * v29 * v29;
+            gains->gain[2] = row3 * v29 * inv_r1;
+            gains->gain[3] = row4 * inv_r1 * inv_r1;
+            gains->gain[4] = row5 * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -220,12 +220,10 @@ ptc_status ptc_own_mu2_iterated_tick(
             const double v17 = (v12 * self->tau) / v13;
             const double v18 = (v11 * v10) + (v17 * (v16 + self->f29));
             const double inv_r1 = 1.0 / (-v18);
-            const double gain1 = self->w1 * inv_r1 * inv_r1;
             const double s2 = (-((v15 * v16) + (v12 * self->f63 * v14))) + (self->f29 * v16);
             const double s3 = ((v11 * (-(v9 * v10))) + (v17 * (s2 + self->f63))) * (1.0 / v18);
-            const double gain2 = (self->w2 + ((-2.0) * s3)) * inv_r1;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = self->w1 * inv_r1 * inv_r1;
+            gains->gain[1] = (self->w2 + ((-2.0) * s3)) * inv_r1;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

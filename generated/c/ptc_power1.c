@@ -127,8 +127,7 @@ ptc_status ptc_power1_tick(const ptc_power1 *self, double t, ptc_power1_gains *g
             const double inv_w = self->minus_tau / late;
             const double q = pow(inv_w, self->m);
             const double row1 = self->c1_1 * q;
-            const double gain1 = (-row1) / late;
-            gains->gain[0] = gain1;
+            gains->gain[0] = (-row1) / late;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -145,10 +145,8 @@ ptc_status ptc_power2_tick(const ptc_power2 *self, double t, ptc_power2_gains *g
             const double row1 = self->c1_2 * q * q;
             const double row2 = (self->c2_1 * q) + self->c2_0;
             const double inv_T = inv_w * self->inv_tau;
-            const double gain1 = row1 * inv_T * inv_T;
-            const double gain2 = row2 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = row1 * inv_T * inv_T;
+            gains->gain[1] = row2 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -121,10 +121,8 @@ ptc_status ptc_power2_unbounded_tick(
             const double row1 = v1 * q;
             const double row2 = v1 + 3.0;
             const double inv_T = inv_w * self->inv_tau;
-            const double gain1 = row1 * inv_T * inv_T;
-            const double gain2 = row2 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = row1 * inv_T * inv_T;
+            gains->gain[1] = row2 * inv_T;
             if (late < self->hold_from) {
                 status = PTC_OK;
             } else {

@@ -224,16 +224,11 @@ ptc_status ptc_power5_tick(const ptc_power5 *self, double t, ptc_power5_gains *g
             const double row5 = (self->c5_1 * q) + self->c5_0;
             const double inv_T = inv_w * self->inv_tau;
             const double v2 = inv_T * inv_T;
-            const double gain1 = row1 * (v2 * inv_T) * v2;
-            const double gain2 = row2 * v2 * v2;
-            const double gain3 = row3 * v2 * inv_T;
-            const double gain4 = row4 * inv_T * inv_T;
-            const double gain5 = row5 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = row1 * (v2 * inv_T) * v2;
+            gains->gain[1] = row2 * v2 * v2;
+            gains->gain[2] = row3 * v2 * inv_T;
+            gains->gain[3] = row4 * inv_T * inv_T;
+            gains->gain[4] = row5 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

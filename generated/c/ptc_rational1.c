@@ -118,8 +118,7 @@ ptc_status ptc_rational1_tick(const ptc_rational1 *self, double t, ptc_rational1
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
             const double row1 = self->c1_1 * inv_T;
-            const double gain1 = row1 * inv_T;
-            gains->gain[0] = gain1;
+            gains->gain[0] = row1 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -130,10 +130,8 @@ ptc_status ptc_rational2_tick(const ptc_rational2 *self, double t, ptc_rational2
             const double inv_T = (-1.0) / late;
             const double row1 = self->c1_2 * inv_T * inv_T;
             const double row2 = (self->c2_1 * inv_T) + 2.0;
-            const double gain1 = row1 * inv_T * inv_T;
-            const double gain2 = row2 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
+            gains->gain[0] = row1 * inv_T * inv_T;
+            gains->gain[1] = row2 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

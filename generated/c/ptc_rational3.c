@@ -149,12 +149,9 @@ ptc_status ptc_rational3_tick(const ptc_rational3 *self, double t, ptc_rational3
             const double row1 = self->c1_3 * inv_T * inv_T * inv_T;
             const double row2 = (((self->c2_2 * inv_T) + self->c2_1) * inv_T) - 6.0;
             const double row3 = (self->c3_1 * inv_T) + 6.0;
-            const double gain1 = row1 * (inv_T * inv_T) * inv_T;
-            const double gain2 = row2 * inv_T * inv_T;
-            const double gain3 = row3 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
+            gains->gain[0] = row1 * (inv_T * inv_T) * inv_T;
+            gains->gain[1] = row2 * inv_T * inv_T;
+            gains->gain[2] = row3 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

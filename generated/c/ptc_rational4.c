@@ -173,14 +173,10 @@ ptc_status ptc_rational4_tick(const ptc_rational4 *self, double t, ptc_rational4
             const double row2 = (s1 * inv_T) + 24.0;
             const double row3 = (((self->c3_2 * inv_T) + self->c3_1) * inv_T) - 36.0;
             const double row4 = (self->c4_1 * inv_T) + 12.0;
-            const double gain1 = row1 * v1 * v1;
-            const double gain2 = row2 * v1 * inv_T;
-            const double gain3 = row3 * inv_T * inv_T;
-            const double gain4 = row4 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
+            gains->gain[0] = row1 * v1 * v1;
+            gains->gain[1] = row2 * v1 * inv_T;
+            gains->gain[2] = row3 * inv_T * inv_T;
+            gains->gain[3] = row4 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -197,16 +197,11 @@ ptc_status ptc_rational5_tick(const ptc_rational5 *self, double t, ptc_rational5
             const double row3 = (s2 * inv_T) + 240.0;
             const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
             const double row5 = (self->c5_1 * inv_T) + 20.0;
-            const double gain1 = row1 * (v1 * inv_T) * v1;
-            const double gain2 = row2 * v1 * v1;
-            const double gain3 = row3 * v1 * inv_T;
-            const double gain4 = row4 * inv_T * inv_T;
-            const double gain5 = row5 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = row1 * (v1 * inv_T) * v1;
+            gains->gain[1] = row2 * v1 * v1;
+            gains->gain[2] = row3 * v1 * inv_T;
+            gains->gain[3] = row4 * inv_T * inv_T;
+            gains->gain[4] = row5 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

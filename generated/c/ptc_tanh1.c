@@ -123,8 +123,7 @@ ptc_status ptc_tanh1_tick(const ptc_tanh1 *self, double t, ptc_tanh1_gains *gain
             const double E = late * (late * ((-1.0) / (late * (self->two_tau + late))));
             const double one_plus_E = 1.0 + E;
             const double row1 = self->c1_1 * one_plus_E;
-            const double gain1 = (-row1) / late;
-            gains->gain[0] = gain1;
+            gains->gain[0] = (-row1) / late;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

@@ -233,16 +233,11 @@ ptc_status ptc_tanh5_tick(const ptc_tanh5 *self, double t, ptc_tanh5_gains *gain
             const double row5 = (self->c5_1 * E) + self->c5_0;
             const double inv_T = v2 * v1;
             const double v4 = inv_T * inv_T;
-            const double gain1 = row1 * (v4 * inv_T) * v4;
-            const double gain2 = row2 * v4 * v4;
-            const double gain3 = row3 * v4 * inv_T;
-            const double gain4 = row4 * inv_T * inv_T;
-            const double gain5 = row5 * inv_T;
-            gains->gain[0] = gain1;
-            gains->gain[1] = gain2;
-            gains->gain[2] = gain3;
-            gains->gain[3] = gain4;
-            gains->gain[4] = gain5;
+            gains->gain[0] = row1 * (v4 * inv_T) * v4;
+            gains->gain[1] = row2 * v4 * v4;
+            gains->gain[2] = row3 * v4 * inv_T;
+            gains->gain[3] = row4 * inv_T * inv_T;
+            gains->gain[4] = row5 * inv_T;
             gains->u_max = self->u_max;
             if (late < self->hold_from) {
                 status = PTC_OK;

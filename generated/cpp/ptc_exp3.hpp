@@ -287,13 +287,10 @@ public:
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double inv_T = (-1.0) / late;
-        const double gain1 = c1_ * (inv_T * inv_T) * inv_T;
-        const double gain2 = c2_ * inv_T * inv_T;
-        const double gain3 = c3_ * inv_T;
         Gains gains{};
-        gains.gain[0] = gain1;
-        gains.gain[1] = gain2;
-        gains.gain[2] = gain3;
+        gains.gain[0] = c1_ * (inv_T * inv_T) * inv_T;
+        gains.gain[1] = c2_ * inv_T * inv_T;
+        gains.gain[2] = c3_ * inv_T;
         gains.u_max = u_max_;
         if (late < hold_from_) {
             gains.status = Status::Ok;

@@ -402,11 +402,9 @@ public:
         const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
         const double inv_r1 = 1.0 / ((b1_1_ * v22) + (b1_2_ * v24));
         const double p2 = ((b2_1_ * v22) + (b2_2_ * v24)) * inv_r1;
-        const double gain1 = w1_ * inv_r1 * inv_r1;
-        const double gain2 = (w2_ + ((-2.0) * p2)) * inv_r1;
         Gains gains{};
-        gains.gain[0] = gain1;
-        gains.gain[1] = gain2;
+        gains.gain[0] = w1_ * inv_r1 * inv_r1;
+        gains.gain[1] = (w2_ + ((-2.0) * p2)) * inv_r1;
         gains.u_max = u_max_;
         if (late < hold_from_) {
             gains.status = Status::Ok;

@@ -16,12 +16,9 @@ end
 past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 inv_T = (-single(1.0)) / late;
-gain1 = self.c1 * (inv_T * inv_T) * inv_T;
-gain2 = self.c2 * inv_T * inv_T;
-gain3 = self.c3 * inv_T;
-gains.gain(1) = gain1;
-gains.gain(2) = gain2;
-gains.gain(3) = gain3;
+gains.gain(1) = self.c1 * (inv_T * inv_T) * inv_T;
+gains.gain(2) = self.c2 * inv_T * inv_T;
+gains.gain(3) = self.c3 * inv_T;
 gains.u_max = self.u_max;
 if late < self.hold_from
     status = int32(0);

@@ -65,10 +65,8 @@ v23 = self.a2 * v20;
 v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
 inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
 p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
-gain1 = self.w1 * inv_r1 * inv_r1;
-gain2 = (self.w2 + ((-2.0) * p2)) * inv_r1;
-gains.gain(1) = gain1;
-gains.gain(2) = gain2;
+gains.gain(1) = self.w1 * inv_r1 * inv_r1;
+gains.gain(2) = (self.w2 + ((-2.0) * p2)) * inv_r1;
 gains.u_max = self.u_max;
 if late < self.hold_from
     status = int32(0);

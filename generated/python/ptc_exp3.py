@@ -295,10 +295,7 @@ class PtcExp3:
             past = (t - self._deadline) - self._correction
             late = np.where(past < self._hold_from, past, self._hold_from)
             inv_T = (-1.0) / late
-            gain1 = self._c1 * (inv_T * inv_T) * inv_T
-            gain2 = self._c2 * inv_T * inv_T
-            gain3 = self._c3 * inv_T
             way1 = late < self._hold_from
             status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
-            gain = np.stack(np.broadcast_arrays(gain1, gain2, gain3), axis=-1)
+            gain = np.stack(np.broadcast_arrays(self._c1 * (inv_T * inv_T) * inv_T, self._c2 * inv_T * inv_T, self._c3 * inv_T), axis=-1)
             return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

@@ -398,9 +398,7 @@ class PtcExpSum2:
             v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))))
             inv_r1 = 1.0 / ((self._b1_1 * v22) + (self._b1_2 * v24))
             p2 = ((self._b2_1 * v22) + (self._b2_2 * v24)) * inv_r1
-            gain1 = self._w1 * inv_r1 * inv_r1
-            gain2 = (self._w2 + ((-2.0) * p2)) * inv_r1
             way1 = late < self._hold_from
             status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
-            gain = np.stack(np.broadcast_arrays(gain1, gain2), axis=-1)
+            gain = np.stack(np.broadcast_arrays(self._w1 * inv_r1 * inv_r1, (self._w2 + ((-2.0) * p2)) * inv_r1), axis=-1)
             return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

@@ -344,14 +344,13 @@ impl PtcAlgebraic1 {
         let one_plus_y2 = (self.half_tau / T) + s1;
         let row1 = self.c1_1 * one_plus_y2;
         let sec = math::sqrt(one_plus_y2);
-        let gain1 = row1 * sec;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic1Gains {
-            gain: [gain1],
+            gain: [row1 * sec],
             u_max: self.u_max,
             status,
         })

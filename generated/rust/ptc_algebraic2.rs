@@ -375,15 +375,13 @@ impl PtcAlgebraic2 {
         let y = ((late * self.inv_tau) + 1.0) * sec;
         let y_squared = one_plus_y2 - 1.0;
         let row2 = (self.c2_2 * y_squared) + self.c2_2 + (self.c2_1 * y);
-        let gain1 = row1 * sec * sec;
-        let gain2 = row2 * sec;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic2Gains {
-            gain: [gain1, gain2],
+            gain: [row1 * sec * sec, row2 * sec],
             u_max: self.u_max,
             status,
         })

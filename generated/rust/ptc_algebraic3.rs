@@ -426,16 +426,13 @@ impl PtcAlgebraic3 {
         let s2 = ((self.c2_4 * y_squared) + self.c2_2) * y_squared;
         let row2 = s2 + self.c2_0 + (((self.c2_3 * y_squared) + self.c2_3) * y);
         let row3 = (self.c3_2 * y_squared) + self.c3_2 + (self.c3_1 * y);
-        let gain1 = row1 * (sec * sec) * sec;
-        let gain2 = row2 * sec * sec;
-        let gain3 = row3 * sec;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic3Gains {
-            gain: [gain1, gain2, gain3],
+            gain: [row1 * (sec * sec) * sec, row2 * sec * sec, row3 * sec],
             u_max: self.u_max,
             status,
         })

@@ -507,17 +507,13 @@ impl PtcAlgebraic4 {
         let row3 = s5 + self.c3_0 + (((self.c3_3 * y_squared) + self.c3_3) * y);
         let row4 = (self.c4_2 * y_squared) + self.c4_2 + (self.c4_1 * y);
         let v2 = sec * sec;
-        let gain1 = row1 * v2 * v2;
-        let gain2 = row2 * v2 * sec;
-        let gain3 = row3 * sec * sec;
-        let gain4 = row4 * sec;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [row1 * v2 * v2, row2 * v2 * sec, row3 * sec * sec, row4 * sec],
             u_max: self.u_max,
             status,
         })

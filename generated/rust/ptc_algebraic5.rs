@@ -601,18 +601,13 @@ impl PtcAlgebraic5 {
         let row4 = s9 + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
         let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
         let v2 = sec * sec;
-        let gain1 = row1 * (v2 * sec) * v2;
-        let gain2 = row2 * v2 * v2;
-        let gain3 = row3 * v2 * sec;
-        let gain4 = row4 * sec * sec;
-        let gain5 = row5 * sec;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcAlgebraic5Gains {
-            gain: [gain1, gain2, gain3, gain4, gain5],
+            gain: [row1 * (v2 * sec) * v2, row2 * v2 * v2, row3 * v2 * sec, row4 * sec * sec, row5 * sec],
             u_max: self.u_max,
             status,
         })

@@ -303,14 +303,13 @@ impl PtcExp1 {
         } else {
             self.hold_from
         };
-        let gain1 = self.K1 / late;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp1Gains {
-            gain: [gain1],
+            gain: [self.K1 / late],
             u_max: self.u_max,
             status,
         })

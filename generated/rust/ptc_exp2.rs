@@ -320,15 +320,13 @@ impl PtcExp2 {
             self.hold_from
         };
         let inv_T = (-1.0) / late;
-        let gain1 = self.c1 * inv_T * inv_T;
-        let gain2 = self.c2 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp2Gains {
-            gain: [gain1, gain2],
+            gain: [self.c1 * inv_T * inv_T, self.c2 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -346,16 +346,13 @@ impl PtcExp3 {
             self.hold_from
         };
         let inv_T = (-1.0) / late;
-        let gain1 = self.c1 * (inv_T * inv_T) * inv_T;
-        let gain2 = self.c2 * inv_T * inv_T;
-        let gain3 = self.c3 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp3Gains {
-            gain: [gain1, gain2, gain3],
+            gain: [self.c1 * (inv_T * inv_T) * inv_T, self.c2 * inv_T * inv_T, self.c3 * inv_T],
             u_max: self.u_max,
             status,
         })

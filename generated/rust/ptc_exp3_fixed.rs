@@ -258,16 +258,13 @@ impl PtcExp3Fixed {
         let past = (t - self.deadline) - self.correction;
         let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
-        let gain1 = (-120.0) * (inv_T * inv_T) * inv_T;
-        let gain2 = (-60.0) * inv_T * inv_T;
-        let gain3 = (-12.0) * inv_T;
         let status = if late < -0.001 {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp3FixedGains {
-            gain: [gain1, gain2, gain3],
+            gain: [(-120.0) * (inv_T * inv_T) * inv_T, (-60.0) * inv_T * inv_T, (-12.0) * inv_T],
             status,
         })
     }

@@ -330,16 +330,13 @@ impl PtcExp3Result {
             self.hold_from
         };
         let inv_T = (-1.0) / late;
-        let gain1 = self.c1 * (inv_T * inv_T) * inv_T;
-        let gain2 = self.c2 * inv_T * inv_T;
-        let gain3 = self.c3 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp3ResultGains {
-            gain: [gain1, gain2, gain3],
+            gain: [self.c1 * (inv_T * inv_T) * inv_T, self.c2 * inv_T * inv_T, self.c3 * inv_T],
             u_max: self.u_max,
             status,
         })
@@ -367,10 +364,10 @@ impl PtcExp3ResultGains {
             (self.u_max, Status::Saturated)
         } else if v < -self.u_max {
             (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            (v, self.status)
-        } else {
+        } else if (v - v).is_nan() {
             return Err(Error::Range);
+        } else {
+            (v, self.status)
         };
         Ok(Control { u, status })
     }

@@ -366,17 +366,13 @@ impl PtcExp4 {
         };
         let inv_T = (-1.0) / late;
         let v1 = inv_T * inv_T;
-        let gain1 = self.c1 * v1 * v1;
-        let gain2 = self.c2 * v1 * inv_T;
-        let gain3 = self.c3 * inv_T * inv_T;
-        let gain4 = self.c4 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExp4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [self.c1 * v1 * v1, self.c2 * v1 * inv_T, self.c3 * inv_T * inv_T, self.c4 * inv_T],
             u_max: self.u_max,
             status,
         })

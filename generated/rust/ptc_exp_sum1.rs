@@ -475,14 +475,13 @@ impl PtcExpSum1 {
         let s3 = self.b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
         let s4 = s3 + (self.b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
         let inv_r1 = 1.0 / s4;
-        let gain1 = self.w1 * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum1Gains {
-            gain: [gain1],
+            gain: [self.w1 * inv_r1],
             u_max: self.u_max,
             status,
         })

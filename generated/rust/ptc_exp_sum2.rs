@@ -502,15 +502,13 @@ impl PtcExpSum2 {
         let v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
         let inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
         let p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
-        let gain1 = self.w1 * inv_r1 * inv_r1;
-        let gain2 = (self.w2 + ((-2.0) * p2)) * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum2Gains {
-            gain: [gain1, gain2],
+            gain: [self.w1 * inv_r1 * inv_r1, (self.w2 + ((-2.0) * p2)) * inv_r1],
             u_max: self.u_max,
             status,
         })

@@ -539,15 +539,13 @@ impl PtcExpSum2OfThree {
         let inv_r1 = 1.0 / s3;
         let s4 = (self.b2_1 * v26) + (self.b2_2 * v28) + (self.b2_3 * v30);
         let p2 = s4 * inv_r1;
-        let gain1 = self.w1 * inv_r1 * inv_r1;
-        let gain2 = (self.w2 + ((-2.0) * p2)) * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum2OfThreeGains {
-            gain: [gain1, gain2],
+            gain: [self.w1 * inv_r1 * inv_r1, (self.w2 + ((-2.0) * p2)) * inv_r1],
             u_max: self.u_max,
             status,
         })

@@ -544,16 +544,13 @@ impl PtcExpSum3 {
         let p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
         let p3 = ((self.b3_1 * v22) + (self.b3_2 * v24)) * inv_r1;
         let row3 = (self.w3 + ((-6.0) * (p2 + p2))) * 0.5;
-        let gain1 = self.w1 * (inv_r1 * inv_r1) * inv_r1;
-        let gain2 = (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1;
-        let gain3 = row3 * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum3Gains {
-            gain: [gain1, gain2, gain3],
+            gain: [self.w1 * (inv_r1 * inv_r1) * inv_r1, (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1, row3 * inv_r1],
             u_max: self.u_max,
             status,
         })

@@ -585,18 +585,14 @@ impl PtcExpSum4 {
         let row3 = s3 * 0.5;
         let row4 = (self.w4 + ((-24.0) * (v25 + p2))) * 0.16666666666666666;
         let v26 = inv_r1 * inv_r1;
-        let gain1 = self.w1 * v26 * v26;
         let s4 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * v26;
-        let gain2 = s4 * inv_r1;
-        let gain3 = row3 * inv_r1 * inv_r1;
-        let gain4 = row4 * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [self.w1 * v26 * v26, s4 * inv_r1, row3 * inv_r1 * inv_r1, row4 * inv_r1],
             u_max: self.u_max,
             status,
         })

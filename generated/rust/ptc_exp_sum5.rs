@@ -630,19 +630,14 @@ impl PtcExpSum5 {
         let row4 = s4 * 0.16666666666666666;
         let row5 = (self.w5 + ((-120.0) * (v28 + p2))) * 0.041666666666666664;
         let v29 = inv_r1 * inv_r1;
-        let gain1 = self.w1 * (v29 * inv_r1) * v29;
         let s5 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + (self.w5 * p4);
-        let gain2 = (s5 + ((-120.0) * p5)) * v29 * v29;
-        let gain3 = row3 * v29 * inv_r1;
-        let gain4 = row4 * inv_r1 * inv_r1;
-        let gain5 = row5 * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum5Gains {
-            gain: [gain1, gain2, gain3, gain4, gain5],
+            gain: [self.w1 * (v29 * inv_r1) * v29, (s5 + ((-120.0) * p5)) * v29 * v29, row3 * v29 * inv_r1, row4 * inv_r1 * inv_r1, row5 * inv_r1],
             u_max: self.u_max,
             status,
         })

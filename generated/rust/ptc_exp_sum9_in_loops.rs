@@ -774,22 +774,13 @@ impl PtcExpSum9InLoops {
         let v25 = inv_r1 * inv_r1;
         let v26 = v25 * inv_r1;
         let v27 = v26 * inv_r1;
-        let gain1 = self.w1 * (v27 * inv_r1) * v27;
-        let gain2 = row[0] * v27 * v27;
-        let gain3 = row3 * v27 * v26;
-        let gain4 = row4 * v26 * v26;
-        let gain5 = row5 * v26 * v25;
-        let gain6 = row6 * v25 * v25;
-        let gain7 = row7 * v25 * inv_r1;
-        let gain8 = row8 * inv_r1 * inv_r1;
-        let gain9 = row9 * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcExpSum9InLoopsGains {
-            gain: [gain1, gain2, gain3, gain4, gain5, gain6, gain7, gain8, gain9],
+            gain: [self.w1 * (v27 * inv_r1) * v27, row[0] * v27 * v27, row3 * v27 * v26, row4 * v26 * v26, row5 * v26 * v25, row6 * v25 * v25, row7 * v25 * inv_r1, row8 * inv_r1 * inv_r1, row9 * inv_r1],
             u_max: self.u_max,
             status,
         })

@@ -433,17 +433,15 @@ impl PtcOwnMu2Iterated {
         let v17 = (v12 * self.tau) / v13;
         let v18 = (v11 * v10) + (v17 * (v16 + self.f29));
         let inv_r1 = 1.0 / (-v18);
-        let gain1 = self.w1 * inv_r1 * inv_r1;
         let s2 = (-((v15 * v16) + (v12 * self.f63 * v14))) + (self.f29 * v16);
         let s3 = ((v11 * (-(v9 * v10))) + (v17 * (s2 + self.f63))) * (1.0 / v18);
-        let gain2 = (self.w2 + ((-2.0) * s3)) * inv_r1;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcOwnMu2IteratedGains {
-            gain: [gain1, gain2],
+            gain: [self.w1 * inv_r1 * inv_r1, (self.w2 + ((-2.0) * s3)) * inv_r1],
             u_max: self.u_max,
             status,
         })

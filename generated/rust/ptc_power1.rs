@@ -344,14 +344,13 @@ impl PtcPower1 {
         let inv_w = self.minus_tau / late;
         let q = math::pow(inv_w, self.m);
         let row1 = self.c1_1 * q;
-        let gain1 = (-row1) / late;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcPower1Gains {
-            gain: [gain1],
+            gain: [(-row1) / late],
             u_max: self.u_max,
             status,
         })

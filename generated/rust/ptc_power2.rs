@@ -372,15 +372,13 @@ impl PtcPower2 {
         let row1 = self.c1_2 * q * q;
         let row2 = (self.c2_1 * q) + self.c2_0;
         let inv_T = inv_w * self.inv_tau;
-        let gain1 = row1 * inv_T * inv_T;
-        let gain2 = row2 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcPower2Gains {
-            gain: [gain1, gain2],
+            gain: [row1 * inv_T * inv_T, row2 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -301,15 +301,13 @@ impl PtcPower2Unbounded {
         let row1 = v1 * q;
         let row2 = v1 + 3.0;
         let inv_T = inv_w * self.inv_tau;
-        let gain1 = row1 * inv_T * inv_T;
-        let gain2 = row2 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcPower2UnboundedGains {
-            gain: [gain1, gain2],
+            gain: [row1 * inv_T * inv_T, row2 * inv_T],
             status,
         })
     }

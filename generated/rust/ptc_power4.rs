@@ -453,17 +453,13 @@ impl PtcPower4 {
         let row4 = (self.c4_1 * q) + self.c4_0;
         let inv_T = inv_w * self.inv_tau;
         let v2 = inv_T * inv_T;
-        let gain1 = row1 * v2 * v2;
-        let gain2 = row2 * v2 * inv_T;
-        let gain3 = row3 * inv_T * inv_T;
-        let gain4 = row4 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcPower4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [row1 * v2 * v2, row2 * v2 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
             u_max: self.u_max,
             status,
         })

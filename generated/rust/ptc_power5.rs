@@ -499,18 +499,13 @@ impl PtcPower5 {
         let row5 = (self.c5_1 * q) + self.c5_0;
         let inv_T = inv_w * self.inv_tau;
         let v2 = inv_T * inv_T;
-        let gain1 = row1 * (v2 * inv_T) * v2;
-        let gain2 = row2 * v2 * v2;
-        let gain3 = row3 * v2 * inv_T;
-        let gain4 = row4 * inv_T * inv_T;
-        let gain5 = row5 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcPower5Gains {
-            gain: [gain1, gain2, gain3, gain4, gain5],
+            gain: [row1 * (v2 * inv_T) * v2, row2 * v2 * v2, row3 * v2 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
             u_max: self.u_max,
             status,
         })

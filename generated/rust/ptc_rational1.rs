@@ -309,14 +309,13 @@ impl PtcRational1 {
         };
         let inv_T = (-1.0) / late;
         let row1 = self.c1_1 * inv_T;
-        let gain1 = row1 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational1Gains {
-            gain: [gain1],
+            gain: [row1 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -327,15 +327,13 @@ impl PtcRational2 {
         let inv_T = (-1.0) / late;
         let row1 = self.c1_2 * inv_T * inv_T;
         let row2 = (self.c2_1 * inv_T) + 2.0;
-        let gain1 = row1 * inv_T * inv_T;
-        let gain2 = row2 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational2Gains {
-            gain: [gain1, gain2],
+            gain: [row1 * inv_T * inv_T, row2 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -358,16 +358,13 @@ impl PtcRational3 {
         let row1 = self.c1_3 * inv_T * inv_T * inv_T;
         let row2 = (((self.c2_2 * inv_T) + self.c2_1) * inv_T) - 6.0;
         let row3 = (self.c3_1 * inv_T) + 6.0;
-        let gain1 = row1 * (inv_T * inv_T) * inv_T;
-        let gain2 = row2 * inv_T * inv_T;
-        let gain3 = row3 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational3Gains {
-            gain: [gain1, gain2, gain3],
+            gain: [row1 * (inv_T * inv_T) * inv_T, row2 * inv_T * inv_T, row3 * inv_T],
             u_max: self.u_max,
             status,
         })

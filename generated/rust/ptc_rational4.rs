@@ -394,17 +394,13 @@ impl PtcRational4 {
         let row2 = (s1 * inv_T) + 24.0;
         let row3 = (((self.c3_2 * inv_T) + self.c3_1) * inv_T) - 36.0;
         let row4 = (self.c4_1 * inv_T) + 12.0;
-        let gain1 = row1 * v1 * v1;
-        let gain2 = row2 * v1 * inv_T;
-        let gain3 = row3 * inv_T * inv_T;
-        let gain4 = row4 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [row1 * v1 * v1, row2 * v1 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -433,18 +433,13 @@ impl PtcRational5 {
         let row3 = (s2 * inv_T) + 240.0;
         let row4 = (((self.c4_2 * inv_T) + self.c4_1) * inv_T) - 120.0;
         let row5 = (self.c5_1 * inv_T) + 20.0;
-        let gain1 = row1 * (v1 * inv_T) * v1;
-        let gain2 = row2 * v1 * v1;
-        let gain3 = row3 * v1 * inv_T;
-        let gain4 = row4 * inv_T * inv_T;
-        let gain5 = row5 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcRational5Gains {
-            gain: [gain1, gain2, gain3, gain4, gain5],
+            gain: [row1 * (v1 * inv_T) * v1, row2 * v1 * v1, row3 * v1 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
             u_max: self.u_max,
             status,
         })

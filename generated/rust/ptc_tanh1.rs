@@ -318,14 +318,13 @@ impl PtcTanh1 {
         let E = late * (late * ((-1.0) / (late * (self.two_tau + late))));
         let one_plus_E = 1.0 + E;
         let row1 = self.c1_1 * one_plus_E;
-        let gain1 = (-row1) / late;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh1Gains {
-            gain: [gain1],
+            gain: [(-row1) / late],
             u_max: self.u_max,
             status,
         })

@@ -346,15 +346,13 @@ impl PtcTanh2 {
         let row1 = self.c1_2 * one_plus_E * one_plus_E;
         let row2 = (self.c2_1 * E) + self.c2_0;
         let inv_T = v2 * v1;
-        let gain1 = row1 * inv_T * inv_T;
-        let gain2 = row2 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh2Gains {
-            gain: [gain1, gain2],
+            gain: [row1 * inv_T * inv_T, row2 * inv_T],
             u_max: self.u_max,
             status,
         })

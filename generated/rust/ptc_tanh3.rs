@@ -384,16 +384,13 @@ impl PtcTanh3 {
         let row2 = (((self.c2_2 * E) + self.c2_1) * E) + self.c2_0;
         let row3 = (self.c3_1 * E) + self.c3_0;
         let inv_T = v2 * v1;
-        let gain1 = row1 * (inv_T * inv_T) * inv_T;
-        let gain2 = row2 * inv_T * inv_T;
-        let gain3 = row3 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh3Gains {
-            gain: [gain1, gain2, gain3],
+            gain: [row1 * (inv_T * inv_T) * inv_T, row2 * inv_T * inv_T, row3 * inv_T],
             u_max: self.u_max,
             status,
         })

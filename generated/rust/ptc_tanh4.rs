@@ -430,17 +430,13 @@ impl PtcTanh4 {
         let row4 = (self.c4_1 * E) + self.c4_0;
         let inv_T = v2 * v1;
         let v4 = inv_T * inv_T;
-        let gain1 = row1 * v4 * v4;
-        let gain2 = row2 * v4 * inv_T;
-        let gain3 = row3 * inv_T * inv_T;
-        let gain4 = row4 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh4Gains {
-            gain: [gain1, gain2, gain3, gain4],
+            gain: [row1 * v4 * v4, row2 * v4 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -487,18 +487,13 @@ impl PtcTanh5 {
         let row5 = (self.c5_1 * E) + self.c5_0;
         let inv_T = v2 * v1;
         let v4 = inv_T * inv_T;
-        let gain1 = row1 * (v4 * inv_T) * v4;
-        let gain2 = row2 * v4 * v4;
-        let gain3 = row3 * v4 * inv_T;
-        let gain4 = row4 * inv_T * inv_T;
-        let gain5 = row5 * inv_T;
         let status = if late < self.hold_from {
             Status::Ok
         } else {
             Status::Hold
         };
         Ok(PtcTanh5Gains {
-            gain: [gain1, gain2, gain3, gain4, gain5],
+            gain: [row1 * (v4 * inv_T) * v4, row2 * v4 * v4, row3 * v4 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
             u_max: self.u_max,
             status,
         })

@@ -55,6 +55,8 @@ pub(super) struct C<'a> {
     standing: Option<Status>,
     /// Whether results that are one number are 0 from the start.
     zeroed: bool,
+    /// The local value that is stored as soon as it is known, and the result that it is.
+    stored: Option<(String, String)>,
     out: Lines,
 }
 
@@ -109,7 +111,7 @@ impl Text for C<'_> {
 impl<'a> C<'a> {
     pub(super) fn new(code: &'a Code, notes: &'a Notes) -> Self {
         let out = Lines::default();
-        Self { code, notes, owner: "self->", standing: None, zeroed: false, out }
+        Self { code, notes, owner: "self->", standing: None, zeroed: false, stored: None, out }
     }
 
     fn type_of(&self, shape: Shape) -> String {

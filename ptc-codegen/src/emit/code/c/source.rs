@@ -78,20 +78,25 @@ impl C<'_> {
         self.out.line(format!("ptc_status status = {};", word(first)));
         self.standing = Some(first);
         self.out.line("");
-        self.zeroed = function.guarded;
-        if function.guarded && !function.failures.is_empty() {
+        let fails = function.has(|statement| matches!(statement, Statement::Require(..)));
+        self.zeroed = function.guarded || fails;
+        if self.zeroed && !function.failures.is_empty() {
             let zero = self.literal("0.0");
             for result in function.results.iter().filter(|result| result.shape == Shape::Real) {
                 let name = &result.name;
-                self.out.line(format!("if ({name} != NULL) {{\n    *{name} = {zero};\n}}"));
+                self.out.line(match function.guarded {
+                    true => format!("if ({name} != NULL) {{\n    *{name} = {zero};\n}}"),
+                    false => format!("*{name} = {zero};"),
+                });
             }
         }
+        self.stored = self.stored_early(function);
         if function.guarded {
             let tests = self.pointers(function);
             self.out.open(format!("if ({tests}) {{"));
         }
         self.block(&function.body, &mut |this| {
-            this.finish(function, &function.finish, false);
+            this.finish(function, &function.finish, this.stored.is_some());
             if function.results.iter().any(|result| result.shape == Shape::Gains) {
                 this.out.line("gains->status = status;");
             }
@@ -101,6 +106,18 @@ impl C<'_> {
         }
         self.out.line("return status;");
         self.out.close("}");
+    }
+
+    /// The local value that is the only result on every way: it is stored as soon as it is known, which
+    /// saves an instruction.
+    fn stored_early(&self, function: &Function) -> Option<(String, String)> {
+        let ([result], Some([Expr::Local(name)])) =
+            (function.results.as_slice(), function.finish.results())
+        else {
+            return None;
+        };
+        let is_stored = result.shape == Shape::Real && !self.zeroed;
+        is_stored.then(|| (name.clone(), result.name.clone()))
     }
 
     /// The tests that no pointer is NULL.
@@ -276,6 +293,10 @@ impl C<'_> {
             Statement::Let(name, shape, value) => {
                 let (kind, value) = (self.type_of(*shape), self.alone(value));
                 self.out.line(format!("const {kind} {name} = {value};"));
+                if let Some((_, result)) = self.stored.as_ref().filter(|(local, _)| local == name) {
+                    let line = format!("*{result} = {name};");
+                    self.out.line(line);
+                }
             }
             Statement::Variable(name, shape) => {
                 let kind = self.type_of(*shape);
