@@ -118,13 +118,13 @@ fn an_altered_controller_fails() {
     let home = folder("selftest_altered");
     let altered = [
         (&[("n", "2"), ("mu", "rational")][..], "= -K2;", "= K2;"),
-        (&[("n", "2"), ("mu", "exp")], "&& isfinite(x2)", ""),
+        (&[("n", "2"), ("mu", "exp")], "&& (isfinite(x2) != 0)", ""),
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
-        (&[("n", "2"), ("mu", "exp")], "v = self->u_max;", "v = 2.0 * self->u_max;"),
-        (&[("n", "2"), ("mu", "exp")], "(v > self->u_max)", "(v > (1.6 * self->u_max))"),
+        (&[("n", "2"), ("mu", "exp")], "*u = self->u_max;", "*u = 2.0 * self->u_max;"),
+        (&[("n", "2"), ("mu", "exp")], "(self->u_max < v)", "((1.6 * self->u_max) < v)"),
         (&[("n", "2"), ("mu", "exp")], "(v < -self->u_max)", "(v < (-1.6 * self->u_max))"),
         (&[("n", "2"), ("mu", "exp")], "isfinite(deadline) != 0", "isfinite(t0) != 0"),
-        (&[("n", "2"), ("mu", "exp_sum"), ("pi0", "extern")], "(y + v22)", "y"),
+        (&[("n", "2"), ("mu", "exp_sum"), ("pi0", "extern")], "(y + v20)", "y"),
         (&[("n", "2"), ("mu", "exp")], "&& (eps < tau)", ""),
         (&[("n", "2"), ("mu", "tan")], "const double c2_2 =", "const double c2_2 = 1e-12 + "),
         (
@@ -134,8 +134,8 @@ fn an_altered_controller_fails() {
         ),
         (
             &[("n", "1"), ("mu", "exp"), ("after", "zero")],
-            "(past >= 0.0) ? PTC_AFTER",
-            "(past >= 1.0) ? PTC_AFTER",
+            "} else if (0.0 <= past) {",
+            "} else if (1.0 <= past) {",
         ),
     ];
     for (index, (keys, good, bad)) in altered.into_iter().enumerate() {

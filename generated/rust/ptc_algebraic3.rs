@@ -359,11 +359,7 @@ impl PtcAlgebraic3 {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }

@@ -513,7 +513,12 @@ impl PtcAlgebraic4 {
             Status::Hold
         };
         Ok(PtcAlgebraic4Gains {
-            gain: [row1 * v2 * v2, row2 * v2 * sec, row3 * sec * sec, row4 * sec],
+            gain: [
+                row1 * v2 * v2,
+                row2 * v2 * sec,
+                row3 * sec * sec,
+                row4 * sec,
+            ],
             u_max: self.u_max,
             status,
         })

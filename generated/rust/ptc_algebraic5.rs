@@ -607,7 +607,13 @@ impl PtcAlgebraic5 {
             Status::Hold
         };
         Ok(PtcAlgebraic5Gains {
-            gain: [row1 * (v2 * sec) * v2, row2 * v2 * v2, row3 * v2 * sec, row4 * sec * sec, row5 * sec],
+            gain: [
+                row1 * (v2 * sec) * v2,
+                row2 * v2 * v2,
+                row3 * v2 * sec,
+                row4 * sec * sec,
+                row5 * sec,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -634,11 +640,7 @@ impl PtcAlgebraic5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

@@ -213,9 +213,7 @@ impl PtcExp1 {
         }
         let K1 = k1 / a;
         let hold_from = -eps;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && K1.is_finite()
-            && hold_from.is_finite())
+        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0)) && K1.is_finite() && hold_from.is_finite())
         {
             return Err(Error::Param);
         }

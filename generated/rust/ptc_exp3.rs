@@ -296,11 +296,7 @@ impl PtcExp3 {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }
@@ -352,7 +348,11 @@ impl PtcExp3 {
             Status::Hold
         };
         Ok(PtcExp3Gains {
-            gain: [self.c1 * (inv_T * inv_T) * inv_T, self.c2 * inv_T * inv_T, self.c3 * inv_T],
+            gain: [
+                self.c1 * (inv_T * inv_T) * inv_T,
+                self.c2 * inv_T * inv_T,
+                self.c3 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

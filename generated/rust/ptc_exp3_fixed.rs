@@ -216,11 +216,7 @@ impl PtcExp3Fixed {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }
@@ -264,7 +260,11 @@ impl PtcExp3Fixed {
             Status::Hold
         };
         Ok(PtcExp3FixedGains {
-            gain: [(-120.0) * (inv_T * inv_T) * inv_T, (-60.0) * inv_T * inv_T, (-12.0) * inv_T],
+            gain: [
+                (-120.0) * (inv_T * inv_T) * inv_T,
+                (-60.0) * inv_T * inv_T,
+                (-12.0) * inv_T,
+            ],
             status,
         })
     }

@@ -336,7 +336,11 @@ impl PtcExp3Result {
             Status::Hold
         };
         Ok(PtcExp3ResultGains {
-            gain: [self.c1 * (inv_T * inv_T) * inv_T, self.c2 * inv_T * inv_T, self.c3 * inv_T],
+            gain: [
+                self.c1 * (inv_T * inv_T) * inv_T,
+                self.c2 * inv_T * inv_T,
+                self.c3 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

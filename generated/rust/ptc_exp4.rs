@@ -372,7 +372,12 @@ impl PtcExp4 {
             Status::Hold
         };
         Ok(PtcExp4Gains {
-            gain: [self.c1 * v1 * v1, self.c2 * v1 * inv_T, self.c3 * inv_T * inv_T, self.c4 * inv_T],
+            gain: [
+                self.c1 * v1 * v1,
+                self.c2 * v1 * inv_T,
+                self.c3 * inv_T * inv_T,
+                self.c4 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

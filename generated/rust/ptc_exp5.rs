@@ -393,7 +393,13 @@ impl PtcExp5 {
             Status::Hold
         };
         Ok(PtcExp5Gains {
-            gain: [self.c1 * (v1 * inv_T) * v1, self.c2 * v1 * v1, self.c3 * v1 * inv_T, self.c4 * inv_T * inv_T, self.c5 * inv_T],
+            gain: [
+                self.c1 * (v1 * inv_T) * v1,
+                self.c2 * v1 * v1,
+                self.c3 * v1 * inv_T,
+                self.c4 * inv_T * inv_T,
+                self.c5 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -420,11 +426,7 @@ impl PtcExp5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

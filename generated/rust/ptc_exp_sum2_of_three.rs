@@ -545,7 +545,10 @@ impl PtcExpSum2OfThree {
             Status::Hold
         };
         Ok(PtcExpSum2OfThreeGains {
-            gain: [self.w1 * inv_r1 * inv_r1, (self.w2 + ((-2.0) * p2)) * inv_r1],
+            gain: [
+                self.w1 * inv_r1 * inv_r1,
+                (self.w2 + ((-2.0) * p2)) * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })

@@ -392,11 +392,7 @@ impl PtcExpSum3 {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }
@@ -550,7 +546,11 @@ impl PtcExpSum3 {
             Status::Hold
         };
         Ok(PtcExpSum3Gains {
-            gain: [self.w1 * (inv_r1 * inv_r1) * inv_r1, (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1, row3 * inv_r1],
+            gain: [
+                self.w1 * (inv_r1 * inv_r1) * inv_r1,
+                (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * inv_r1 * inv_r1,
+                row3 * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })

@@ -592,7 +592,12 @@ impl PtcExpSum4 {
             Status::Hold
         };
         Ok(PtcExpSum4Gains {
-            gain: [self.w1 * v26 * v26, s4 * inv_r1, row3 * inv_r1 * inv_r1, row4 * inv_r1],
+            gain: [
+                self.w1 * v26 * v26,
+                s4 * inv_r1,
+                row3 * inv_r1 * inv_r1,
+                row4 * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })

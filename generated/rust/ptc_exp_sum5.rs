@@ -637,7 +637,13 @@ impl PtcExpSum5 {
             Status::Hold
         };
         Ok(PtcExpSum5Gains {
-            gain: [self.w1 * (v29 * inv_r1) * v29, (s5 + ((-120.0) * p5)) * v29 * v29, row3 * v29 * inv_r1, row4 * inv_r1 * inv_r1, row5 * inv_r1],
+            gain: [
+                self.w1 * (v29 * inv_r1) * v29,
+                (s5 + ((-120.0) * p5)) * v29 * v29,
+                row3 * v29 * inv_r1,
+                row4 * inv_r1 * inv_r1,
+                row5 * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -664,11 +670,7 @@ impl PtcExpSum5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

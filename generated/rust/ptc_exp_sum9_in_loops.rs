@@ -780,7 +780,17 @@ impl PtcExpSum9InLoops {
             Status::Hold
         };
         Ok(PtcExpSum9InLoopsGains {
-            gain: [self.w1 * (v27 * inv_r1) * v27, row[0] * v27 * v27, row3 * v27 * v26, row4 * v26 * v26, row5 * v26 * v25, row6 * v25 * v25, row7 * v25 * inv_r1, row8 * inv_r1 * inv_r1, row9 * inv_r1],
+            gain: [
+                self.w1 * (v27 * inv_r1) * v27,
+                row[0] * v27 * v27,
+                row3 * v27 * v26,
+                row4 * v26 * v26,
+                row5 * v26 * v25,
+                row6 * v25 * v25,
+                row7 * v25 * inv_r1,
+                row8 * inv_r1 * inv_r1,
+                row9 * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })

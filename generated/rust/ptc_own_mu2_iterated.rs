@@ -441,7 +441,10 @@ impl PtcOwnMu2Iterated {
             Status::Hold
         };
         Ok(PtcOwnMu2IteratedGains {
-            gain: [self.w1 * inv_r1 * inv_r1, (self.w2 + ((-2.0) * s3)) * inv_r1],
+            gain: [
+                self.w1 * inv_r1 * inv_r1,
+                (self.w2 + ((-2.0) * s3)) * inv_r1,
+            ],
             u_max: self.u_max,
             status,
         })

@@ -350,11 +350,7 @@ impl PtcPower3 {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }
@@ -415,7 +411,11 @@ impl PtcPower3 {
             Status::Hold
         };
         Ok(PtcPower3Gains {
-            gain: [row1 * (inv_T * inv_T) * inv_T, row2 * inv_T * inv_T, row3 * inv_T],
+            gain: [
+                row1 * (inv_T * inv_T) * inv_T,
+                row2 * inv_T * inv_T,
+                row3 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

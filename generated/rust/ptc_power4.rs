@@ -459,7 +459,12 @@ impl PtcPower4 {
             Status::Hold
         };
         Ok(PtcPower4Gains {
-            gain: [row1 * v2 * v2, row2 * v2 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
+            gain: [
+                row1 * v2 * v2,
+                row2 * v2 * inv_T,
+                row3 * inv_T * inv_T,
+                row4 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

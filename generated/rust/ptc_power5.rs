@@ -505,7 +505,13 @@ impl PtcPower5 {
             Status::Hold
         };
         Ok(PtcPower5Gains {
-            gain: [row1 * (v2 * inv_T) * v2, row2 * v2 * v2, row3 * v2 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
+            gain: [
+                row1 * (v2 * inv_T) * v2,
+                row2 * v2 * v2,
+                row3 * v2 * inv_T,
+                row4 * inv_T * inv_T,
+                row5 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -532,11 +538,7 @@ impl PtcPower5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

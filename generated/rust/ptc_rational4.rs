@@ -400,7 +400,12 @@ impl PtcRational4 {
             Status::Hold
         };
         Ok(PtcRational4Gains {
-            gain: [row1 * v1 * v1, row2 * v1 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
+            gain: [
+                row1 * v1 * v1,
+                row2 * v1 * inv_T,
+                row3 * inv_T * inv_T,
+                row4 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

@@ -439,7 +439,13 @@ impl PtcRational5 {
             Status::Hold
         };
         Ok(PtcRational5Gains {
-            gain: [row1 * (v1 * inv_T) * v1, row2 * v1 * v1, row3 * v1 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
+            gain: [
+                row1 * (v1 * inv_T) * v1,
+                row2 * v1 * v1,
+                row3 * v1 * inv_T,
+                row4 * inv_T * inv_T,
+                row5 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -466,11 +472,7 @@ impl PtcRational5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

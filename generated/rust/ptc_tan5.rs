@@ -640,11 +640,7 @@ impl PtcTan5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

@@ -294,11 +294,7 @@ impl PtcTanh3Extern {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite())
+        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }

@@ -436,7 +436,12 @@ impl PtcTanh4 {
             Status::Hold
         };
         Ok(PtcTanh4Gains {
-            gain: [row1 * v4 * v4, row2 * v4 * inv_T, row3 * inv_T * inv_T, row4 * inv_T],
+            gain: [
+                row1 * v4 * v4,
+                row2 * v4 * inv_T,
+                row3 * inv_T * inv_T,
+                row4 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })

@@ -493,7 +493,13 @@ impl PtcTanh5 {
             Status::Hold
         };
         Ok(PtcTanh5Gains {
-            gain: [row1 * (v4 * inv_T) * v4, row2 * v4 * v4, row3 * v4 * inv_T, row4 * inv_T * inv_T, row5 * inv_T],
+            gain: [
+                row1 * (v4 * inv_T) * v4,
+                row2 * v4 * v4,
+                row3 * v4 * inv_T,
+                row4 * inv_T * inv_T,
+                row5 * inv_T,
+            ],
             u_max: self.u_max,
             status,
         })
@@ -520,11 +526,7 @@ impl PtcTanh5Gains {
         let x3 = x[2];
         let x4 = x[3];
         let x5 = x[4];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
+        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
         {
             return Err(Error::Input);
         }

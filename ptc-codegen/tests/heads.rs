@@ -51,7 +51,7 @@ fn an_element_says_which_gain_it_is() {
     for (language, first, last) in [
         (Language::C, "k[0] is k_1 [1/s^3]", "k[2] is k_3 [1/s]"),
         (Language::Cpp, "k[0] is k_1 [1/s^3]", "k[2] is k_3 [1/s]"),
-        (Language::Rust, "k[0] is k_1 [1/s^3]", "`k[2]` is k_3 in 1/s"),
+        (Language::Rust, "k[0] is k_1 [1/s^3]", r"k\[2\] is k_3 \[1/s\]"),
         (Language::Python, "k[0] is k_1 [1/s^3]", "k[2] is k_3 [1/s]"),
         (Language::Matlab, "k(1) is k_1 [1/s^3]", "k(3) is k_3 [1/s]"),
         (Language::StructuredText, "k[1] is k_1 [1/s^3]", "k[3] is k_3 [1/s]"),

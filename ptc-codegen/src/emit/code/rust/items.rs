@@ -3,7 +3,7 @@
 use super::super::block::Block;
 use super::super::gives::Gives;
 use super::super::text::Text;
-use super::{CHOICE, Rust};
+use super::{ARRAY, CHOICE, Rust};
 use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};
 use crate::parameter::type_name;
 
@@ -185,7 +185,13 @@ impl Rust<'_> {
         for field in &self.code.gains {
             let name = &field.name;
             let value = match field.shape.length() {
-                Some(n) => format!("[{}]", values.by_ref().take(n).collect::<Vec<_>>().join(", ")),
+                Some(n) => {
+                    let own: Vec<_> = values.by_ref().take(n).collect();
+                    match own.join(", ").len() > ARRAY {
+                        true => format!("[\n    {},\n]", own.join(",\n    ")),
+                        false => format!("[{}]", own.join(", ")),
+                    }
+                }
                 None => values.next().unwrap_or_default(),
             };
             self.out.line(format!("{name}: {value},"));

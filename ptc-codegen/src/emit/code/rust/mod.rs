@@ -151,8 +151,14 @@ impl Block for Rust<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
+        let one = format!("if !({})", self.parts(test).join(" && "));
         let line = self.unless("!", test, "\n    && ", " {");
-        let line = if line.contains('\n') { line.replace(") {", ")\n{") } else { line };
+        // The brace goes to a line of its own where there is no room for it.
+        let line = match line.contains('\n') {
+            true if self.out.has_room(&one) => format!("{one}\n{{"),
+            true => line.replace(") {", ")\n{"),
+            false => line,
+        };
         self.out.open(line);
         self.out.line(format!("return Err({}Error::{});", self.runtime, status.name()));
         self.out.close("}");
