@@ -6,6 +6,7 @@ mod support;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
@@ -108,6 +109,29 @@ fn every_golden_in_c_compiles_without_a_warning() {
 }
 
 /// Each a crate of its own, `no_std` for the families that call no function at all.
+#[test]
+fn goldens_in_rust_are_formatted() {
+    if !Command::new("rustfmt").arg("--version").output().is_ok_and(|run| run.status.success()) {
+        eprintln!("NOT RUN: rustfmt cannot be had");
+        return;
+    }
+    // Apart from the workspace, whose style is its own.
+    let folder = std::env::temp_dir().join(format!("ptc_formatted_{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    for (path, text) in wanted() {
+        let Some(name) = path.file_name().filter(|_| path.starts_with("rust")) else { continue };
+        let file = folder.join(name);
+        fs::write(&file, text).expect("a file");
+        let told = Command::new("rustfmt")
+            .args(["--check", "--edition", "2024"])
+            .arg(&file)
+            .output()
+            .expect("rustfmt");
+        assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stdout));
+    }
+    fs::remove_dir_all(&folder).expect("its end");
+}
+
 #[test]
 fn every_golden_in_rust_compiles_without_a_warning() {
     let folder = folder("golden_rust");

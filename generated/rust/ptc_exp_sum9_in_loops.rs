@@ -639,15 +639,7 @@ impl PtcExpSum9InLoops {
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
         let weights = [
-            self.w2,
-            self.w3,
-            self.w4,
-            self.w5,
-            self.w6,
-            self.w7,
-            self.w8,
-            self.w9,
-            -362880.0
+            self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
         let tail = [p2, p3, p4, p5, p6, p7, p8, p9];
         let row = Self::rows(weights, &tail);
@@ -752,15 +744,7 @@ impl PtcExpSum9InLoops {
         let p8 = ((self.b8_1 * v22) + (self.b8_2 * v24)) * inv_r1;
         let p9 = ((self.b9_1 * v22) + (self.b9_2 * v24)) * inv_r1;
         let weights = [
-            self.w2,
-            self.w3,
-            self.w4,
-            self.w5,
-            self.w6,
-            self.w7,
-            self.w8,
-            self.w9,
-            -362880.0
+            self.w2, self.w3, self.w4, self.w5, self.w6, self.w7, self.w8, self.w9, -362880.0,
         ];
         let tail = [p2, p3, p4, p5, p6, p7, p8, p9];
         let row = Self::rows(weights, &tail);

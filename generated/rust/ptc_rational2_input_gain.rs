@@ -282,7 +282,11 @@ impl PtcRational2InputGain {
         let row2 = (self.c2_1 * inv_T) + 2.0;
         let v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
         let input_gain = 2.0 + (x1 * x1);
-        let v = if input_gain < 0.0 || input_gain > 0.0 { v1 / input_gain } else { f64::NAN };
+        let v = if input_gain < 0.0 || input_gain > 0.0 {
+            v1 / input_gain
+        } else {
+            f64::NAN
+        };
         let (u, status) = if self.u_max < v {
             (self.u_max, Status::Saturated)
         } else if v < -self.u_max {

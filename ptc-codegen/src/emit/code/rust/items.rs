@@ -3,7 +3,7 @@
 use super::super::block::Block;
 use super::super::gives::Gives;
 use super::super::text::Text;
-use super::{ARRAY, CHOICE, Rust};
+use super::{CHOICE, Rust};
 use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};
 use crate::parameter::type_name;
 
@@ -187,10 +187,7 @@ impl Rust<'_> {
             let value = match field.shape.length() {
                 Some(n) => {
                     let own: Vec<_> = values.by_ref().take(n).collect();
-                    match own.join(", ").len() > ARRAY {
-                        true => format!("[\n    {},\n]", own.join(",\n    ")),
-                        false => format!("[{}]", own.join(", ")),
-                    }
+                    self.array_text("[", &own, "]")
                 }
                 None => values.next().unwrap_or_default(),
             };

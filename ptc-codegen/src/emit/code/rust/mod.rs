@@ -96,8 +96,8 @@ impl Text for Rust<'_> {
     }
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
-        let nan = format!("{}::NAN", self.type_of(Shape::Real));
-        (Level::Choice, format!("if {b} < 0.0 || {b} > 0.0 {{ {a} / {b} }} else {{ {nan} }}"))
+        let (test, yes, no) = self.divisible(a, b);
+        (Level::Choice, format!("if {test} {{ {yes} }} else {{ {no} }}"))
     }
 
     fn finite(&self, value: &str) -> String {
@@ -141,13 +141,15 @@ impl Block for Rust<'_> {
     /// A choice is a block each way where rustfmt makes it one.
     fn value(&self, value: &Expr) -> String {
         let text = self.alone(value);
-        match value {
-            Expr::Choose(test, yes, no) if text.len() > CHOICE => {
-                let (test, yes, no) = (self.test(test), self.alone(yes), self.alone(no));
-                format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
+        let (test, yes, no) = match value {
+            _ if text.len() <= CHOICE => return text,
+            Expr::Choose(test, yes, no) => (self.test(test), self.alone(yes), self.alone(no)),
+            Expr::Quotient(a, b) => {
+                self.divisible(&self.within(a, Level::Atom), &self.within(b, Level::Atom))
             }
-            _ => text,
-        }
+            _ => return text,
+        };
+        format!("if {test} {{\n    {yes}\n}} else {{\n    {no}\n}}")
     }
 
     fn require(&mut self, test: &Test, status: Status) {
@@ -166,14 +168,14 @@ impl Block for Rust<'_> {
 
     fn array(&mut self, name: &str, values: &[Expr]) {
         let list = self.list(values);
-        let line = self.out.list(&format!("let {name} = &["), &list, "];");
+        let line = self.array_text(&format!("let {name} = &["), &list, "];");
         self.out.line(line);
     }
 
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
         for (array, values) in [("weights", weights), ("tail", tail)] {
             let list = self.list(values);
-            let line = self.out.list(&format!("let {array} = ["), &list, "];");
+            let line = self.array_text(&format!("let {array} = ["), &list, "];");
             self.out.line(line);
         }
         self.out.line(format!("let {name} = Self::rows(weights, &tail);"));
@@ -208,10 +210,7 @@ impl Block for Rust<'_> {
             Gives::Rate | Gives::Array => {
                 let (before, behind) =
                     if self.gives == Gives::Rate { ("Ok([", "])") } else { ("[", "]") };
-                let line = match list.join(", ").len() > ARRAY {
-                    true => format!("{before}\n    {},\n{behind}", list.join(",\n    ")),
-                    false => format!("{before}{}{behind}", list.join(", ")),
-                };
+                let line = self.array_text(before, &list, behind);
                 self.out.line(line);
             }
             Gives::Number => self.out.line(list.join(", ")),
@@ -228,8 +227,9 @@ impl Block for Rust<'_> {
     }
 }
 
-/// Columns of an array in one line.
-const ARRAY: usize = 58;
+/// Columns of an array in one line, and of each of its elements where several stand in a line.
+const ARRAY: usize = 60;
+const SHORT: usize = 10;
 
 /// Columns of a choice in one line.
 const CHOICE: usize = 50;
@@ -247,6 +247,33 @@ impl<'a> Rust<'a> {
             Shape::Reals(length) => format!("[{real}; {length}]"),
             Shape::Gains => format!("{}Gains", type_name(&self.code.name)),
         }
+    }
+
+    /// When a quotient exists, it, and what stands for it else.
+    fn divisible(&self, a: &str, b: &str) -> (String, String, String) {
+        let nan = format!("{}::NAN", self.type_of(Shape::Real));
+        (format!("{b} < 0.0 || {b} > 0.0"), format!("{a} / {b}"), nan)
+    }
+
+    /// An array in as many lines as rustfmt gives it.
+    fn array_text(&self, before: &str, list: &[String], behind: &str) -> String {
+        let one = list.join(", ");
+        if one.len() <= ARRAY {
+            return format!("{before}{one}{behind}");
+        }
+        let mut lines: Vec<String> = Vec::new();
+        for value in list {
+            match lines.last_mut() {
+                Some(last)
+                    if list.iter().all(|value| value.len() <= SHORT)
+                        && self.out.has_room(&format!("    {last} {value},")) =>
+                {
+                    last.push_str(&format!(" {value},"));
+                }
+                _ => lines.push(format!("{value},")),
+            }
+        }
+        format!("{before}\n    {}\n{behind}", lines.join("\n    "))
     }
 
     fn list(&self, values: &[Expr]) -> Vec<String> {
