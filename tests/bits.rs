@@ -5,6 +5,9 @@ mod support;
 
 use std::collections::BTreeMap;
 
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::code::{self, Code, Instance, Status};
+use ptc_codegen::controller::{self, Controller};
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
 use ptc_codegen::law::Law;
@@ -86,6 +89,32 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
     }
 }
 
+/// What the program of the whole controller gives for a record: the status of `init`, and what `step`
+/// and `axis` give.
+fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i32> {
+    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
+    for (parameter, value) in spec.run_time_parameters().zip(&record.parameters) {
+        match given.last_mut() {
+            Some((key, values)) if *key == parameter.key() => values.push(*value),
+            _ => given.push((parameter.key(), vec![*value])),
+        }
+    }
+    let given: Vec<_> = given.iter().map(|(key, values)| (*key, values.as_slice())).collect();
+    let mut controller = Instance::new(code, &given).map_err(Status::number)?;
+    let (t, x) = (("t", [record.t]), ("x", record.x.as_slice()));
+    let t = (t.0, t.1.as_slice());
+    let outcome = |found: &code::Outcome| {
+        (found.status.number(), found.results.get("u").map_or(0.0, |u| u[0]))
+    };
+    let step = outcome(&controller.call("step", &[t, x]));
+    let gains = controller.call("tick", &[t]);
+    let axis = match gains.status.number() {
+        failed if failed < 0 => (failed, 0.0),
+        _ => outcome(&controller.gains(&gains).call("axis", &[x])),
+    };
+    Ok([step, axis])
+}
+
 /// The program before the passes and after each of them, by name.
 fn stages(spec: &Spec) -> Vec<(&'static str, Program)> {
     let program = lower(spec, &Law::of(spec));
@@ -107,6 +136,25 @@ fn agree(spec: &Spec, records: &[Record], c: &[Outcome], rust: &[Outcome]) {
             let wanted = [c.step, c.axis].map(bits);
             assert_eq!(found, wanted, "after {pass}: C {c:?}\n{spec:?}\n{record:?}");
         }
+    }
+}
+
+/// The whole controller gives what C gives, whatever the record.
+fn agrees_as_a_whole(spec: &Spec, records: &[Record], c: &[Outcome]) {
+    let report = examine(spec);
+    let law = Law::of(spec);
+    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
+    let code = controller::whole(&Controller {
+        report: &report,
+        law: &law,
+        program: &program,
+        measured: &[],
+    });
+    for (record, c) in records.iter().zip(c).step_by(INTERPRETED) {
+        let bits = |(status, u): (i32, f64)| (status, u.to_bits());
+        let wanted = if c.init == 0 { Ok([c.step, c.axis].map(bits)) } else { Err(c.init) };
+        let found = whole(&code, spec, record).map(|calls| calls.map(bits));
+        assert_eq!(found, wanted, "C {c:?}\n{spec:?}\n{record:?}");
     }
 }
 
@@ -140,6 +188,7 @@ fn languages_and_passes_agree_bit_for_bit() {
         let records = records(spec, &mut random, RECORDS);
         let (c, rust) = (c.run(&records), rust.run(&records));
         agree(spec, &records, &c, &rust);
+        agrees_as_a_whole(spec, &records, &c);
         c
     });
     let mut statuses = BTreeMap::new();

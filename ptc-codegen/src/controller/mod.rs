@@ -9,6 +9,7 @@ use crate::law::Law;
 use crate::program::digits::{self, Condition};
 use crate::program::{Op, Program};
 use crate::request::Spec;
+pub use code::whole;
 use measured::Measured;
 use plan::{Field, Plan};
 

@@ -9,9 +9,22 @@ use super::Controller;
 use super::plan::{Field, Plan, Routine};
 use crate::code::{Callback, Code, Expr, Shape, Statement, Test, Variable};
 use crate::internal::fault;
+use crate::parameter::Parameter;
 use crate::program::{Op, Value};
 use crate::request::{After, Feedback, Guard, Spec, What};
 use body::{Body, body};
+
+/// The controller as a program that the interpreter runs.
+pub fn whole(controller: &Controller<'_>) -> Code {
+    let parameters: Vec<_> = controller.spec().run_time_parameters().collect();
+    let variable = |group: &[Parameter]| {
+        let first = group.first()?;
+        let shape = first.index().map_or(Shape::Real, |_| Shape::Reals(group.len()));
+        Some(Variable::new(first.key(), shape, first.meaning()))
+    };
+    let groups = parameters.chunk_by(|a, b| a.key() == b.key());
+    code(controller, Vec::new(), groups.filter_map(variable).collect())
+}
 
 /// The controller as a program, with the head of its file and its parameters as they are declared.
 pub(crate) fn code(
