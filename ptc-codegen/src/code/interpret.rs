@@ -223,7 +223,7 @@ impl<'b> Frame<'_, 'b> {
                     self.locals.insert(Cow::from(name), Held::Reals(values));
                 }
                 Statement::Rows { name, tail, weights } => {
-                    let [tail, weights] =
+                    let [tail, weights]: [Vec<f64>; 2] =
                         [tail, weights].map(|list| list.iter().map(|v| self.real(v)).collect());
                     let values = self.rows(&tail, &weights);
                     self.locals.insert(Cow::from(name), Held::Reals(values));
@@ -239,7 +239,7 @@ impl<'b> Frame<'_, 'b> {
         None
     }
 
-    fn rows(&self, tail: &Vec<f64>, weights: &Vec<f64>) -> Vec<f64> {
+    fn rows(&self, tail: &[f64], weights: &[f64]) -> Vec<f64> {
         let settle = |value| number::settle(value, self.precision);
         rows(tail, weights, |a, b| settle(a + b), |a, b| settle(a * b))
     }

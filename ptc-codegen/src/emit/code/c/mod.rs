@@ -14,6 +14,9 @@ use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status}
 use crate::emit::{File, apart::apart};
 use crate::parameter::Precision;
 
+/// The lines behind an iteration with a tolerance, in numbers of a type.
+type Behind = fn(&Solve, tolerance: &str, real: &str) -> Vec<String>;
+
 /// What is added to the files of a controller for a proof.
 #[derive(Default)]
 pub(in crate::emit) struct Notes {
@@ -22,7 +25,7 @@ pub(in crate::emit) struct Notes {
     /// Contracts by the names of functions, each a comment before a prototype.
     pub(in crate::emit) contracts: BTreeMap<&'static str, String>,
     /// The lines behind an iteration.
-    pub(in crate::emit) behind: Option<fn(&Solve, tolerance: &str, real: &str) -> Vec<String>>,
+    pub(in crate::emit) behind: Option<Behind>,
 }
 
 /// The header and the source of a controller.
