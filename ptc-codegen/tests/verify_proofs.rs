@@ -280,10 +280,10 @@ fn a_disturbance_is_held_against_its_worst_signal() {
             states.try_inverse().expect("an inverse") * &last
         };
         let back: Vec<_> = rows.iter().map(back).collect();
-        let mut peaks = [0.0_f64; 2];
+        let mut peaks = [0.0_f64; 4];
         for (at, rows) in rows.iter().enumerate() {
-            // The worst f turns with the kernel of what it acts on: x_1, or u.
-            for (peak, i) in peaks.iter_mut().zip([0, n]) {
+            // The worst f turns with the kernel of what it acts on: x_1, or u. A constant one does not.
+            for (k, i) in [0, n].into_iter().enumerate() {
                 let kernel = |k: usize| (rows * &back[k])[i];
                 let area = |f: fn(f64) -> f64| -> f64 {
                     let mean = |k: usize| 0.5 * (f(kernel(k)) + f(kernel(k + 1)));
@@ -292,28 +292,59 @@ fn a_disturbance_is_held_against_its_worst_signal() {
                 let (signed, size) = (area(|x| x), area(f64::abs));
                 // From x0 = (1, 0, ...).
                 let alone = rows[(i, 0)] + middle * signed;
-                *peak = peak.max(alone.abs() + most * size);
+                peaks[k] = peaks[k].max(alone.abs() + most * size);
+                peaks[k + 2] = peaks[k + 2].max(alone.abs() + most * signed.abs());
             }
         }
-        let design = |more: &str| {
+        let design = |signal: &str, more: &str| {
             let zeros: String = (2..=n).map(|j| format!("x{j} = 0\n")).collect();
             format!(
                 "n = {n}\n{}\ng = {g}\n{words}\n[params]\ntau = {tau}\n[plant]\nf = \"{share}*d\"\n\
-                 d = [-0.7, 1.3]\n[disturbance]\nd = \"any\"\n[verify]\nuntil = {until}\nx1 = 1\n{zeros}{more}",
+                 d = [-0.7, 1.3]\n[disturbance]\nd = \"{signal}\"\n[verify]\nuntil = {until}\nx1 = 1\n{zeros}{more}",
                 kappa.0
             )
         };
-        let mut objectives = String::new();
-        for factor in [1.1, 0.98] {
-            let [x, u] = peaks.map(|peak| factor * peak);
-            objectives.push_str(&format!(
-                "[[objective]]\nbound = \"within\"\nh = \"x1\"\nlow = -{x}\nhigh = {x}\n\
-                 [[objective]]\nbound = \"input\"\nupsilon = {u}\n"
-            ));
+        for (signal, peaks) in [("any", &peaks[..2]), ("constant", &peaks[2..])] {
+            let mut objectives = String::new();
+            for factor in [1.05, 0.98] {
+                let [x, u] = [0, 1].map(|k| factor * peaks[k]);
+                objectives.push_str(&format!(
+                    "[[objective]]\nbound = \"within\"\nh = \"x1\"\nlow = -{x}\nhigh = {x}\n\
+                     [[objective]]\nbound = \"input\"\nupsilon = {u}\n"
+                ));
+            }
+            let text = design(signal, &objectives);
+            let found = proved(&text);
+            assert_eq!(found, [true, true, false, false], "round {round}, {peaks:?}\n{text}");
         }
-        let text = design(&objectives);
-        let found = proved(&text);
-        assert_eq!(found, [true, true, false, false], "round {round}, {peaks:?}\n{text}");
+    }
+}
+
+/// With n = 1 and pole -2, f = 1 makes x the integral of e^(-2 s) mu'(t - s), which is mu'/2 (1 + d/2 +
+/// ...) with the decay d = -mu''/mu' of mu', where the stretched time t is long.
+#[test]
+fn a_disturbance_is_followed_through_thousands_of_time_constants() {
+    let c = std::f64::consts::FRAC_PI_2;
+    let w = 1e-3_f64;
+    for (mapping, slope, decay) in [
+        ("rational(a=1)", w * w, 2.0 * w),
+        ("power(a=1,m=2)", w.powi(3), 3.0 * w * w),
+        ("tan(a=1)", (c * w).sin().powi(2) / c, (2.0 * c * w).sin()),
+    ] {
+        let x = 0.5 * slope * (1.0 + 0.5 * decay);
+        let text = |tau: &str| {
+            format!(
+                "n = 1\nmu = \"{mapping}\"\npoles = [-2]\n[plant]\nf = \"d\"\nd = [-1, 1]\n\
+                 [disturbance]\nd = \"any\"\n[verify]\nuntil = {w}\ntau = {tau}\nx1 = [-1, 1]\n\
+                 [[objective]]\nbound = \"attractive\"\nerror = {}\n\
+                 [[objective]]\nbound = \"attractive\"\nerror = {}\n",
+                1.001 * x,
+                0.999 * x
+            )
+        };
+        assert_eq!(proved(&text("1")), [true, false], "{mapping}");
+        // x is as long as tau.
+        assert_eq!(proved(&text("[0.5, 1]")), [true, false], "{mapping}");
     }
 }
 

@@ -9,7 +9,8 @@ use std::rc::Rc;
 
 use super::clock::Clock;
 use super::flow::{Flow, Rows, dot};
-use super::forced::{Response, Source};
+use super::forced::Response;
+use super::weight::Weight;
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
@@ -30,6 +31,8 @@ pub(super) struct Cell {
     /// What f adds to each at the least T/tau and at the greatest, with what it may add beyond both
     /// between them; none where f is 0.
     pub(super) added: Option<[Vec<Range>; 2]>,
+    /// About what f adds at most.
+    pub(super) about: Vec<Range>,
 }
 
 /// The loop in units of tau.
@@ -41,12 +44,42 @@ pub(super) struct Loop {
     start: Rows,
     cells: BTreeMap<[BigRational; 2], Option<Rc<Cell>>>,
     left: usize,
-    /// The middle of f and its distance from there, where it is not 0.
-    drift: Option<[Range; 2]>,
-    /// What f adds at the T/tau that were asked for.
-    driven: BTreeMap<BigRational, Rc<Vec<Range>>>,
-    pub(super) sources: Vec<Source>,
+    /// What f is within, where it is not 0.
+    drift: Option<Drift>,
+    /// How the loop answers f at the T/tau that were asked for.
+    driven: BTreeMap<BigRational, Rc<Response>>,
+    pub(super) weight: Option<Rc<Weight>>,
+    /// Pieces of lags that may be looked at.
+    pub(super) pieces: u64,
 }
+
+/// What f is within.
+#[derive(Clone, Copy)]
+pub(super) struct Drift {
+    /// Its middle.
+    pub(super) middle: Range,
+    /// How far it may be from there for all of a run.
+    pub(super) constant: Range,
+    /// How far it may be from that, as any signal.
+    pub(super) varying: Range,
+}
+
+impl Drift {
+    /// What f adds.
+    fn of(self, signed: Range, size: Range) -> Range {
+        self.middle * signed
+            + (self.constant * signed).both_signs()
+            + (self.varying * size).both_signs()
+    }
+
+    /// The greatest |f|.
+    fn most(self) -> Range {
+        self.middle.size() + self.constant + self.varying
+    }
+}
+
+/// Pieces of lags for all cells.
+const PIECES: u64 = 1_000_000;
 
 impl Loop {
     /// The loop of a flow and a mapping, of which at most so many cells may be looked at.
@@ -62,14 +95,14 @@ impl Loop {
             let row = (0..n).map(entry).collect();
             start.push(row);
         }
-        let (drift, driven, sources) = (None, BTreeMap::new(), Vec::new());
+        let (drift, driven, weight, pieces) = (None, BTreeMap::new(), None, PIECES);
         let (known, left) = (BTreeMap::new(), cells);
-        Some(Self { n, flow, clock, start, cells: known, left, drift, driven, sources })
+        Some(Self { n, flow, clock, start, cells: known, left, drift, driven, weight, pieces })
     }
 
     /// The same with an f between two bounds, in a run to `until`.
-    pub(super) fn with_drift(mut self, drift: [Range; 2], until: &BigRational) -> Option<Self> {
-        self.sources = self.sources(until)?;
+    pub(super) fn with_drift(mut self, drift: Drift, until: &BigRational) -> Option<Self> {
+        self.weight = Some(Rc::new(Weight::new(&mut self.clock, self.n, until)?));
         self.drift = Some(drift);
         Some(self)
     }
@@ -114,14 +147,23 @@ impl Loop {
             true => Range::from(0.0),
             false => Range::from(&Interval::exact(&((high - low) / integer(2)))),
         };
+        let mut about = vec![Range::from(0.0); n + 1];
         let added = match self.drift {
             None => None,
             Some(drift) => {
-                let rest = self.beyond(drift, (share, half), (&here, around), over_cell)?;
-                let with = |ends: &[Range]| {
-                    ends.iter().zip(&rest).map(|(end, rest)| *end + *rest).collect()
+                let [last, first] = [self.answer(low)?, self.answer(high)?];
+                let rest = self.beyond(share, half, &over_cell, &last)?;
+                for (i, about) in about.iter_mut().enumerate() {
+                    let at = |end: &Response| drift.of(end.signed[i], end.size[i]);
+                    *about = at(&last).hull(at(&first));
+                }
+                let with = |end: &Response| {
+                    let row = |i: usize| {
+                        let rest = drift.most() * rest[i];
+                        drift.of(end.signed[i], end.size[i]) + rest.both_signs()
+                    };
+                    (0..=n).map(row).collect()
                 };
-                let [last, first] = [self.added_at(low)?, self.added_at(high)?];
                 Some([with(&last), with(&first)])
             }
         };
@@ -132,46 +174,19 @@ impl Loop {
             middle: [from(&centre, 0), from(&centre, 1)],
             over: [from(&rows, 0), from(&rows, 1), from(&rows, 2)],
             added,
+            about,
         })
     }
 
-    /// What f adds to x_1..x_n and g u at one T/tau.
-    fn added_at(&mut self, share: &BigRational) -> Option<Rc<Vec<Range>>> {
+    /// How x_1..x_n and g u answer f at one T/tau.
+    fn answer(&mut self, share: &BigRational) -> Option<Rc<Response>> {
         if let Some(known) = self.driven.get(share) {
             return Some(known.clone());
         }
-        let [drift, most] = self.drift?;
         let here = self.clock.stretched(share)?;
-        let mut table = self.table(&Interval::exact(share), &here)?;
-        table.truncate(self.n + 1);
-        let Response { signed, size } = self.response(share, &here, &table)?;
-        let one = |(signed, size): (Range, Range)| drift * signed + (most * size).both_signs();
-        let added = Rc::new(signed.into_iter().zip(size).map(one).collect::<Vec<_>>());
-        self.driven.insert(share.clone(), added.clone());
-        Some(added)
-    }
-
-    /// What f may add within a cell beyond what it adds at its ends. With the kernel G of x_i, for s
-    /// before the cell G(t, s) is within h^2/2 |G''| of what is linear between the ends, of which the
-    /// integral of the size is greatest at one of them. What acts within the cell adds at most |G|
-    /// there over 2 h, once to what is left and once to what an end has of it.
-    fn beyond(
-        &mut self,
-        [drift, most]: [Range; 2],
-        (share, half): (&[BigRational; 2], Range),
-        around: (&Interval, Range),
-        table: Rows,
-    ) -> Option<Vec<Range>> {
-        if half == Range::from(0.0) {
-            return Some(vec![half; self.n + 1]);
-        }
-        let (bent, within) = self.response_over(share, around, table)?;
-        let all = drift.size() + most.size();
-        let one = |(bent, within): (&Range, &Range)| {
-            let bent = Range::from(0.5) * half * half * *bent;
-            (all * (bent + Range::from(4.0) * half * *within)).both_signs()
-        };
-        Some(bent.iter().zip(&within).map(one).collect())
+        let answer = Rc::new(self.response(&Interval::exact(share), &here, None)?);
+        self.driven.insert(share.clone(), answer.clone());
+        Some(answer)
     }
 
     /// B_{i,j} w^i, for x_1 and its derivatives.

@@ -6,7 +6,7 @@ use std::ops::Add;
 use super::Campaign;
 use super::flow::Rows;
 use super::form::Values;
-use super::series::{Arithmetic, Series, product};
+use super::series::{Arithmetic, Series, power, product};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::expansion::bell::factorials;
 use crate::expression::enclosure::{Evaluator, Names};
@@ -108,26 +108,49 @@ impl Clock {
     fn root(&mut self, form: &Expression, target: &Interval) -> Option<Interval> {
         let number =
             |value: f64| BigRational::from_float(value).map(|value| Interval::exact(&value));
-        let mut is_early = |t: f64| {
-            let excess = self.value(form, Variable::SinceStart, &number(t)?)?;
-            Some(excess.plus(&target.neg()))
+        let goal = target.about()[0].ln();
+        // On which side of the root a time certainly is, and about how far its logarithm is off.
+        let mut side = |t: f64| {
+            let value = self.value(form, Variable::SinceStart, &number(t)?)?;
+            let excess = value.plus(&target.neg());
+            let side = i8::from(excess.is_positive()) - i8::from(excess.is_negative());
+            Some((side, value.about()[0].ln() - goal))
         };
-        let (mut low, mut high) = (0.0, 1.0);
-        while !is_early(high)?.is_negative() {
-            (low, high) = (high, 2.0 * high);
-            (high < 1e15).then_some(())?;
+        let (mut low, mut high) = ((0.0, side(0.0)?.1), (1.0, side(1.0)?));
+        while high.1.0 >= 0 {
+            low = (high.0, high.1.1);
+            high = (2.0 * high.0, side(2.0 * high.0)?);
+            (high.0 < 1e15).then_some(())?;
         }
-        // Each end is moved as long as it is certain on which side of the root it is.
+        let mut high = (high.0, high.1.1);
+        // A mapping decays about like an exponential, so that the chord of the logarithm comes close;
+        // what it gives is looked at on either side, by as much as it moved.
+        let mut last = f64::INFINITY;
         for _ in 0..64 {
-            let middle = 0.5 * (low + high);
-            let excess = is_early(middle)?;
-            match () {
-                () if excess.is_positive() => low = middle,
-                () if excess.is_negative() => high = middle,
-                () => break,
+            let middle = 0.5 * low.0 + 0.5 * high.0;
+            let chord = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
+            let at = if chord > low.0 && chord < high.0 { chord } else { middle };
+            let moved = (at - last).abs().min(high.0 - low.0);
+            let away = (0.01 * moved).max(2.0 * f64::EPSILON * at);
+            last = at;
+            let before = high.0 - low.0;
+            for t in [at - away, at + away, middle] {
+                // The middle is asked where the others left much.
+                let is_inside = t > low.0 && t < high.0;
+                if !is_inside || (t == middle && high.0 - low.0 <= 0.5 * before) {
+                    continue;
+                }
+                match side(t)? {
+                    (1, off) => low = (t, off),
+                    (-1, off) => high = (t, off),
+                    _ => {}
+                }
+            }
+            if high.0 - low.0 >= before || high.0 - low.0 <= 8.0 * f64::EPSILON * high.0 {
+                break;
             }
         }
-        Some(number(low)?.hull(&number(high)?))
+        Some(number(low.0)?.hull(&number(high.0)?))
     }
 
     /// kappa^(k) w^k/k! for k = 1..order, w = T/tau over all of `share` and kappa in units of
@@ -162,17 +185,71 @@ impl Clock {
                 (1..).zip(&slope[..self.order]).map(term).collect()
             }
             Form::Complement(form) => {
-                let mut around = unit(0.0, 1.0);
-                around[0] = Range::from(&stretched.over(&self.rate));
-                let series = Series { scale: Range::from(1.0), terms: around };
-                let (names, evaluator) = (&self.names, &mut self.evaluator);
-                let variable = Variable::SinceStart;
-                let falls = Arithmetic { variable, series, names, evaluator }.series(&form)?;
-                reversed(&falls.neg().plain(), &Range::from(share))
+                let fallen = self.fallen(&form, stretched)?;
+                reversed(&fallen, &Range::from(share))
             }
         };
         let rate = Range::from(&self.rate);
         Some(terms.iter().map(|term| *term * rate).collect())
+    }
+
+    /// Coefficients of mu around a time, from that of the order 0 on, which is another.
+    fn fallen(&mut self, form: &Expression, stretched: &Interval) -> Option<Vec<Range>> {
+        let mut terms = vec![Range::from(0.0); self.order + 1];
+        terms[0] = Range::from(&stretched.over(&self.rate));
+        terms[1] = Range::from(1.0);
+        let series = Series { scale: Range::from(1.0), terms };
+        let (names, evaluator) = (&self.names, &mut self.evaluator);
+        let variable = Variable::SinceStart;
+        Some(Arithmetic { variable, series, names, evaluator }.series(form)?.neg().plain())
+    }
+
+    /// Whether mu is what is given of the mapping.
+    pub(super) fn is_of_mu(&self) -> bool {
+        matches!(self.form, Form::Complement(_))
+    }
+
+    /// mu'^n, and its Taylor coefficients by stretched time as parts of it, of the orders 0 to `order`:
+    /// over all of `share` or, where mu is given, of `stretched`.
+    pub(super) fn weight(
+        &mut self,
+        n: usize,
+        order: usize,
+        share: &Interval,
+        stretched: &Interval,
+    ) -> Option<(Range, Vec<Range>)> {
+        let rate = Range::from(&self.rate);
+        let one = Range::from(1.0);
+        let (mut terms, scale) = match self.form.clone() {
+            Form::Kappa(_) => {
+                let mut kappa = vec![Range::from(0.0)];
+                kappa.extend(self.derivatives(share, stretched)?);
+                kappa.truncate(order + 2);
+                (reversed(&kappa, &one), Range::from(share))
+            }
+            Form::Complement(form) => {
+                let mut mu = self.fallen(&form, stretched)?.split_off(1);
+                let mut unit = one;
+                for term in &mut mu {
+                    unit = unit / rate;
+                    *term = *term * unit;
+                }
+                (mu, one)
+            }
+        };
+        terms.truncate(order + 1);
+        for (k, term) in (1_u32..).zip(&mut terms) {
+            *term = *term * Range::from(f64::from(k));
+        }
+        let first = terms[0];
+        if !first.is_positive() || !terms.iter().all(|term| term.is_bounded()) {
+            return None;
+        }
+        terms.iter_mut().for_each(|term| *term = *term / first);
+        terms[0] = one;
+        let leading = (first * scale).power(i32::try_from(n).ok()?);
+        let exponent = Range::from(f64::from(u32::try_from(n).ok()?));
+        Some((leading, power(&terms, exponent)))
     }
 
     /// B_{i,j}(kappa', kappa'', ...) w^i for 0 <= j <= i <= order, which BB\[mu\] is made of; none

@@ -21,10 +21,19 @@ use crate::program::{Input, Program, number, passes};
 use crate::request::{Spec, What};
 
 /// Cells at which the program may be looked at.
-const MOST: usize = 20_000;
+const MOST: u32 = 20_000;
 
-/// A cell is halved until T/tau and tau change by less than one part of as many in it.
+/// A cell is not halved where T/tau and tau change by less than one part of as many in it.
 const NARROW: i64 = 256;
+
+/// What a bound of an error may be of that in the middle of its cell.
+const CLOSE: f64 = 4.0;
+
+/// Cells after which twice as much may be, again and again: a close bound is of less use than one.
+const PATIENCE: f64 = 1000.0;
+
+/// What it may be of the greatest of these, however far from that of its own cell.
+const SMALL: f64 = 1.0 / 1024.0;
 
 /// The emitted program over the envelope.
 pub(super) struct Emitted {
@@ -42,8 +51,9 @@ impl Emitted {
         let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
         let precision = program.precision;
         let mut left: Vec<Box> = prover.run();
-        let mut errors = Vec::new();
-        for _ in 0..MOST {
+        let (mut errors, mut greatest) = (Vec::new(), 0.0_f64);
+        for looked_at in 0_u32..MOST {
+            let close = CLOSE * (f64::from(looked_at) / PATIENCE).exp2();
             let Some((share, tau)) = left.pop() else {
                 return Ok(Self { precision: precision.name(), errors });
             };
@@ -52,13 +62,27 @@ impl Emitted {
             let least = BigRational::new(1.into(), NARROW.into());
             let narrow = of_share <= least && of_tau <= least;
             let what = match prover.states(&share, &tau) {
-                // A wide cell whose rest is most of x gives a bound of no use.
-                Some((_, false)) if !narrow => None,
                 None => Some("x, which is not bounded,".to_owned()),
-                Some((states, _)) => match over(&program, &spec, (&share, &tau), &states) {
+                Some([states, middle]) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {
-                        errors.push((outwards(&share), error));
-                        continue;
+                        let is_close =
+                            narrow || error.is_some_and(|error| error <= SMALL * greatest) || {
+                                let [share, tau] = [&share, &tau].map(middle_of);
+                                let here = over(&program, &spec, (&share, &tau), &middle);
+                                match (error, here.ok().flatten()) {
+                                    (None, here) => here.is_none(),
+                                    (Some(_), None) => false,
+                                    (Some(error), Some(here)) => {
+                                        greatest = greatest.max(here);
+                                        error <= close * here
+                                    }
+                                }
+                            };
+                        if is_close {
+                            errors.push((outwards(&share), error));
+                            continue;
+                        }
+                        None
                     }
                     Err(what) => Some(what),
                 },
@@ -72,7 +96,16 @@ impl Emitted {
                     at(&tau[0])
                 ));
             }
-            if of_share >= of_tau {
+            // Where x is not enclosed closely at one tau, T/tau is what has to be halved.
+            let at_one = prover.states(&share, &middle_of(&tau));
+            let is_loose = at_one.is_none_or(|[states, middle]| {
+                states.iter().zip(&middle).any(|(x, about)| size(x) > 2.0 * size(about))
+            });
+            let is_share = match () {
+                () if of_tau <= least || of_share <= least => of_share >= of_tau,
+                () => is_loose || tau[0] == tau[1],
+            };
+            if is_share {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));
             } else {
                 left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
@@ -100,6 +133,16 @@ impl Emitted {
              {of_u}; sampling, and what rounding makes of x, are not included"
         )
     }
+}
+
+/// The middle of an interval.
+fn middle_of([low, high]: &[BigRational; 2]) -> [BigRational; 2] {
+    let middle = (low + high) / integer(2);
+    [middle.clone(), middle]
+}
+
+fn size([low, high]: &[f64; 2]) -> f64 {
+    low.abs().max(high.abs())
 }
 
 /// Doubles that hold an interval; long fractions take long to compare.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::Add;
+use std::rc::Rc;
 
 use num_traits::{One, ToPrimitive};
 
@@ -20,6 +21,17 @@ const STEP: f64 = 0.25;
 const FINE: u64 = 256;
 const COARSE: u64 = 512;
 
+/// Order up to which e^(At) e_n is taken around a node.
+pub(super) const TERMS: usize = 8;
+
+/// e^(At) e_n =: phi around a node, for xi_1..xi_n and the last row of A phi after them.
+pub(super) struct Impulse {
+    /// The Taylor coefficients of each.
+    pub(super) terms: Rows,
+    /// The greatest |phi_j| at the node.
+    pub(super) size: Range,
+}
+
 /// The companion matrix A of gains, in units of time in which they are about 1, and e^(At) at the
 /// nodes 2^-grid k.
 pub(super) struct Flow {
@@ -33,6 +45,7 @@ pub(super) struct Flow {
     /// The same, in doubles.
     rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
+    impulses: BTreeMap<u64, Rc<Impulse>>,
 }
 
 /// sum_j a_j b_j.
@@ -64,7 +77,8 @@ impl Flow {
         let doubled = vec![a.exponential(grid)];
         let gains = (0..n).map(|j| Range::from(&Interval::exact(&scaled(j)))).collect();
         let (nodes, rounded, largest) = (BTreeMap::new(), BTreeMap::new(), None);
-        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, rounded, largest };
+        let impulses = BTreeMap::new();
+        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, rounded, largest, impulses };
         flow.largest = flow.largest();
         Some(flow)
     }
@@ -139,13 +153,61 @@ impl Flow {
         self.on(&node, Range::from(&t.plus(&here.neg())))
     }
 
-    /// How far e^(A t) may go within a time, |A t|.
-    pub(super) fn reach(&self, t: Range) -> f64 {
-        (self.norm * t.size()).high()
+    /// The distance of two nodes.
+    pub(super) fn step(&self) -> f64 {
+        2f64.powi(-i32::try_from(self.grid).unwrap_or(0))
+    }
+
+    /// e^(At) e_n around the node k.
+    pub(super) fn impulse(&mut self, k: u64) -> Rc<Impulse> {
+        if let Some(known) = self.impulses.get(&k) {
+            return known.clone();
+        }
+        let n = self.gains.len();
+        let mut chain: Vec<Range> = match k {
+            0 => (1..=n).map(|j| Range::from(f64::from(u8::from(j == n)))).collect(),
+            k => {
+                let node = self.node(k);
+                (0..n).map(|j| node.entry(j, n - 1)).collect()
+            }
+        };
+        let size = chain.iter().map(|entry| entry.size()).fold(Range::from(0.0), Range::most);
+        // Each component is the derivative of the one before.
+        for at in 0..=TERMS {
+            chain.push(-dot(&self.gains, &chain[at..at + n]));
+        }
+        let row = |j: usize| {
+            let mut factorial = 1.0;
+            let term = |(l, entry): (u32, &Range)| {
+                factorial *= f64::from(l.max(1));
+                *entry / Range::from(factorial)
+            };
+            (0..).zip(&chain[j..=j + TERMS]).map(term).collect()
+        };
+        let impulse = Rc::new(Impulse { terms: (0..=n).map(row).collect(), size });
+        self.impulses.insert(k, impulse.clone());
+        impulse
+    }
+
+    /// A bound of the sizes of phi_1..phi_n and of the last row of A phi at all times from a node on.
+    pub(super) fn ever_after(&mut self, k: u64) -> Option<[Range; 2]> {
+        let most = self.impulse(k).size * self.largest?;
+        Some([most, most * self.norm])
+    }
+
+    /// Bounds of the part of order `order` of the Taylor series of the same around a node, over all
+    /// times at most `away` from it: where that is the rest.
+    pub(super) fn rest(&self, impulse: &Impulse, order: usize, away: Range) -> [Range; 2] {
+        let reach = self.norm * away.size();
+        let mut part = impulse.size * grown(reach);
+        for k in 1..=order {
+            part = part * reach / Range::from(f64::from(u32::try_from(k).unwrap_or(u32::MAX)));
+        }
+        [part, part * self.norm]
     }
 
     /// A times rows.
-    pub(super) fn rate_of(&self, rows: &Rows) -> Rows {
+    fn rate_of(&self, rows: &Rows) -> Rows {
         let mut next = rows[1..].to_vec();
         next.push(self.last(rows));
         next
@@ -215,6 +277,11 @@ impl Flow {
         let row = (0..start.first()?.len()).map(bound).collect::<Option<Vec<_>>>()?;
         Some(vec![row; start.len()])
     }
+}
+
+/// A bound of e^x for small x.
+fn grown(x: Range) -> Range {
+    Range::from(x.high().exp() * (1.0 + 1e-12))
 }
 
 /// A power of two, by which the time of the gains is scaled so that |A| is least.

@@ -164,31 +164,24 @@ impl Bounds {
         point
     }
 
-    /// What x_1..x_n are within over a cell of T/tau and one of tau, and whether that is not much more
-    /// than in the middle of both; none where they are not bounded.
-    pub(super) fn states(
-        &self,
-        cell: &Cell,
-        tau: &[BigRational; 2],
-    ) -> Option<(Vec<[f64; 2]>, bool)> {
+    /// What x_1..x_n are within over a cell of T/tau and one of tau, and about in the middle of both;
+    /// none where they are not bounded.
+    pub(super) fn states(&self, cell: &Cell, tau: &[BigRational; 2]) -> Option<[Vec<[f64; 2]>; 2]> {
         let point = self.point(cell, tau);
         let here = Range::from(&Interval::exact(&((&tau[0] + &tau[1]) / integer(2))));
         let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
         let middle = |i: usize| {
             let scaled = |c: usize, entry: Range| entry * here.power(power(c) - power(i));
             let entry = |c: usize| scaled(c, cell.middle[0][i][c]);
-            let added = cell.added.as_ref().map_or(Range::from(0.0), |at| at[0][i].hull(at[1][i]));
-            let row: Vec<_> = (0..self.n).map(entry).chain([scaled(self.n, added)]).collect();
-            self.along(&row).size().high()
+            let about = scaled(self.n, cell.about[i]);
+            let row: Vec<_> = (0..self.n).map(entry).chain([about]).collect();
+            self.along(&row)
         };
-        let mut tight = true;
-        let one = |i: usize| {
-            let x = self.of_row(&point, i);
-            tight &= x.size().high() <= 2.0 * middle(i);
-            x.is_bounded().then(|| [x.low(), x.high()])
+        let ends = |x: Range| x.is_bounded().then(|| [x.low(), x.high()]);
+        let of = |state: &dyn Fn(usize) -> Range| {
+            (0..self.n).map(|i| ends(state(i))).collect::<Option<Vec<_>>>()
         };
-        let states = (0..self.n).map(one).collect::<Option<_>>()?;
-        Some((states, tight))
+        Some([of(&|i| self.of_row(&point, i))?, of(&middle)?])
     }
 
     /// The corners of a [`Point`]. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u

@@ -16,17 +16,18 @@ mod form;
 mod margin;
 mod rounding;
 mod series;
+mod weight;
 
 use num_traits::{Signed, ToPrimitive};
 
-use cell::{BEYOND, Loop};
+use cell::{BEYOND, Drift, Loop};
 use clock::Clock;
 use emitted::Emitted;
 use flow::Flow;
 use form::Values;
 use margin::{Aim, Bounds, Why};
 
-use super::{Campaign, Kind, Objective};
+use super::{Campaign, Kind, Objective, Signal};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::check::digits;
 use crate::expression::interval::Interval;
@@ -37,10 +38,10 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
-const CELLS: usize = 6000;
+const CELLS: usize = 20_000;
 
 /// The same where an f is summed at each.
-const DRIVEN: usize = 2000;
+const DRIVEN: usize = 4000;
 
 /// Cells of T/tau and tau for one objective, after which it is left to sampling.
 const MOST: usize = 20_000;
@@ -142,17 +143,16 @@ impl Prover {
         let clock = clock.ok_or("the mapping does not scale with tau, which is an interval")?;
         let exact = |value: f64| BigRational::from_float(value).ok_or("a bound is no number");
         let until = exact(campaign.until)?;
-        let [middle, most] = drift(campaign, values)?;
-        let driven = middle != integer(0) || most != integer(0);
+        let drift = drift(campaign, values)?;
+        let driven = drift.iter().any(|part| *part != integer(0));
         let cells = if driven { DRIVEN } else { CELLS };
         let closed = Loop::new(flow, clock, spec.n, cells);
         let mut closed = closed.ok_or("the mapping is not enclosed at t0")?;
         if driven {
-            let range = |value: &BigRational| Range::from(&Interval::exact(value));
-            let driven = closed.with_drift([range(&middle), range(&most)], &until);
-            closed = driven.ok_or(
-                "f acts over too much stretched time; a larger `until` under [verify] is less of it",
-            )?;
+            let [middle, constant, varying] =
+                drift.map(|part| Range::from(&Interval::exact(&part)));
+            let driven = closed.with_drift(Drift { middle, constant, varying }, &until);
+            closed = driven.ok_or("what f makes of x is not enclosed along all of the run")?;
         }
         Ok(Self {
             closed,
@@ -184,8 +184,12 @@ impl Prover {
             let ([first, _], [second, _]) = (halved(&share), halved(&tau));
             let [here, there] = [first, second].map(|[_, middle]| [middle.clone(), middle]);
             self.holds(&aim, &here, &there)?.map_err(|why| why.at(&here, &there))?;
+            // Where one of the two is what stands in the way, it is halved.
+            let of_share = self.holds(&aim, &share, &there)?.is_err();
+            let of_tau = self.holds(&aim, &here, &tau)?.is_err();
             let width = |[low, high]: &[BigRational; 2]| high / low;
-            if width(&share) >= width(&tau) {
+            let is_wider = width(&share) >= width(&tau);
+            if if of_share == of_tau { is_wider } else { of_share } {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));
             } else {
                 left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
@@ -210,12 +214,12 @@ impl Prover {
         Ok(cell.and_then(|cell| self.bounds.holds(aim, &cell, tau, rounding)))
     }
 
-    /// What x_1..x_n are within over a cell, and whether closely; none where they are not bounded.
+    /// What x_1..x_n are within over a cell, and about in its middle; none where they are not bounded.
     fn states(
         &mut self,
         share: &[BigRational; 2],
         tau: &[BigRational; 2],
-    ) -> Option<(Vec<[f64; 2]>, bool)> {
+    ) -> Option<[Vec<[f64; 2]>; 2]> {
         let cell = self.closed.cell(share)??;
         self.bounds.states(&cell, tau)
     }
@@ -239,21 +243,24 @@ fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
     format!("the cells that may be looked at are used up at {place}: too little room there")
 }
 
-/// The middle of f, and how far it is from there at most.
-fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], String> {
+/// The middle of f, how far it may be from there for all of a run, and how far from that.
+fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 3], String> {
     let known = campaign.plant.f.substitute(&|e| match e {
         Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
         _ => None,
     });
-    let of_constants = campaign.intervals.iter().copied();
-    let varying = campaign.disturbances.iter().map(|(symbol, interval, _)| (*symbol, *interval));
-    let bounded: Vec<_> = of_constants.chain(varying).collect();
+    let of_constants =
+        campaign.intervals.iter().map(|(symbol, interval)| (*symbol, *interval, true));
+    let of_signals = campaign.disturbances.iter().map(|(symbol, interval, signals)| {
+        (*symbol, *interval, signals.iter().all(|signal| *signal == Signal::Constant))
+    });
+    let bounded: Vec<_> = of_constants.chain(of_signals).collect();
     let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
     let other = || format!("f = {} is not a sum of bounded symbols", campaign.plant.f);
     // f with one of them 1, and the others 0.
     let with = |one: Option<Parameter>| {
         let value = |e: &Expression| {
-            let (symbol, _) = bounded.iter().find(|(symbol, _)| is(e, *symbol))?;
+            let (symbol, ..) = bounded.iter().find(|(symbol, ..)| is(e, *symbol))?;
             Some(Expression::integer(i64::from(one == Some(*symbol))))
         };
         let f = normal(&known.substitute(&value));
@@ -261,20 +268,21 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 2], Strin
     };
     let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is no number");
     let alone = with(None)?;
-    let (mut middle, mut most) = (alone.clone(), integer(0));
+    let (mut middle, mut constant, mut varying) = (alone.clone(), integer(0), integer(0));
     let mut rest = known.clone().sub(Expression::Number(alone.clone()));
-    for (symbol, (low, high)) in &bounded {
+    for (symbol, (low, high), is_constant) in &bounded {
         let share = with(Some(*symbol))? - &alone;
         let [low, high] = [exact(*low)?, exact(*high)?];
         middle += &share * (&low + &high) / integer(2);
-        most += (&share * (&high - &low) / integer(2)).abs();
+        let most = if *is_constant { &mut constant } else { &mut varying };
+        *most += (&share * (&high - &low) / integer(2)).abs();
         rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
     }
     let needs = existence::needs(&campaign.plant.f);
     if normal(&rest) != Expression::integer(0) || !needs.is_empty() {
         return Err(other());
     }
-    Ok([middle, most])
+    Ok([middle, constant, varying])
 }
 
 fn halved([low, high]: &[BigRational; 2]) -> [[BigRational; 2]; 2] {

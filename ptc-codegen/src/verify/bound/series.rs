@@ -110,7 +110,7 @@ impl Series {
 }
 
 /// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).
-fn power(a: &[Range], p: Range) -> Vec<Range> {
+pub(super) fn power(a: &[Range], p: Range) -> Vec<Range> {
     let mut terms = vec![Range::from(1.0)];
     for k in 1..a.len() {
         let weight = |j| p * integer(j) - integer(k - j);
