@@ -6,6 +6,7 @@ use std::ops::Add;
 use super::Campaign;
 use super::flow::Rows;
 use super::form::Values;
+use super::root::root;
 use super::series::{Arithmetic, Series, power, product};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::expansion::bell::factorials;
@@ -97,60 +98,13 @@ impl Clock {
         let at = Interval::exact(share);
         let seconds = match self.form.clone() {
             Form::Kappa(kappa) => self.value(&kappa.form, Variable::TimeToGo, &at)?,
-            Form::Complement(form) => self.root(&form, &at)?,
+            Form::Complement(form) => {
+                root(|t: &Interval| self.value(&form, Variable::SinceStart, t), &at)?
+            }
         };
         let stretched = seconds.times(&self.rate);
         self.known.insert(share.clone(), stretched.clone());
         Some(stretched)
-    }
-
-    /// The stretched time at which tau - mu, which falls, is `target`.
-    fn root(&mut self, form: &Expression, target: &Interval) -> Option<Interval> {
-        let number =
-            |value: f64| BigRational::from_float(value).map(|value| Interval::exact(&value));
-        let goal = target.about()[0].ln();
-        // On which side of the root a time certainly is, and about how far its logarithm is off.
-        let mut side = |t: f64| {
-            let value = self.value(form, Variable::SinceStart, &number(t)?)?;
-            let excess = value.plus(&target.neg());
-            let side = i8::from(excess.is_positive()) - i8::from(excess.is_negative());
-            Some((side, value.about()[0].ln() - goal))
-        };
-        let (mut low, mut high) = ((0.0, side(0.0)?.1), (1.0, side(1.0)?));
-        while high.1.0 >= 0 {
-            low = (high.0, high.1.1);
-            high = (2.0 * high.0, side(2.0 * high.0)?);
-            (high.0 < 1e15).then_some(())?;
-        }
-        let mut high = (high.0, high.1.1);
-        // A mapping decays about like an exponential, so that the chord of the logarithm comes close;
-        // what it gives is looked at on either side, by as much as it moved.
-        let mut last = f64::INFINITY;
-        for _ in 0..64 {
-            let middle = 0.5 * low.0 + 0.5 * high.0;
-            let chord = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-            let at = if chord > low.0 && chord < high.0 { chord } else { middle };
-            let moved = (at - last).abs().min(high.0 - low.0);
-            let away = (0.01 * moved).max(2.0 * f64::EPSILON * at);
-            last = at;
-            let before = high.0 - low.0;
-            for t in [at - away, at + away, middle] {
-                // The middle is asked where the others left much.
-                let is_inside = t > low.0 && t < high.0;
-                if !is_inside || (t == middle && high.0 - low.0 <= 0.5 * before) {
-                    continue;
-                }
-                match side(t)? {
-                    (1, off) => low = (t, off),
-                    (-1, off) => high = (t, off),
-                    _ => {}
-                }
-            }
-            if high.0 - low.0 >= before || high.0 - low.0 <= 8.0 * f64::EPSILON * high.0 {
-                break;
-            }
-        }
-        Some(number(low.0)?.hull(&number(high.0)?))
     }
 
     /// kappa^(k) w^k/k! for k = 1..order, w = T/tau over all of `share` and kappa in units of

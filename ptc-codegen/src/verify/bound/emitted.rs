@@ -8,7 +8,7 @@
 use num_traits::ToPrimitive;
 
 use super::rounding::error;
-use super::{Box, Campaign, Prover, halved};
+use super::{Box, Campaign, Prover, halved, middle_of};
 use crate::algebra::{BigRational, integer};
 use crate::check::digits;
 use crate::check::envelope::bounds::Bounds;
@@ -65,19 +65,14 @@ impl Emitted {
                 None => Some("x, which is not bounded,".to_owned()),
                 Some([states, middle]) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {
-                        let is_close =
-                            narrow || error.is_some_and(|error| error <= SMALL * greatest) || {
-                                let [share, tau] = [&share, &tau].map(middle_of);
-                                let here = over(&program, &spec, (&share, &tau), &middle);
-                                match (error, here.ok().flatten()) {
-                                    (None, here) => here.is_none(),
-                                    (Some(_), None) => false,
-                                    (Some(error), Some(here)) => {
-                                        greatest = greatest.max(here);
-                                        error <= close * here
-                                    }
-                                }
-                            };
+                        let is_small = error.is_some_and(|error| error <= SMALL * greatest);
+                        let is_close = narrow || is_small || {
+                            let [share, tau] = [&share, &tau].map(middle_of);
+                            let here =
+                                over(&program, &spec, (&share, &tau), &middle).ok().flatten();
+                            greatest = error.and(here).map_or(greatest, |here| greatest.max(here));
+                            is_near(error, here, close)
+                        };
                         if is_close {
                             errors.push((outwards(&share), error));
                             continue;
@@ -135,10 +130,14 @@ impl Emitted {
     }
 }
 
-/// The middle of an interval.
-fn middle_of([low, high]: &[BigRational; 2]) -> [BigRational; 2] {
-    let middle = (low + high) / integer(2);
-    [middle.clone(), middle]
+/// Whether the bound of an error over a cell is not `close` times the one in its middle; with no bound
+/// at all in the middle none is asked for.
+fn is_near(error: Option<f64>, here: Option<f64>, close: f64) -> bool {
+    match (error, here) {
+        (None, here) => here.is_none(),
+        (Some(_), None) => false,
+        (Some(error), Some(here)) => error <= close * here,
+    }
 }
 
 fn size([low, high]: &[f64; 2]) -> f64 {

@@ -7,6 +7,7 @@
 //! of them, which are halved until it is positive on each.
 
 mod ball;
+mod between;
 mod cell;
 mod clock;
 mod emitted;
@@ -14,6 +15,8 @@ mod flow;
 mod forced;
 mod form;
 mod margin;
+mod piece;
+mod root;
 mod rounding;
 mod series;
 mod weight;
@@ -181,15 +184,17 @@ impl Prover {
                 return Err(why.at(&share, &tau));
             }
             // What does not hold in the middle is not proved by smaller cells.
-            let ([first, _], [second, _]) = (halved(&share), halved(&tau));
-            let [here, there] = [first, second].map(|[_, middle]| [middle.clone(), middle]);
+            let [here, there] = [&share, &tau].map(middle_of);
             self.holds(&aim, &here, &there)?.map_err(|why| why.at(&here, &there))?;
             // Where one of the two is what stands in the way, it is halved.
             let of_share = self.holds(&aim, &share, &there)?.is_err();
             let of_tau = self.holds(&aim, &here, &tau)?.is_err();
             let width = |[low, high]: &[BigRational; 2]| high / low;
-            let is_wider = width(&share) >= width(&tau);
-            if if of_share == of_tau { is_wider } else { of_share } {
+            let is_share = match of_share == of_tau {
+                true => width(&share) >= width(&tau),
+                false => of_share,
+            };
+            if is_share {
                 left.extend(halved(&share).map(|share| (share, tau.clone())));
             } else {
                 left.extend(halved(&tau).map(|tau| (share.clone(), tau)));
@@ -283,6 +288,12 @@ fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 3], Strin
         return Err(other());
     }
     Ok([middle, constant, varying])
+}
+
+/// The middle of an interval, as one.
+fn middle_of([low, high]: &[BigRational; 2]) -> [BigRational; 2] {
+    let middle = (low + high) / integer(2);
+    [middle.clone(), middle]
 }
 
 fn halved([low, high]: &[BigRational; 2]) -> [[BigRational; 2]; 2] {
