@@ -81,8 +81,6 @@ pub enum Test {
     NotNumber(Expr),
     /// All of them; holds where there is none.
     All(Vec<Test>),
-    /// One of them, at least; fails where there is none.
-    Any(Vec<Test>),
 }
 
 impl Expr {
@@ -319,7 +317,6 @@ impl Test {
             Self::Finite(a) => Self::Finite(a.local_fields()),
             Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
             Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
-            Self::Any(tests) => Self::Any(tests.iter().map(Self::local_fields).collect()),
         }
     }
 
@@ -334,7 +331,7 @@ impl Test {
                 b.visit(visit);
             }
             Self::Finite(a) | Self::NotNumber(a) => a.visit(visit),
-            Self::All(tests) | Self::Any(tests) => tests.iter().for_each(|test| test.visit(visit)),
+            Self::All(tests) => tests.iter().for_each(|test| test.visit(visit)),
         }
     }
 }

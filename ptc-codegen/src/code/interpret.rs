@@ -363,7 +363,6 @@ impl<'b> Frame<'_, 'b> {
             Test::Finite(a) => self.real(a).is_finite(),
             Test::NotNumber(a) => self.real(a).is_nan(),
             Test::All(tests) => tests.iter().all(|test| self.test(test)),
-            Test::Any(tests) => tests.iter().any(|test| self.test(test)),
         }
     }
 }

@@ -10,6 +10,7 @@ use super::{Controller, File, literal, text_of, tidy};
 use crate::code::{Code, Expr};
 use crate::expression::Function as Math;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
+use crate::program::digits::{self, Condition};
 use crate::program::number;
 use crate::request::{Guard, Spec};
 
@@ -62,11 +63,13 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
         having.map(|call| call.text(&name, None)).collect()
     };
+    let checks = digits::checks(spec, controller.program);
     let harness = Harness {
         name: &name,
         prefix: &prefix,
         frame,
         full: spec.guard == Guard::Full,
+        starts: !checks.iter().any(|check| matches!(check, Condition::Kept(..))),
         finite_inputs: spec.guard == Guard::None,
         open_tau: open(Parameter::Tau),
         open_t0: open(Parameter::StartTime),
@@ -236,6 +239,9 @@ struct Harness<'a> {
     frame: &'a Outline,
     /// Whether every pointer and input is checked.
     full: bool,
+    /// Whether `init` takes all legal parameters: none makes a product too small that may also be 0, which
+    /// an interval of gains would include.
+    starts: bool,
     /// Whether x and t are trusted to be finite.
     finite_inputs: bool,
     /// Whether tau, t0 and u_max are left to run time.

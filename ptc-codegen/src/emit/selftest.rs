@@ -18,7 +18,8 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     let numbers = Numbers { spec };
     let program = program(controller, Language::C);
     let frame = Outline::new(controller, &program);
-    let unreachable = wrapped(&test.unreachable, &code::start_tests(&program));
+    let tests = (code::start_tests(&program), code::zero_tests(&program));
+    let unreachable = wrapped(&test.unreachable, &tests);
     let header = Header {
         name: &name,
         command: &spec.command(),
@@ -79,11 +80,15 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
 }
 
 /// The conditions with their reasons in lines of a comment.
-fn wrapped(all: &[Unreachable], [init, arm]: &[Vec<String>; 2]) -> Vec<(String, String)> {
+fn wrapped(
+    all: &[Unreachable],
+    ([init, arm], zero): &([Vec<String>; 2], Vec<Vec<String>>),
+) -> Vec<(String, String)> {
     let wrap = |one: &Unreachable| {
         let condition = match &one.condition {
             Always::Init(at) => init[*at].clone(),
             Always::Arm(at) => arm[*at].clone(),
+            Always::NotZero(at, factor) => zero[*at][*factor].clone(),
             Always::Written(text) => text.clone(),
         };
         let mut reason = String::new();

@@ -12,6 +12,7 @@ mod parameters;
 mod range;
 mod refused;
 mod trial;
+mod zero;
 
 use crate::controller::Controller;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -61,6 +62,8 @@ pub enum Always {
     Init(usize),
     /// Of those of `arm`.
     Arm(usize),
+    /// That a factor of a product is not 0: the check of the product in `init`, and the factor.
+    NotZero(usize, usize),
     /// Another, as it is emitted in C.
     Written(String),
 }
@@ -122,6 +125,8 @@ impl SelfTest {
                 "fix the parameters of the mapping to values with which it is one, or test it by hand",
             ));
         }
+        let taken = sessions.iter().map(|session| &session.parameters);
+        let not_zero = zero::never(controller, &machine, taken.chain(&overflow.parameters));
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
         let mut refused_states =
@@ -132,7 +137,7 @@ impl SelfTest {
             refused,
             refused_states,
             tau_is_kept: spec.run_time_parameters().any(|p| p == crate::parameter::Parameter::Tau),
-            unreachable: [overflow.unreachable, never].concat(),
+            unreachable: [overflow.unreachable, not_zero, never].concat(),
         })
     }
 }

@@ -66,10 +66,10 @@ pub(super) fn find(
             reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
         });
     }
-    if found.parameters.is_empty() && !spec.latches() {
+    if !spec.latches() {
         found.unreachable.push(Unreachable {
             condition: Always::Written("(status == PTC_OK)".to_owned()),
-            reason: "neither a coefficient nor the deadline overflows".to_owned(),
+            reason: "arm takes every start time that init takes".to_owned(),
         });
     }
     let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];

@@ -7,7 +7,7 @@ use crate::parameter::Parameter;
 use crate::program::digits::Condition;
 use crate::program::interpret::{Decision, Interpreter};
 use crate::program::machine::Machine;
-use crate::program::{Input, Program};
+use crate::program::{Input, Program, Value};
 use crate::reference::Status;
 use crate::request::{Guard, Spec};
 
@@ -60,13 +60,17 @@ impl Trial<'_> {
         at.map_or(f64::NAN, |at| self.parameters[at])
     }
 
+    /// What values of the program are.
+    pub(super) fn numbers(&self, values: &[Value]) -> Vec<f64> {
+        let input = |input| self.input(input, &[]);
+        Interpreter::on(self.program(), self.machine.clone(), &input).values(values)
+    }
+
     /// The first of some checks that fails, by its index.
     pub(super) fn first_failure(&self, checks: &[Condition]) -> Option<usize> {
-        let input = |input| self.input(input, &[]);
-        let mut interpreter = Interpreter::on(self.program(), self.machine.clone(), &input);
         let precision = self.spec().precision;
         let wanted: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let numbers = interpreter.values(&wanted);
+        let numbers = self.numbers(&wanted);
         let mut numbers = numbers.as_slice();
         checks.iter().position(|check| {
             let (own, others) = numbers.split_at(check.values().len());

@@ -28,8 +28,8 @@ const DEFECTS: [(Defect, usize); 10] = [
     (("x2 = x[1]", "x2 = x[2]", "a state beyond the array"), 0),
     (
         (
-            "                if (status == PTC_OK) {",
-            "                {",
+            "            const double hold_from",
+            "            self->eps = eps;\n            const double hold_from",
             "a refused init that writes",
         ),
         0,

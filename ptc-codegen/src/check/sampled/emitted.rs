@@ -181,9 +181,6 @@ impl<'a> Sample<'a> {
             },
             Test::Finite(_) => Some(true),
             Test::NotNumber(_) => Some(false),
-            Test::Any(tests) => {
-                tests.iter().try_fold(false, |any, test| Some(any || self.test(test)?))
-            }
             Test::All(tests) => {
                 tests.iter().try_fold(true, |all, test| Some(all && self.test(test)?))
             }

@@ -32,9 +32,8 @@ impl Builder<'_> {
         let checks = digits::checks(self.spec, self.controller.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
         let mut body = body(&self.plan, Routine::Init, (false, false), &values);
-        let checked = body.roots.split_off(body.roots.len() - values.len());
-        let mut checked = checked.into_iter();
-        let kept = |check: &Condition| self.kept(check, &mut checked);
+        let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
+        let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
         let kept = checks.iter().map(kept).collect();
         statements.extend(self.fields(body, false, kept));
         let armed = self.plan.fields.iter().filter(|field| field.armed);
@@ -68,8 +67,14 @@ impl Builder<'_> {
         statements
     }
 
-    /// The test of a product; `values` are those it looks at.
-    fn kept(&self, check: &Condition, values: &mut impl Iterator<Item = Expr>) -> Test {
+    /// The test of a product; `values` are those it looks at. Where it may be 0 its size is a statement
+    /// of its own, so that the test stays one comparison.
+    fn kept(
+        &self,
+        check: &Condition,
+        values: &mut impl Iterator<Item = Expr>,
+        statements: &mut Vec<Statement>,
+    ) -> Test {
         let mut values = values.take(check.values().len());
         let value = values.next().unwrap_or_else(|| fault("a condition on nothing"));
         let least = || self.number(digits::least(self.spec.precision));
@@ -79,8 +84,16 @@ impl Builder<'_> {
             Condition::Above(_) => Test::AtMost(least(), value),
             Condition::Below(_) => Test::AtMost(value, -least()),
             Condition::Kept(..) => {
-                let zero = values.map(|factor| Test::AtMost(size(factor), Expr::integer(0)));
-                Test::Any(std::iter::once(Test::AtMost(least(), size(value))).chain(zero).collect())
+                let name = match &value {
+                    Expr::Local(name) => format!("size_{name}"),
+                    _ => format!("size{}", statements.len()),
+                };
+                let unless_zero = |rest, factor| {
+                    Expr::choose(Test::AtMost(size(factor), Expr::integer(0)), least(), rest)
+                };
+                let kept = values.fold(size(value), unless_zero);
+                statements.push(Statement::Let(name.clone(), Shape::Real, kept));
+                Test::AtMost(least(), Expr::local(name))
             }
         }
     }

@@ -213,11 +213,7 @@ pub(in crate::emit) trait Text {
             Test::CountEqual(a, b) => two(a, self.equal(), b),
             Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
             Test::NotNumber(a) => vec![self.not_number(&self.within(a, Level::Atom))],
-            Test::All(tests) | Test::Any(tests) if tests.len() == 1 => self.parts(&tests[0]),
-            Test::Any(tests) => {
-                let each: Vec<_> = tests.iter().flat_map(|test| self.operands(test)).collect();
-                vec![each.join(&format!(" {} ", self.or()))]
-            }
+            Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
             Test::All(tests) => tests.iter().flat_map(|test| self.operands(test)).collect(),
         }
     }

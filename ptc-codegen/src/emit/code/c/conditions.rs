@@ -3,7 +3,7 @@
 use super::super::legal::{checks, copies};
 use super::super::text::Text;
 use super::{C, Notes};
-use crate::code::{Code, Statement, Test};
+use crate::code::{Code, Expr, Statement, Test};
 
 /// What a parameter has to be.
 pub(in crate::emit) struct Condition {
@@ -39,15 +39,48 @@ pub(in crate::emit) fn start_tests(code: &Code) -> [Vec<String>; 2] {
     let notes = Notes::default();
     let printer = C::new(code, &notes);
     let parts = |test: &Test| printer.parts(test);
-    let copies = copies(&code.init);
-    // The first test is that of the parameters, where there are any.
-    let init = required(&code.init).skip(usize::from(!copies.is_empty()));
+    let init = derived(&code.init);
     let arm = code.function("arm").map(|arm| arm.body.as_slice()).unwrap_or_default();
     // The given time and the deadline are tested apart.
     let skipped =
         usize::from(arm.iter().any(|s| matches!(s, Statement::Let(n, ..) if n == "deadline")));
     let arm = required(arm).skip(1).flat_map(parts).skip(skipped);
     [init.flat_map(parts).collect(), arm.collect()]
+}
+
+/// The tests whether a factor is 0, for each test of what `init` forms.
+pub(in crate::emit) fn zero_tests(code: &Code) -> Vec<Vec<String>> {
+    let notes = Notes::default();
+    let printer = C::new(code, &notes);
+    let known = |wanted: &str| {
+        code.init.iter().find_map(|statement| match statement {
+            Statement::Let(name, _, value) if name == wanted => Some(value),
+            _ => None,
+        })
+    };
+    let zeros = |test: &Test| {
+        let mut zeros = Vec::new();
+        let mut size = match test {
+            Test::AtMost(_, Expr::Local(name)) => known(name),
+            _ => None,
+        };
+        while let Some(Expr::Choose(zero, _, rest)) = size {
+            zeros.push(format!("({})", printer.test(zero)));
+            size = Some(rest);
+        }
+        zeros.reverse();
+        zeros
+    };
+    let tests = derived(&code.init).flat_map(|test| match test {
+        Test::All(tests) => tests.as_slice(),
+        one => std::slice::from_ref(one),
+    });
+    tests.map(zeros).collect()
+}
+
+/// The tests of what `init` forms: the first of its tests is that of the parameters, where there are any.
+fn derived(init: &[Statement]) -> impl Iterator<Item = &Test> {
+    required(init).skip(usize::from(!copies(init).is_empty()))
 }
 
 fn required(statements: &[Statement]) -> impl Iterator<Item = &Test> {

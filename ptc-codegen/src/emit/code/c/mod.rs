@@ -7,7 +7,7 @@ mod source;
 
 use std::collections::BTreeMap;
 
-pub(in crate::emit) use conditions::{Condition, domain, start_tests};
+pub(in crate::emit) use conditions::{Condition, domain, start_tests, zero_tests};
 
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status};
@@ -24,6 +24,8 @@ pub(in crate::emit) struct Notes {
     pub(in crate::emit) predicates: String,
     /// Contracts by the names of functions, each a comment before a prototype.
     pub(in crate::emit) contracts: BTreeMap<&'static str, String>,
+    /// What stands before the tests of `init`.
+    pub(in crate::emit) before_tests: Option<&'static str>,
     /// The lines behind an iteration.
     pub(in crate::emit) behind: Option<Behind>,
 }

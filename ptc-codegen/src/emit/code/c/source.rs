@@ -7,6 +7,9 @@ use crate::code::{
     Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test,
 };
 
+/// What leads to a field in `init`, which sets the fields of the user's only where it succeeds.
+const BUILT: &str = "built.";
+
 impl C<'_> {
     pub(super) fn source(mut self) -> String {
         let code = self.code;
@@ -44,7 +47,7 @@ impl C<'_> {
         self.out.line("ptc_status status = PTC_E_PARAM;");
         if code.start.is_some() {
             self.out.line(format!("struct {name} built;"));
-            self.owner = "built.";
+            self.owner = BUILT;
         }
         self.standing = Some(Status::Param);
         self.out.line("");
@@ -259,6 +262,9 @@ impl C<'_> {
         if self.standing != Some(status) {
             self.out.line(format!("status = {};", word(status)));
             self.standing = Some(status);
+        }
+        if self.owner == BUILT {
+            self.notes.before_tests.into_iter().for_each(|note| self.out.line(note));
         }
         let mut parts = self.parts(test);
         if let [only] = parts.as_mut_slice() {

@@ -1,0 +1,281 @@
+/* Prescribed-time controller ptc_exp_sum1: see ptc_exp_sum1.h. DO NOT EDIT. */
+#include "ptc_exp_sum1.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct ptc_exp_sum1 built;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a1 = params->rates[0];
+        const double a2 = params->rates[1];
+        const double k1 = params->k[0];
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a1) != 0)
+            && (1e-150 <= a1)
+            && (a1 <= 1e150)
+            && (isfinite(a2) != 0)
+            && (1e-150 <= a2)
+            && (a2 <= 1e150)
+            && (isfinite(k1) != 0)
+            && (eps < tau)) {
+            const double hold_from = -eps;
+            const double target_rate = 2.0 / tau;
+            const double v1 = 1.0 / a1;
+            const double v2 = 1.0 / a2;
+            const double slowest = (v1 < v2) ? v2 : v1;
+            const double mean_period = 2.0 / (a1 + a2);
+            const double s1 = (a1 < a2) ? a2 : a1;
+            const double tolerance = 0.03 / s1;
+            const double b1_1 = 0.5 * a1 * tau;
+            const double b1_2 = 0.5 * a2 * tau;
+            const double w1 = -k1;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            if ((1e-200 <= size_w1)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(target_rate) != 0)
+                && (isfinite(slowest) != 0)
+                && (isfinite(mean_period) != 0)
+                && (isfinite(tolerance) != 0)
+                && (isfinite(b1_1) != 0)
+                && (isfinite(b1_2) != 0)
+                && (isfinite(w1) != 0)) {
+                built.a1 = a1;
+                built.a2 = a2;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.target_rate = target_rate;
+                built.slowest = slowest;
+                built.mean_period = mean_period;
+                built.tolerance = tolerance;
+                built.b1_1 = b1_1;
+                built.b1_2 = b1_2;
+                built.w1 = w1;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
+                status = ptc_exp_sum1_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum1_arm(ptc_exp_sum1 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((self != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 2.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 0.6931467056274414) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = self->a1 * v4;
+                const double v7 = v4 + v5;
+                const double v8 = self->a2 * v5;
+                const double v9 = (2.0 * (v7 - target)) / (v7 + target);
+                const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+                const double v11 = 1.0 / (v6 + v8);
+                const double v12 = v7 * v11;
+                const double s1 = (((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0;
+                const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+                const double y_next = y + v13;
+                const double y_size = fabs(v13);
+                if (v10 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v14 = exp(-(self->a1 * y));
+            const double v15 = exp(-(self->a2 * y));
+            const double v16 = self->a1 * v14;
+            const double v17 = self->a2 * v15;
+            const double v18 = 1.0 / (v16 + v17);
+            const double v19 = ((v14 + v15) - target) * v18;
+            const double s2 = 1.0 + (0.5 * (((self->a1 * v16) + (self->a2 * v17)) * v18 * v19));
+            const double v20 = v19 * s2;
+            const double v21 = self->a1 * v20;
+            const double v22 = self->a2 * v20;
+            const double s3 = self->b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
+            const double s4 = s3 + (self->b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
+            const double inv_r1 = 1.0 / s4;
+            const double v = self->w1 * x1 * inv_r1;
+            if (self->u_max < v) {
+                *u = self->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -self->u_max) {
+                *u = -self->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                if (late < self->hold_from) {
+                    status = PTC_OK;
+                } else {
+                    status = PTC_HOLD;
+                }
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double target = T * self->target_rate;
+            const double v1 = -log(target / 2.0);
+            const double v2 = v1 * self->mean_period;
+            const double v3 = (v1 - 0.6931467056274414) * self->slowest;
+            double y = (v2 < v3) ? v3 : v2;
+            double y_low = v2;
+            double y_high = v1 * self->slowest;
+            for (uint32_t round = 0U; round < 12U; round++) {
+                const double v4 = exp(-(self->a1 * y));
+                const double v5 = exp(-(self->a2 * y));
+                const double v6 = self->a1 * v4;
+                const double v7 = v4 + v5;
+                const double v8 = self->a2 * v5;
+                const double v9 = (2.0 * (v7 - target)) / (v7 + target);
+                const double v10 = v9 * (1.0 + (0.08333333333333333 * (v9 * v9)));
+                const double v11 = 1.0 / (v6 + v8);
+                const double v12 = v7 * v11;
+                const double s1 = (((self->a1 * v6) + (self->a2 * v8)) * v11 * v12) - 1.0;
+                const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
+                const double y_next = y + v13;
+                const double y_size = fabs(v13);
+                if (v10 > 0.0) {
+                    y_low = y;
+                } else {
+                    y_high = y;
+                }
+                if ((y_next >= y_low) && (y_next <= y_high)) {
+                    y = y_next;
+                } else {
+                    y = 0.5 * (y_low + y_high);
+                }
+                if (y_size <= self->tolerance) {
+                    break;
+                }
+            }
+            const double v14 = exp(-(self->a1 * y));
+            const double v15 = exp(-(self->a2 * y));
+            const double v16 = self->a1 * v14;
+            const double v17 = self->a2 * v15;
+            const double v18 = 1.0 / (v16 + v17);
+            const double v19 = ((v14 + v15) - target) * v18;
+            const double s2 = 1.0 + (0.5 * (((self->a1 * v16) + (self->a2 * v17)) * v18 * v19));
+            const double v20 = v19 * s2;
+            const double v21 = self->a1 * v20;
+            const double v22 = self->a2 * v20;
+            const double s3 = self->b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
+            const double s4 = s3 + (self->b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
+            const double inv_r1 = 1.0 / s4;
+            gains->gain[0] = self->w1 * inv_r1;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        if (isfinite(x1) != 0) {
+            const double v = gains->gain[0] * x1;
+            if (gains->u_max < v) {
+                *u = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                *u = -gains->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
