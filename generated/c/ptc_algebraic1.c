@@ -32,8 +32,10 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
             const double half_tau = 0.5 * tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(c1_1)) || (fabs(k1) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_c1_1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_1);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_c1_1)
                 && (isfinite(c1_1) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -38,10 +38,14 @@ ptc_status ptc_algebraic2_init(ptc_algebraic2 *self, const ptc_algebraic2_params
             const double c2_2 = (-K2) / tau;
             const double c2_1 = 3.0 / tau;
             const double inv_tau = 1.0 / tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c1_2)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(c2_2)) || (fabs(k2) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_c1_2 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_2);
+            const double size_c2_2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_c1_2)
+                && (1e-200 <= size_c2_2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -50,15 +50,22 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             const double inv_tau = 1.0 / tau;
             const double c3_2 = (-K3) / tau;
             const double c3_1 = 9.0 / tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_c1_3 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_3);
+            const double size_c2_3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_3);
+            const double size_c2_4 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c3_2 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_2);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
                 && (1e-200 <= v4)
-                && ((1e-200 <= fabs(c1_3)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(c2_3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_4)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c3_2)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_c1_3)
+                && (1e-200 <= size_c2_3)
+                && (1e-200 <= size_c2_4)
+                && (1e-200 <= size_c3_2)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

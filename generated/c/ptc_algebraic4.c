@@ -71,25 +71,40 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             const double c3_4 = v16 / v4;
             const double c4_2 = (-K4) / tau;
             const double c4_1 = 18.0 / tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_c1_4 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_4);
+            const double size_c2_0 = (fabs(v7) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_1 = (fabs(v10) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c2_2 = (fabs(v13) <= 0.0) ? 1e-200 : fabs(c2_2);
+            const double size_c2_3 = (fabs(v14) <= 0.0) ? 1e-200 : fabs(c2_3);
+            const double size_c2_4 = (fabs(v15) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c2_5 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_5);
+            const double size_c2_6 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_6);
+            const double size_c3_3 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_3);
+            const double size_c3_4 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_4);
+            const double size_c4_2 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_2);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
                 && (1e-200 <= v5)
-                && ((1e-200 <= fabs(c1_4)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_c1_4)
                 && (1e-200 <= v8)
-                && ((1e-200 <= fabs(c2_0)) || (fabs(v7) <= 0.0))
-                && ((1e-200 <= fabs(c2_1)) || (fabs(v10) <= 0.0))
-                && ((1e-200 <= fabs(c2_2)) || (fabs(v13) <= 0.0))
-                && ((1e-200 <= fabs(c2_3)) || (fabs(v14) <= 0.0))
-                && ((1e-200 <= fabs(c2_4)) || (fabs(v15) <= 0.0))
-                && ((1e-200 <= fabs(c2_5)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_6)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c3_3)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c3_4)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c4_2)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_c2_0)
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= size_c2_2)
+                && (1e-200 <= size_c2_3)
+                && (1e-200 <= size_c2_4)
+                && (1e-200 <= size_c2_5)
+                && (1e-200 <= size_c2_6)
+                && (1e-200 <= size_c3_3)
+                && (1e-200 <= size_c3_4)
+                && (1e-200 <= size_c4_2)
                 && (isfinite(c1_4) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -95,37 +95,62 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             const double c4_4 = v28 / v5;
             const double c5_2 = (-K5) / tau;
             const double c5_1 = 30.0 / tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
+            const double size_c1_5 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1_5);
+            const double size_c2_0 = (fabs(v9) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_1 = (fabs(v11) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c2_2 = (fabs(v13) <= 0.0) ? 1e-200 : fabs(c2_2);
+            const double size_c2_3 = (fabs(v15) <= 0.0) ? 1e-200 : fabs(c2_3);
+            const double size_c2_4 = (fabs(v16) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c2_5 = (fabs(v17) <= 0.0) ? 1e-200 : fabs(c2_5);
+            const double size_c2_6 = (fabs(v18) <= 0.0) ? 1e-200 : fabs(c2_6);
+            const double size_c2_7 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_7);
+            const double size_c2_8 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_8);
+            const double size_c3_0 = (fabs(v20) <= 0.0) ? 1e-200 : fabs(c3_0);
+            const double size_c3_1 = (fabs(v23) <= 0.0) ? 1e-200 : fabs(c3_1);
+            const double size_c3_2 = (fabs(v25) <= 0.0) ? 1e-200 : fabs(c3_2);
+            const double size_c3_3 = (fabs(v26) <= 0.0) ? 1e-200 : fabs(c3_3);
+            const double size_c3_4 = (fabs(v27) <= 0.0) ? 1e-200 : fabs(c3_4);
+            const double size_c3_5 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_5);
+            const double size_c3_6 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_6);
+            const double size_c4_3 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c4_3);
+            const double size_c4_4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_4);
+            const double size_c5_2 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_2);
             if ((1e-200 <= v2)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (1e-200 <= v4)
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
+                && (1e-200 <= size_K5)
                 && (1e-200 <= v6)
                 && (1e-200 <= v7)
-                && ((1e-200 <= fabs(c1_5)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(c2_0)) || (fabs(v9) <= 0.0))
-                && ((1e-200 <= fabs(c2_1)) || (fabs(v11) <= 0.0))
-                && ((1e-200 <= fabs(c2_2)) || (fabs(v13) <= 0.0))
-                && ((1e-200 <= fabs(c2_3)) || (fabs(v15) <= 0.0))
-                && ((1e-200 <= fabs(c2_4)) || (fabs(v16) <= 0.0))
-                && ((1e-200 <= fabs(c2_5)) || (fabs(v17) <= 0.0))
-                && ((1e-200 <= fabs(c2_6)) || (fabs(v18) <= 0.0))
-                && ((1e-200 <= fabs(c2_7)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_8)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_c1_5)
+                && (1e-200 <= size_c2_0)
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= size_c2_2)
+                && (1e-200 <= size_c2_3)
+                && (1e-200 <= size_c2_4)
+                && (1e-200 <= size_c2_5)
+                && (1e-200 <= size_c2_6)
+                && (1e-200 <= size_c2_7)
+                && (1e-200 <= size_c2_8)
                 && (1e-200 <= v21)
-                && ((1e-200 <= fabs(c3_0)) || (fabs(v20) <= 0.0))
-                && ((1e-200 <= fabs(c3_1)) || (fabs(v23) <= 0.0))
-                && ((1e-200 <= fabs(c3_2)) || (fabs(v25) <= 0.0))
-                && ((1e-200 <= fabs(c3_3)) || (fabs(v26) <= 0.0))
-                && ((1e-200 <= fabs(c3_4)) || (fabs(v27) <= 0.0))
-                && ((1e-200 <= fabs(c3_5)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c3_6)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c4_3)) || (fabs(k5) <= 0.0))
-                && ((1e-200 <= fabs(c4_4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c5_2)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_c3_0)
+                && (1e-200 <= size_c3_1)
+                && (1e-200 <= size_c3_2)
+                && (1e-200 <= size_c3_3)
+                && (1e-200 <= size_c3_4)
+                && (1e-200 <= size_c3_5)
+                && (1e-200 <= size_c3_6)
+                && (1e-200 <= size_c4_3)
+                && (1e-200 <= size_c4_4)
+                && (1e-200 <= size_c5_2)
                 && (isfinite(c1_5) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -29,9 +29,8 @@ ptc_status ptc_exp1_init(ptc_exp1 *self, const ptc_exp1_params *params)
             && (eps < tau)) {
             const double K1 = k1 / a;
             const double hold_from = -eps;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && (isfinite(K1) != 0)
-                && (isfinite(hold_from) != 0)) {
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            if ((1e-200 <= size_K1) && (isfinite(K1) != 0) && (isfinite(hold_from) != 0)) {
                 built.K1 = K1;
                 built.tau = tau;
                 built.eps = eps;

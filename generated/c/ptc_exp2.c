@@ -34,8 +34,10 @@ ptc_status ptc_exp2_init(ptc_exp2 *self, const ptc_exp2_params *params)
             const double c1 = -K1;
             const double c2 = (-K2) + 1.0;
             const double hold_from = -eps;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (isfinite(c1) != 0)
                 && (isfinite(c2) != 0)
                 && (isfinite(hold_from) != 0)) {

@@ -40,10 +40,13 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             const float c2 = ((-K2) + K3) - 1.0f;
             const float c3 = (-K3) + 3.0f;
             const float hold_from = -eps;
+            const float size_K1 = (fabsf(k1) <= 0.0f) ? 1e-30f : fabsf(K1);
+            const float size_K2 = (fabsf(k2) <= 0.0f) ? 1e-30f : fabsf(K2);
+            const float size_K3 = (fabsf(k3) <= 0.0f) ? 1e-30f : fabsf(K3);
             if ((1e-30f <= v2)
-                && ((1e-30f <= fabsf(K1)) || (fabsf(k1) <= 0.0f))
-                && ((1e-30f <= fabsf(K2)) || (fabsf(k2) <= 0.0f))
-                && ((1e-30f <= fabsf(K3)) || (fabsf(k3) <= 0.0f))
+                && (1e-30f <= size_K1)
+                && (1e-30f <= size_K2)
+                && (1e-30f <= size_K3)
                 && (isfinite(c1) != 0)
                 && (isfinite(c2) != 0)
                 && (isfinite(c3) != 0)

@@ -40,10 +40,13 @@ ptc_status ptc_exp3_trusting_init(ptc_exp3_trusting *self, const ptc_exp3_trusti
             const double c2 = ((-K2) + K3) - 1.0;
             const double c3 = (-K3) + 3.0;
             const double hold_from = -eps;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
                 && (isfinite(c1) != 0)
                 && (isfinite(c2) != 0)
                 && (isfinite(c3) != 0)

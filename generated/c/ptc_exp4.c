@@ -45,12 +45,16 @@ ptc_status ptc_exp4_init(ptc_exp4 *self, const ptc_exp4_params *params)
             const double c3 = ((-K3) + (3.0 * K4)) - 7.0;
             const double c4 = (-K4) + 6.0;
             const double hold_from = -eps;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
                 && (isfinite(c1) != 0)
                 && (isfinite(c2) != 0)
                 && (isfinite(c3) != 0)

@@ -43,7 +43,8 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             const double b1_1 = 0.5 * a1 * tau;
             const double b1_2 = 0.5 * a2 * tau;
             const double w1 = -k1;
-            if (((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            if ((1e-200 <= size_w1)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

@@ -48,10 +48,12 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             const double b2_2 = (-0.25) * (a2 * a2) * tau;
             const double w1 = -k1;
             const double w2 = -k2;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

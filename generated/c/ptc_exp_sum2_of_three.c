@@ -59,11 +59,13 @@ ptc_status ptc_exp_sum2_of_three_init(
             const double b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
             const double w1 = -k1;
             const double w2 = -k2;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (b2_3 <= -1e-200)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

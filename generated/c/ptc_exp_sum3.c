@@ -57,15 +57,18 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             const double w1 = -k1;
             const double w2 = -k2;
             const double w3 = (-2.0) * k3;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
+            const double size_w3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(w3);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (1e-200 <= v5)
                 && (1e-200 <= b3_1)
                 && (1e-200 <= v6)
                 && (1e-200 <= b3_2)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(w3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
+                && (1e-200 <= size_w3)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

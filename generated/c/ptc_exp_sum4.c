@@ -64,6 +64,10 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
             const double w2 = -k2;
             const double w3 = (-2.0) * k3;
             const double w4 = (-6.0) * k4;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
+            const double size_w3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(w3);
+            const double size_w4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(w4);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (1e-200 <= v5)
@@ -74,10 +78,10 @@ ptc_status ptc_exp_sum4_init(ptc_exp_sum4 *self, const ptc_exp_sum4_params *para
                 && (b4_1 <= -1e-200)
                 && (1e-200 <= v8)
                 && (b4_2 <= -1e-200)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(w3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(w4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
+                && (1e-200 <= size_w3)
+                && (1e-200 <= size_w4)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

@@ -71,6 +71,11 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
             const double w3 = (-2.0) * k3;
             const double w4 = (-6.0) * k4;
             const double w5 = (-24.0) * k5;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
+            const double size_w3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(w3);
+            const double size_w4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(w4);
+            const double size_w5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(w5);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (1e-200 <= v5)
@@ -85,11 +90,11 @@ ptc_status ptc_exp_sum5_init(ptc_exp_sum5 *self, const ptc_exp_sum5_params *para
                 && (1e-200 <= b5_1)
                 && (1e-200 <= v10)
                 && (1e-200 <= b5_2)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(w3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(w4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(w5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
+                && (1e-200 <= size_w3)
+                && (1e-200 <= size_w4)
+                && (1e-200 <= size_w5)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

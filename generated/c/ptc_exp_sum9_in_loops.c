@@ -101,6 +101,15 @@ ptc_status ptc_exp_sum9_in_loops_init(
             const double w7 = (-720.0) * k7;
             const double w8 = (-5040.0) * k8;
             const double w9 = (-40320.0) * k9;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
+            const double size_w3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(w3);
+            const double size_w4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(w4);
+            const double size_w5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(w5);
+            const double size_w6 = (fabs(k6) <= 0.0) ? 1e-200 : fabs(w6);
+            const double size_w7 = (fabs(k7) <= 0.0) ? 1e-200 : fabs(w7);
+            const double size_w8 = (fabs(k8) <= 0.0) ? 1e-200 : fabs(w8);
+            const double size_w9 = (fabs(k9) <= 0.0) ? 1e-200 : fabs(w9);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (1e-200 <= v5)
@@ -131,15 +140,15 @@ ptc_status ptc_exp_sum9_in_loops_init(
                 && (1e-200 <= b9_1)
                 && (1e-200 <= v18)
                 && (1e-200 <= b9_2)
-                && ((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(w3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(w4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(w5)) || (fabs(k5) <= 0.0))
-                && ((1e-200 <= fabs(w6)) || (fabs(k6) <= 0.0))
-                && ((1e-200 <= fabs(w7)) || (fabs(k7) <= 0.0))
-                && ((1e-200 <= fabs(w8)) || (fabs(k8) <= 0.0))
-                && ((1e-200 <= fabs(w9)) || (fabs(k9) <= 0.0))
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
+                && (1e-200 <= size_w3)
+                && (1e-200 <= size_w4)
+                && (1e-200 <= size_w5)
+                && (1e-200 <= size_w6)
+                && (1e-200 <= size_w7)
+                && (1e-200 <= size_w8)
+                && (1e-200 <= size_w9)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(target_rate) != 0)
                 && (isfinite(slowest) != 0)

@@ -28,9 +28,11 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             const double hold_from = -eps;
             const double w1 = -k1;
             const double w2 = -k2;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             const double f15 = tau * tau;
-            if (((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+            if ((1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(f15) != 0)
                 && (isfinite(w1) != 0)

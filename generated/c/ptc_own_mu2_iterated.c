@@ -36,9 +36,11 @@ ptc_status ptc_own_mu2_iterated_init(
             const double f29 = (-2.0) * p_a;
             const double w1 = -k1;
             const double w2 = -k2;
+            const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
+            const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             const double f63 = f29 * f29 * 0.5;
-            if (((1e-200 <= fabs(w1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(w2)) || (fabs(k2) <= 0.0))
+            if ((1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(f29) != 0)
                 && (isfinite(f63) != 0)

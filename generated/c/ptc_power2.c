@@ -41,8 +41,10 @@ ptc_status ptc_power2_init(ptc_power2 *self, const ptc_power2_params *params)
             const double c2_0 = m + 1.0;
             const double c2_1 = -K2;
             const double inv_tau = 1.0 / tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(minus_tau) != 0)

@@ -49,10 +49,13 @@ ptc_status ptc_power3_init(ptc_power3 *self, const ptc_power3_params *params)
             const double c3_0 = (3.0 * m) + 3.0;
             const double c3_1 = -K3;
             const double inv_tau = 1.0 / tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(minus_tau) != 0)

@@ -67,14 +67,19 @@ ptc_status ptc_power5_init(ptc_power5 *self, const ptc_power5_params *params)
             const double c5_0 = (10.0 * m) + 10.0;
             const double c5_1 = -K5;
             const double inv_tau = 1.0 / tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
             if ((1e-200 <= v2)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (1e-200 <= v4)
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
+                && (1e-200 <= size_K5)
                 && (isfinite(c1_5) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(minus_tau) != 0)

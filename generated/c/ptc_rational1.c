@@ -31,9 +31,8 @@ ptc_status ptc_rational1_init(ptc_rational1 *self, const ptc_rational1_params *p
             const double K1 = k1 / rate;
             const double c1_1 = -K1;
             const double hold_from = -eps;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && (isfinite(c1_1) != 0)
-                && (isfinite(hold_from) != 0)) {
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            if ((1e-200 <= size_K1) && (isfinite(c1_1) != 0) && (isfinite(hold_from) != 0)) {
                 built.tau = tau;
                 built.c1_1 = c1_1;
                 built.eps = eps;

@@ -38,9 +38,11 @@ ptc_status ptc_rational2_input_gain_init(
             const double c1_2 = -K1;
             const double hold_from = -eps;
             const double c2_1 = -K2;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             if ((1e-200 <= v1)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(c2_1) != 0)) {

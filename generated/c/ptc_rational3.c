@@ -42,11 +42,14 @@ ptc_status ptc_rational3_init(ptc_rational3 *self, const ptc_rational3_params *p
             const double c2_1 = 2.0 * K3;
             const double c2_2 = -K2;
             const double c3_1 = -K3;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             if ((1e-200 <= v1)
                 && (1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(c2_1) != 0)

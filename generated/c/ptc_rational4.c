@@ -49,13 +49,17 @@ ptc_status ptc_rational4_init(ptc_rational4 *self, const ptc_rational4_params *p
             const double c2_3 = -K2;
             const double c3_2 = -K3;
             const double c4_1 = -K4;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
             if ((1e-200 <= v1)
                 && (1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
                 && (isfinite(c1_4) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(c3_1) != 0)

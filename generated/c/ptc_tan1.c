@@ -33,7 +33,8 @@ ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            if ((1e-200 <= size_K1)
                 && (isfinite(c1_1) != 0)
                 && (isfinite(angle_rate) != 0)
                 && (isfinite(inv_angle_rate) != 0)

@@ -38,10 +38,14 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
             const double inv_tau = 1.0 / tau;
             const double c2_0 = (-(1.5707963267948966 * K2)) / tau;
             const double c2_2 = (-(0.6366197723675814 * K2)) * tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c2_0)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c2_2)) || (fabs(k2) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_c2_0 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_c2_0)
+                && (1e-200 <= size_c2_2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(angle_rate) != 0)
                 && (isfinite(inv_angle_rate) != 0)

@@ -49,15 +49,23 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             const double c2_4 = (-(0.4052847345693511 * K2)) * v3;
             const double c3_0 = (-(1.5707963267948966 * K3)) / tau;
             const double c3_2 = (-(0.6366197723675814 * K3)) * tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_c2_1 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c2_3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_3);
+            const double size_c2_4 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
+            const double size_c3_2 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_2);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_1)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_4)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c3_0)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c3_2)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= size_c2_3)
+                && (1e-200 <= size_c2_4)
+                && (1e-200 <= size_c3_0)
+                && (1e-200 <= size_c3_2)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(angle_rate) != 0)
                 && (isfinite(inv_angle_rate) != 0)

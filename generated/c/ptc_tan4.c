@@ -65,23 +65,37 @@ ptc_status ptc_tan4_init(ptc_tan4 *self, const ptc_tan4_params *params)
             const double c3_4 = (-(0.4052847345693511 * K3)) * v5;
             const double c4_0 = (-(1.5707963267948966 * K4)) / tau;
             const double c4_2 = (-(0.6366197723675814 * K4)) * tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_c2_0 = (fabs(v4) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_2 = (fabs(v7) <= 0.0) ? 1e-200 : fabs(c2_2);
+            const double size_c2_4 = (fabs(v9) <= 0.0) ? 1e-200 : fabs(c2_4);
+            const double size_c2_5 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_5);
+            const double size_c2_6 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_6);
+            const double size_c3_1 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_1);
+            const double size_c3_3 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_3);
+            const double size_c3_4 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_4);
+            const double size_c4_0 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_0);
+            const double size_c4_2 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_2);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
                 && (1e-200 <= v6)
-                && ((1e-200 <= fabs(c2_0)) || (fabs(v4) <= 0.0))
-                && ((1e-200 <= fabs(c2_2)) || (fabs(v7) <= 0.0))
-                && ((1e-200 <= fabs(c2_4)) || (fabs(v9) <= 0.0))
-                && ((1e-200 <= fabs(c2_5)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_6)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c3_1)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c3_3)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c3_4)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c4_0)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c4_2)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_c2_0)
+                && (1e-200 <= size_c2_2)
+                && (1e-200 <= size_c2_4)
+                && (1e-200 <= size_c2_5)
+                && (1e-200 <= size_c2_6)
+                && (1e-200 <= size_c3_1)
+                && (1e-200 <= size_c3_3)
+                && (1e-200 <= size_c3_4)
+                && (1e-200 <= size_c4_0)
+                && (1e-200 <= size_c4_2)
                 && (isfinite(c1_4) != 0)
                 && (isfinite(angle_rate) != 0)
                 && (isfinite(inv_angle_rate) != 0)

@@ -85,33 +85,55 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             const double c4_4 = (-(0.4052847345693511 * K4)) * v6;
             const double c5_0 = (-(1.5707963267948966 * K5)) / tau;
             const double c5_2 = (-(0.6366197723675814 * K5)) * tau;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
+            const double size_c2_0 = (fabs(v5) <= 0.0) ? 1e-200 : fabs(c2_0);
+            const double size_c2_1 = (fabs(v8) <= 0.0) ? 1e-200 : fabs(c2_1);
+            const double size_c2_3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_3);
+            const double size_c2_5 = (fabs(v10) <= 0.0) ? 1e-200 : fabs(c2_5);
+            const double size_c2_6 = (fabs(v12) <= 0.0) ? 1e-200 : fabs(c2_6);
+            const double size_c2_7 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_7);
+            const double size_c2_8 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_8);
+            const double size_c3_0 = (fabs(v13) <= 0.0) ? 1e-200 : fabs(c3_0);
+            const double size_c3_2 = (fabs(v14) <= 0.0) ? 1e-200 : fabs(c3_2);
+            const double size_c3_4 = (fabs(v15) <= 0.0) ? 1e-200 : fabs(c3_4);
+            const double size_c3_5 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_5);
+            const double size_c3_6 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_6);
+            const double size_c4_1 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c4_1);
+            const double size_c4_3 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c4_3);
+            const double size_c4_4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_4);
+            const double size_c5_0 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_0);
+            const double size_c5_2 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_2);
             if ((1e-200 <= v2)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (1e-200 <= v4)
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
+                && (1e-200 <= size_K5)
                 && (1e-200 <= v7)
-                && ((1e-200 <= fabs(c2_0)) || (fabs(v5) <= 0.0))
+                && (1e-200 <= size_c2_0)
                 && (1e-200 <= v9)
-                && ((1e-200 <= fabs(c2_1)) || (fabs(v8) <= 0.0))
-                && ((1e-200 <= fabs(c2_3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_5)) || (fabs(v10) <= 0.0))
-                && ((1e-200 <= fabs(c2_6)) || (fabs(v12) <= 0.0))
-                && ((1e-200 <= fabs(c2_7)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c2_8)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(c3_0)) || (fabs(v13) <= 0.0))
-                && ((1e-200 <= fabs(c3_2)) || (fabs(v14) <= 0.0))
-                && ((1e-200 <= fabs(c3_4)) || (fabs(v15) <= 0.0))
-                && ((1e-200 <= fabs(c3_5)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c3_6)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(c4_1)) || (fabs(k5) <= 0.0))
-                && ((1e-200 <= fabs(c4_3)) || (fabs(k5) <= 0.0))
-                && ((1e-200 <= fabs(c4_4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(c5_0)) || (fabs(k5) <= 0.0))
-                && ((1e-200 <= fabs(c5_2)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_c2_1)
+                && (1e-200 <= size_c2_3)
+                && (1e-200 <= size_c2_5)
+                && (1e-200 <= size_c2_6)
+                && (1e-200 <= size_c2_7)
+                && (1e-200 <= size_c2_8)
+                && (1e-200 <= size_c3_0)
+                && (1e-200 <= size_c3_2)
+                && (1e-200 <= size_c3_4)
+                && (1e-200 <= size_c3_5)
+                && (1e-200 <= size_c3_6)
+                && (1e-200 <= size_c4_1)
+                && (1e-200 <= size_c4_3)
+                && (1e-200 <= size_c4_4)
+                && (1e-200 <= size_c5_0)
+                && (1e-200 <= size_c5_2)
                 && (isfinite(c1_5) != 0)
                 && (isfinite(angle_rate) != 0)
                 && (isfinite(inv_angle_rate) != 0)

@@ -32,7 +32,8 @@ ptc_status ptc_tanh1_init(ptc_tanh1 *self, const ptc_tanh1_params *params)
             const double c1_1 = -K1;
             const double hold_from = -eps;
             const double two_tau = 2.0 * tau;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            if ((1e-200 <= size_K1)
                 && (isfinite(c1_1) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)) {

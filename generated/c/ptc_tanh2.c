@@ -38,8 +38,10 @@ ptc_status ptc_tanh2_init(ptc_tanh2 *self, const ptc_tanh2_params *params)
             const double v1 = -K2;
             const double c2_0 = v1 + 1.0;
             const double c2_1 = v1 - 1.0;
-            if (((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (isfinite(c1_2) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -47,10 +47,13 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             const double v4 = -K3;
             const double c3_0 = v4 + 3.0;
             const double c3_1 = v4 - 3.0;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
                 && (isfinite(c1_3) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

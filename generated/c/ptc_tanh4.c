@@ -58,12 +58,16 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             const double v8 = -K4;
             const double c4_0 = v8 + 6.0;
             const double c4_1 = v8 - 6.0;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
             if ((1e-200 <= v2)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
+                && (1e-200 <= size_K1)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
+                && (1e-200 <= size_K2)
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
                 && (isfinite(c1_4) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -75,14 +75,19 @@ ptc_status ptc_tanh5_init(ptc_tanh5 *self, const ptc_tanh5_params *params)
             const double v17 = -K5;
             const double c5_0 = v17 + 10.0;
             const double c5_1 = v17 - 10.0;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
+            const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
+            const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
             if ((1e-200 <= v2)
                 && (1e-200 <= v3)
-                && ((1e-200 <= fabs(K1)) || (fabs(k1) <= 0.0))
-                && ((1e-200 <= fabs(K2)) || (fabs(k2) <= 0.0))
+                && (1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
                 && (1e-200 <= v4)
-                && ((1e-200 <= fabs(K3)) || (fabs(k3) <= 0.0))
-                && ((1e-200 <= fabs(K4)) || (fabs(k4) <= 0.0))
-                && ((1e-200 <= fabs(K5)) || (fabs(k5) <= 0.0))
+                && (1e-200 <= size_K3)
+                && (1e-200 <= size_K4)
+                && (1e-200 <= size_K5)
                 && (isfinite(c1_5) != 0)
                 && (isfinite(hold_from) != 0)
                 && (isfinite(two_tau) != 0)

@@ -201,10 +201,13 @@ public:
         const double c2 = ((-K2) + K3) - 1.0;
         const double c3 = (-K3) + 3.0;
         const double hold_from = -eps;
+        const double size_K1 = (absolute(k1) <= 0.0) ? 1e-200 : absolute(K1);
+        const double size_K2 = (absolute(k2) <= 0.0) ? 1e-200 : absolute(K2);
+        const double size_K3 = (absolute(k3) <= 0.0) ? 1e-200 : absolute(K3);
         if (!((1e-200 <= v2)
-            && ((1e-200 <= absolute(K1)) || (absolute(k1) <= 0.0))
-            && ((1e-200 <= absolute(K2)) || (absolute(k2) <= 0.0))
-            && ((1e-200 <= absolute(K3)) || (absolute(k3) <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
             && finite(c1)
             && finite(c2)
             && finite(c3)

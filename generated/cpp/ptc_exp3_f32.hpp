@@ -201,10 +201,13 @@ public:
         const float c2 = ((-K2) + K3) - 1.0f;
         const float c3 = (-K3) + 3.0f;
         const float hold_from = -eps;
+        const float size_K1 = (absolute(k1) <= 0.0f) ? 1e-30f : absolute(K1);
+        const float size_K2 = (absolute(k2) <= 0.0f) ? 1e-30f : absolute(K2);
+        const float size_K3 = (absolute(k3) <= 0.0f) ? 1e-30f : absolute(K3);
         if (!((1e-30f <= v2)
-            && ((1e-30f <= absolute(K1)) || (absolute(k1) <= 0.0f))
-            && ((1e-30f <= absolute(K2)) || (absolute(k2) <= 0.0f))
-            && ((1e-30f <= absolute(K3)) || (absolute(k3) <= 0.0f))
+            && (1e-30f <= size_K1)
+            && (1e-30f <= size_K2)
+            && (1e-30f <= size_K3)
             && finite(c1)
             && finite(c2)
             && finite(c3)

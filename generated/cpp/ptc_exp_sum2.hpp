@@ -203,10 +203,12 @@ public:
         const double b2_2 = (-0.25) * (a2 * a2) * tau;
         const double w1 = -k1;
         const double w2 = -k2;
+        const double size_w1 = (absolute(k1) <= 0.0) ? 1e-200 : absolute(w1);
+        const double size_w2 = (absolute(k2) <= 0.0) ? 1e-200 : absolute(w2);
         if (!((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && ((1e-200 <= absolute(w1)) || (absolute(k1) <= 0.0))
-            && ((1e-200 <= absolute(w2)) || (absolute(k2) <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
             && finite(hold_from)
             && finite(target_rate)
             && finite(slowest)

@@ -138,19 +138,17 @@ c1 = -K1;
 c2 = ((-K2) + K3) - 1.0;
 c3 = (-K3) + 3.0;
 hold_from = -eps;
-if ~(1e-200 <= v2)
-    error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
-end
-if ~((1e-200 <= abs(K1)) || (abs(k1) <= 0.0))
-    error('ptc_exp3:param', 'params.k(1) is %g; legal: as documented', params.k(1));
-end
-if ~((1e-200 <= abs(K2)) || (abs(k2) <= 0.0))
-    error('ptc_exp3:param', 'params.k(2) is %g; legal: as documented', params.k(2));
-end
-if ~((1e-200 <= abs(K3)) || (abs(k3) <= 0.0))
-    error('ptc_exp3:param', 'params.k(3) is %g; legal: as documented', params.k(3));
-end
-if ~(isfinite(c1) && isfinite(c2) && isfinite(c3) && isfinite(hold_from))
+size_K1 = pick(abs(k1) <= 0.0, 1e-200, abs(K1));
+size_K2 = pick(abs(k2) <= 0.0, 1e-200, abs(K2));
+size_K3 = pick(abs(k3) <= 0.0, 1e-200, abs(K3));
+if ~((1e-200 <= v2) ...
+    && (1e-200 <= size_K1) ...
+    && (1e-200 <= size_K2) ...
+    && (1e-200 <= size_K3) ...
+    && isfinite(c1) ...
+    && isfinite(c2) ...
+    && isfinite(c3) ...
+    && isfinite(hold_from))
     error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.c1 = c1;
@@ -164,4 +162,12 @@ self.t0 = 0.0;
 self.deadline = 0.0;
 self.correction = 0.0;
 self = ptc_exp3_arm(self, t0);
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
 end

@@ -191,7 +191,7 @@ class PtcExp3:
             k1 = given_k[0]
             k2 = given_k[1]
             k3 = given_k[2]
-            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+            if not (np.isfinite(tau) and (1e-150 <= tau <= 1e150)):
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
@@ -199,7 +199,7 @@ class PtcExp3:
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
             if not (0.0 < u_max):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
-            if not (np.isfinite(a) and (1e-150 <= a) and (a <= 1e150)):
+            if not (np.isfinite(a) and (1e-150 <= a <= 1e150)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not np.isfinite(k1):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -218,16 +218,15 @@ class PtcExp3:
             c2 = ((-K2) + K3) - 1.0
             c3 = (-K3) + 3.0
             hold_from = -eps
-            if not (1e-200 <= v2):
-                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not ((1e-200 <= np.abs(K1)) or (np.abs(k1) <= 0.0)):
-                raise ValueError(f"params.k[0] is {params.k[0]}; legal: as documented")
-            if not ((1e-200 <= np.abs(K2)) or (np.abs(k2) <= 0.0)):
-                raise ValueError(f"params.k[1] is {params.k[1]}; legal: as documented")
-            if not ((1e-200 <= np.abs(K3)) or (np.abs(k3) <= 0.0)):
-                raise ValueError(f"params.k[2] is {params.k[2]}; legal: as documented")
+            size_K1 = _R(1e-200) if np.abs(k1) <= 0.0 else np.abs(K1)
+            size_K2 = _R(1e-200) if np.abs(k2) <= 0.0 else np.abs(K2)
+            size_K3 = _R(1e-200) if np.abs(k3) <= 0.0 else np.abs(K3)
             if not (
-                np.isfinite(c1)
+                (1e-200 <= v2)
+                and (1e-200 <= size_K1)
+                and (1e-200 <= size_K2)
+                and (1e-200 <= size_K3)
+                and np.isfinite(c1)
                 and np.isfinite(c2)
                 and np.isfinite(c3)
                 and np.isfinite(hold_from)

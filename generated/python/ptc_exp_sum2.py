@@ -185,7 +185,7 @@ class PtcExpSum2:
             a2 = given_rates[1]
             k1 = given_k[0]
             k2 = given_k[1]
-            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+            if not (np.isfinite(tau) and (1e-150 <= tau <= 1e150)):
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
@@ -193,9 +193,9 @@ class PtcExpSum2:
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
             if not (0.0 < u_max):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
-            if not (np.isfinite(a1) and (1e-150 <= a1) and (a1 <= 1e150)):
+            if not (np.isfinite(a1) and (1e-150 <= a1 <= 1e150)):
                 raise ValueError(f"params.rates[0] is {params.rates[0]}; legal: >= 1e-150, >= a1")
-            if not (np.isfinite(a2) and (1e-150 <= a2) and (a2 <= 1e150)):
+            if not (np.isfinite(a2) and (1e-150 <= a2 <= 1e150)):
                 raise ValueError(f"params.rates[1] is {params.rates[1]}; legal: >= 1e-150, >= a2")
             if not np.isfinite(k1):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -217,14 +217,14 @@ class PtcExpSum2:
             b2_2 = (-0.25) * (a2 * a2) * tau
             w1 = -k1
             w2 = -k2
-            if not ((b2_1 <= -1e-200) and (b2_2 <= -1e-200)):
-                raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not ((1e-200 <= np.abs(w1)) or (np.abs(k1) <= 0.0)):
-                raise ValueError(f"params.k[0] is {params.k[0]}; legal: as documented")
-            if not ((1e-200 <= np.abs(w2)) or (np.abs(k2) <= 0.0)):
-                raise ValueError(f"params.k[1] is {params.k[1]}; legal: as documented")
+            size_w1 = _R(1e-200) if np.abs(k1) <= 0.0 else np.abs(w1)
+            size_w2 = _R(1e-200) if np.abs(k2) <= 0.0 else np.abs(w2)
             if not (
-                np.isfinite(hold_from)
+                (b2_1 <= -1e-200)
+                and (b2_2 <= -1e-200)
+                and (1e-200 <= size_w1)
+                and (1e-200 <= size_w2)
+                and np.isfinite(hold_from)
                 and np.isfinite(target_rate)
                 and np.isfinite(slowest)
                 and np.isfinite(mean_period)

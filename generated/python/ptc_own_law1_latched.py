@@ -137,7 +137,7 @@ class PtcOwnLaw1Latched:
             t0 = given_t0
             eps = given_eps
             u_max = given_u_max
-            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+            if not (np.isfinite(tau) and (1e-150 <= tau <= 1e150)):
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")

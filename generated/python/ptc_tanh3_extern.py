@@ -146,7 +146,7 @@ class PtcTanh3Extern:
             eps = given_eps
             u_max = given_u_max
             a = given_a
-            if not (np.isfinite(tau) and (1e-150 <= tau) and (tau <= 1e150)):
+            if not (np.isfinite(tau) and (1e-150 <= tau <= 1e150)):
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
@@ -154,7 +154,7 @@ class PtcTanh3Extern:
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
             if not (0.0 < u_max):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
-            if not (np.isfinite(a) and (1e-150 <= a) and (a <= 1e150)):
+            if not (np.isfinite(a) and (1e-150 <= a <= 1e150)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not (eps < tau):
                 raise ValueError(f"params.eps is {params.eps}; legal: < tau")

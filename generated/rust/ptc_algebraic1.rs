@@ -239,8 +239,10 @@ impl PtcAlgebraic1 {
         let hold_from = -eps;
         let two_tau = 2.0 * tau;
         let half_tau = 0.5 * tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= c1_1.abs()) || (k1.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_c1_1 = if k1.abs() <= 0.0 { 1e-200 } else { c1_1.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_c1_1)
             && c1_1.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()

@@ -255,10 +255,14 @@ impl PtcAlgebraic2 {
         let c2_2 = (-K2) / tau;
         let c2_1 = 3.0 / tau;
         let inv_tau = 1.0 / tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= c1_2.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= c2_2.abs()) || (k2.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_c1_2 = if k1.abs() <= 0.0 { 1e-200 } else { c1_2.abs() };
+        let size_c2_2 = if k2.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_c1_2)
+            && (1e-200 <= size_c2_2)
             && c1_2.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()

@@ -326,25 +326,40 @@ impl PtcAlgebraic4 {
         let c3_4 = v16 / v4;
         let c4_2 = (-K4) / tau;
         let c4_1 = 18.0 / tau;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
+        let size_c1_4 = if k1.abs() <= 0.0 { 1e-200 } else { c1_4.abs() };
+        let size_c2_0 = if v7.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
+        let size_c2_1 = if v10.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
+        let size_c2_2 = if v13.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        let size_c2_3 = if v14.abs() <= 0.0 { 1e-200 } else { c2_3.abs() };
+        let size_c2_4 = if v15.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
+        let size_c2_5 = if k3.abs() <= 0.0 { 1e-200 } else { c2_5.abs() };
+        let size_c2_6 = if k2.abs() <= 0.0 { 1e-200 } else { c2_6.abs() };
+        let size_c3_3 = if k4.abs() <= 0.0 { 1e-200 } else { c3_3.abs() };
+        let size_c3_4 = if k3.abs() <= 0.0 { 1e-200 } else { c3_4.abs() };
+        let size_c4_2 = if k4.abs() <= 0.0 { 1e-200 } else { c4_2.abs() };
         if !((1e-200 <= v2)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && (1e-200 <= size_K1)
             && (1e-200 <= v3)
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_K4)
             && (1e-200 <= v5)
-            && ((1e-200 <= c1_4.abs()) || (k1.abs() <= 0.0))
+            && (1e-200 <= size_c1_4)
             && (1e-200 <= v8)
-            && ((1e-200 <= c2_0.abs()) || (v7.abs() <= 0.0))
-            && ((1e-200 <= c2_1.abs()) || (v10.abs() <= 0.0))
-            && ((1e-200 <= c2_2.abs()) || (v13.abs() <= 0.0))
-            && ((1e-200 <= c2_3.abs()) || (v14.abs() <= 0.0))
-            && ((1e-200 <= c2_4.abs()) || (v15.abs() <= 0.0))
-            && ((1e-200 <= c2_5.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c2_6.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= c3_3.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= c3_4.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c4_2.abs()) || (k4.abs() <= 0.0))
+            && (1e-200 <= size_c2_0)
+            && (1e-200 <= size_c2_1)
+            && (1e-200 <= size_c2_2)
+            && (1e-200 <= size_c2_3)
+            && (1e-200 <= size_c2_4)
+            && (1e-200 <= size_c2_5)
+            && (1e-200 <= size_c2_6)
+            && (1e-200 <= size_c3_3)
+            && (1e-200 <= size_c3_4)
+            && (1e-200 <= size_c4_2)
             && c1_4.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()

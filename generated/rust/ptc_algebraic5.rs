@@ -378,37 +378,62 @@ impl PtcAlgebraic5 {
         let c4_4 = v28 / v5;
         let c5_2 = (-K5) / tau;
         let c5_1 = 30.0 / tau;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
+        let size_K5 = if k5.abs() <= 0.0 { 1e-200 } else { K5.abs() };
+        let size_c1_5 = if k1.abs() <= 0.0 { 1e-200 } else { c1_5.abs() };
+        let size_c2_0 = if v9.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
+        let size_c2_1 = if v11.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
+        let size_c2_2 = if v13.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        let size_c2_3 = if v15.abs() <= 0.0 { 1e-200 } else { c2_3.abs() };
+        let size_c2_4 = if v16.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
+        let size_c2_5 = if v17.abs() <= 0.0 { 1e-200 } else { c2_5.abs() };
+        let size_c2_6 = if v18.abs() <= 0.0 { 1e-200 } else { c2_6.abs() };
+        let size_c2_7 = if k3.abs() <= 0.0 { 1e-200 } else { c2_7.abs() };
+        let size_c2_8 = if k2.abs() <= 0.0 { 1e-200 } else { c2_8.abs() };
+        let size_c3_0 = if v20.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
+        let size_c3_1 = if v23.abs() <= 0.0 { 1e-200 } else { c3_1.abs() };
+        let size_c3_2 = if v25.abs() <= 0.0 { 1e-200 } else { c3_2.abs() };
+        let size_c3_3 = if v26.abs() <= 0.0 { 1e-200 } else { c3_3.abs() };
+        let size_c3_4 = if v27.abs() <= 0.0 { 1e-200 } else { c3_4.abs() };
+        let size_c3_5 = if k4.abs() <= 0.0 { 1e-200 } else { c3_5.abs() };
+        let size_c3_6 = if k3.abs() <= 0.0 { 1e-200 } else { c3_6.abs() };
+        let size_c4_3 = if k5.abs() <= 0.0 { 1e-200 } else { c4_3.abs() };
+        let size_c4_4 = if k4.abs() <= 0.0 { 1e-200 } else { c4_4.abs() };
+        let size_c5_2 = if k5.abs() <= 0.0 { 1e-200 } else { c5_2.abs() };
         if !((1e-200 <= v2)
             && (1e-200 <= v3)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
             && (1e-200 <= v4)
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= K5.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_K4)
+            && (1e-200 <= size_K5)
             && (1e-200 <= v6)
             && (1e-200 <= v7)
-            && ((1e-200 <= c1_5.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= c2_0.abs()) || (v9.abs() <= 0.0))
-            && ((1e-200 <= c2_1.abs()) || (v11.abs() <= 0.0))
-            && ((1e-200 <= c2_2.abs()) || (v13.abs() <= 0.0))
-            && ((1e-200 <= c2_3.abs()) || (v15.abs() <= 0.0))
-            && ((1e-200 <= c2_4.abs()) || (v16.abs() <= 0.0))
-            && ((1e-200 <= c2_5.abs()) || (v17.abs() <= 0.0))
-            && ((1e-200 <= c2_6.abs()) || (v18.abs() <= 0.0))
-            && ((1e-200 <= c2_7.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c2_8.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= size_c1_5)
+            && (1e-200 <= size_c2_0)
+            && (1e-200 <= size_c2_1)
+            && (1e-200 <= size_c2_2)
+            && (1e-200 <= size_c2_3)
+            && (1e-200 <= size_c2_4)
+            && (1e-200 <= size_c2_5)
+            && (1e-200 <= size_c2_6)
+            && (1e-200 <= size_c2_7)
+            && (1e-200 <= size_c2_8)
             && (1e-200 <= v21)
-            && ((1e-200 <= c3_0.abs()) || (v20.abs() <= 0.0))
-            && ((1e-200 <= c3_1.abs()) || (v23.abs() <= 0.0))
-            && ((1e-200 <= c3_2.abs()) || (v25.abs() <= 0.0))
-            && ((1e-200 <= c3_3.abs()) || (v26.abs() <= 0.0))
-            && ((1e-200 <= c3_4.abs()) || (v27.abs() <= 0.0))
-            && ((1e-200 <= c3_5.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= c3_6.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c4_3.abs()) || (k5.abs() <= 0.0))
-            && ((1e-200 <= c4_4.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= c5_2.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= size_c3_0)
+            && (1e-200 <= size_c3_1)
+            && (1e-200 <= size_c3_2)
+            && (1e-200 <= size_c3_3)
+            && (1e-200 <= size_c3_4)
+            && (1e-200 <= size_c3_5)
+            && (1e-200 <= size_c3_6)
+            && (1e-200 <= size_c4_3)
+            && (1e-200 <= size_c4_4)
+            && (1e-200 <= size_c5_2)
             && c1_5.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()

@@ -213,8 +213,8 @@ impl PtcExp1 {
         }
         let K1 = k1 / a;
         let hold_from = -eps;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0)) && K1.is_finite() && hold_from.is_finite())
-        {
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        if !((1e-200 <= size_K1) && K1.is_finite() && hold_from.is_finite()) {
             return Err(Error::Param);
         }
         let mut built = Self {

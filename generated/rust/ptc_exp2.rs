@@ -224,8 +224,10 @@ impl PtcExp2 {
         let c1 = -K1;
         let c2 = (-K2) + 1.0;
         let hold_from = -eps;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
             && c1.is_finite()
             && c2.is_finite()
             && hold_from.is_finite())

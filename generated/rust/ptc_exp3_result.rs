@@ -238,10 +238,13 @@ impl PtcExp3Result {
         let c2 = ((-K2) + K3) - 1.0;
         let c3 = (-K3) + 3.0;
         let hold_from = -eps;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         if !((1e-200 <= v2)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()

@@ -273,7 +273,8 @@ impl PtcExpSum1 {
         let b1_1 = 0.5 * a1 * tau;
         let b1_2 = 0.5 * a2 * tau;
         let w1 = -k1;
-        if !(((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        if !((1e-200 <= size_w1)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

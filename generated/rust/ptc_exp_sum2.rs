@@ -287,10 +287,12 @@ impl PtcExpSum2 {
         let b2_2 = (-0.25) * (a2 * a2) * tau;
         let w1 = -k1;
         let w2 = -k2;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

@@ -302,11 +302,13 @@ impl PtcExpSum2OfThree {
         let b2_3 = (-0.16666666666666666) * (a3 * a3) * tau;
         let w1 = -k1;
         let w2 = -k2;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
             && (b2_3 <= -1e-200)
-            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

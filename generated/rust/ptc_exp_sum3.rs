@@ -308,15 +308,18 @@ impl PtcExpSum3 {
         let w1 = -k1;
         let w2 = -k2;
         let w3 = (-2.0) * k3;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
+        let size_w3 = if k3.abs() <= 0.0 { 1e-200 } else { w3.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
             && (1e-200 <= v5)
             && (1e-200 <= b3_1)
             && (1e-200 <= v6)
             && (1e-200 <= b3_2)
-            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= w3.abs()) || (k3.abs() <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
+            && (1e-200 <= size_w3)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

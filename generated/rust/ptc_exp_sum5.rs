@@ -345,6 +345,11 @@ impl PtcExpSum5 {
         let w3 = (-2.0) * k3;
         let w4 = (-6.0) * k4;
         let w5 = (-24.0) * k5;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
+        let size_w3 = if k3.abs() <= 0.0 { 1e-200 } else { w3.abs() };
+        let size_w4 = if k4.abs() <= 0.0 { 1e-200 } else { w4.abs() };
+        let size_w5 = if k5.abs() <= 0.0 { 1e-200 } else { w5.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
             && (1e-200 <= v5)
@@ -359,11 +364,11 @@ impl PtcExpSum5 {
             && (1e-200 <= b5_1)
             && (1e-200 <= v10)
             && (1e-200 <= b5_2)
-            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= w3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= w4.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= w5.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
+            && (1e-200 <= size_w3)
+            && (1e-200 <= size_w4)
+            && (1e-200 <= size_w5)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

@@ -405,6 +405,15 @@ impl PtcExpSum9InLoops {
         let w7 = (-720.0) * k7;
         let w8 = (-5040.0) * k8;
         let w9 = (-40320.0) * k9;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
+        let size_w3 = if k3.abs() <= 0.0 { 1e-200 } else { w3.abs() };
+        let size_w4 = if k4.abs() <= 0.0 { 1e-200 } else { w4.abs() };
+        let size_w5 = if k5.abs() <= 0.0 { 1e-200 } else { w5.abs() };
+        let size_w6 = if k6.abs() <= 0.0 { 1e-200 } else { w6.abs() };
+        let size_w7 = if k7.abs() <= 0.0 { 1e-200 } else { w7.abs() };
+        let size_w8 = if k8.abs() <= 0.0 { 1e-200 } else { w8.abs() };
+        let size_w9 = if k9.abs() <= 0.0 { 1e-200 } else { w9.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
             && (1e-200 <= v5)
@@ -435,15 +444,15 @@ impl PtcExpSum9InLoops {
             && (1e-200 <= b9_1)
             && (1e-200 <= v18)
             && (1e-200 <= b9_2)
-            && ((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= w3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= w4.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= w5.abs()) || (k5.abs() <= 0.0))
-            && ((1e-200 <= w6.abs()) || (k6.abs() <= 0.0))
-            && ((1e-200 <= w7.abs()) || (k7.abs() <= 0.0))
-            && ((1e-200 <= w8.abs()) || (k8.abs() <= 0.0))
-            && ((1e-200 <= w9.abs()) || (k9.abs() <= 0.0))
+            && (1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
+            && (1e-200 <= size_w3)
+            && (1e-200 <= size_w4)
+            && (1e-200 <= size_w5)
+            && (1e-200 <= size_w6)
+            && (1e-200 <= size_w7)
+            && (1e-200 <= size_w8)
+            && (1e-200 <= size_w9)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()

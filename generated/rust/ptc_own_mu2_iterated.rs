@@ -249,9 +249,11 @@ impl PtcOwnMu2Iterated {
         let f29 = (-2.0) * p_a;
         let w1 = -k1;
         let w2 = -k2;
+        let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
+        let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         let f63 = f29 * f29 * 0.5;
-        if !(((1e-200 <= w1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= w2.abs()) || (k2.abs() <= 0.0))
+        if !((1e-200 <= size_w1)
+            && (1e-200 <= size_w2)
             && hold_from.is_finite()
             && f29.is_finite()
             && f63.is_finite()

@@ -245,7 +245,8 @@ impl PtcPower1 {
         let c1_1 = -K1;
         let hold_from = -eps;
         let minus_tau = -tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        if !((1e-200 <= size_K1)
             && c1_1.is_finite()
             && hold_from.is_finite()
             && minus_tau.is_finite())

@@ -249,8 +249,10 @@ impl PtcPower2ByRoot {
         let minus_tau = -tau;
         let c2_1 = -K2;
         let inv_tau = 1.0 / tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
             && c1_2.is_finite()
             && hold_from.is_finite()
             && minus_tau.is_finite()

@@ -334,14 +334,19 @@ impl PtcPower5 {
         let c5_0 = (10.0 * m) + 10.0;
         let c5_1 = -K5;
         let inv_tau = 1.0 / tau;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
+        let size_K5 = if k5.abs() <= 0.0 { 1e-200 } else { K5.abs() };
         if !((1e-200 <= v2)
             && (1e-200 <= v3)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
             && (1e-200 <= v4)
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
-            && ((1e-200 <= K5.abs()) || (k5.abs() <= 0.0))
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_K4)
+            && (1e-200 <= size_K5)
             && c1_5.is_finite()
             && hold_from.is_finite()
             && minus_tau.is_finite()

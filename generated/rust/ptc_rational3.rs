@@ -243,11 +243,14 @@ impl PtcRational3 {
         let c2_1 = 2.0 * K3;
         let c2_2 = -K2;
         let c3_1 = -K3;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         if !((1e-200 <= v1)
             && (1e-200 <= v2)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
             && c1_3.is_finite()
             && hold_from.is_finite()
             && c2_1.is_finite()

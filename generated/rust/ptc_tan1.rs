@@ -224,7 +224,8 @@ impl PtcTan1 {
         let inv_angle_rate = 0.6366197723675814 * tau;
         let hold_from = -eps;
         let inv_tau = 1.0 / tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        if !((1e-200 <= size_K1)
             && c1_1.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()

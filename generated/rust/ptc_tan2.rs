@@ -238,10 +238,14 @@ impl PtcTan2 {
         let inv_tau = 1.0 / tau;
         let c2_0 = (-(1.5707963267948966 * K2)) / tau;
         let c2_2 = (-(0.6366197723675814 * K2)) * tau;
-        if !(((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= c2_0.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= c2_2.abs()) || (k2.abs() <= 0.0))
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
+        let size_c2_2 = if k2.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_c2_0)
+            && (1e-200 <= size_c2_2)
             && c1_2.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()

@@ -267,15 +267,23 @@ impl PtcTan3 {
         let c2_4 = (-(0.4052847345693511 * K2)) * v3;
         let c3_0 = (-(1.5707963267948966 * K3)) / tau;
         let c3_2 = (-(0.6366197723675814 * K3)) * tau;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_c2_1 = if k3.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
+        let size_c2_3 = if k3.abs() <= 0.0 { 1e-200 } else { c2_3.abs() };
+        let size_c2_4 = if k2.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
+        let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
+        let size_c3_2 = if k3.abs() <= 0.0 { 1e-200 } else { c3_2.abs() };
         if !((1e-200 <= v2)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c2_1.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c2_3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c2_4.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= c3_0.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= c3_2.abs()) || (k3.abs() <= 0.0))
+            && (1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_c2_1)
+            && (1e-200 <= size_c2_3)
+            && (1e-200 <= size_c2_4)
+            && (1e-200 <= size_c3_0)
+            && (1e-200 <= size_c3_2)
             && c1_3.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()

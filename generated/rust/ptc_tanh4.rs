@@ -282,12 +282,16 @@ impl PtcTanh4 {
         let v8 = -K4;
         let c4_0 = v8 + 6.0;
         let c4_1 = v8 - 6.0;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
+        let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
         if !((1e-200 <= v2)
-            && ((1e-200 <= K1.abs()) || (k1.abs() <= 0.0))
+            && (1e-200 <= size_K1)
             && (1e-200 <= v3)
-            && ((1e-200 <= K2.abs()) || (k2.abs() <= 0.0))
-            && ((1e-200 <= K3.abs()) || (k3.abs() <= 0.0))
-            && ((1e-200 <= K4.abs()) || (k4.abs() <= 0.0))
+            && (1e-200 <= size_K2)
+            && (1e-200 <= size_K3)
+            && (1e-200 <= size_K4)
             && c1_4.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()

@@ -112,6 +112,24 @@ impl Expr {
         self.number().is_some_and(Zero::is_zero)
     }
 
+    /// Whether only numbers stand in it.
+    pub fn is_constant(&self) -> bool {
+        let mut constant = true;
+        self.visit(&mut |inner| {
+            constant &= matches!(
+                inner,
+                Self::Number(_)
+                    | Self::Neg(_)
+                    | Self::Binary(..)
+                    | Self::Quotient(..)
+                    | Self::Call(..)
+                    | Self::Pow(..)
+                    | Self::Choose(..)
+            );
+        });
+        constant
+    }
+
     /// An operation as it stands.
     pub fn binary(operator: Operator, a: Self, b: Self) -> Self {
         Self::Binary(operator, Box::new(a), Box::new(b))

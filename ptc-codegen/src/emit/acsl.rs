@@ -45,7 +45,7 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
         predicates: predicates(controller, program),
         contracts: contracts.into_iter().collect(),
         // The tests of sizes leave a state for each set of gains that are 0.
-        before_tests: Some("//@ slevel merge;"),
+        before_tests: Some("/*@ slevel merge; */"),
         behind: Some(|solve, tolerance, real| split_root(&solve.unknown, tolerance, real)),
     }
 }

@@ -30,6 +30,11 @@ pub(super) trait Block: Text {
     /// What opens and closes a comment.
     fn comment(&self) -> (&'static str, &'static str);
 
+    /// The name of a local value where it is defined.
+    fn defined(&self, name: &str, _shape: Shape, _value: &Expr) -> String {
+        name.to_owned()
+    }
+
     /// A local value that does not change.
     fn define(&self, name: &str, shape: Shape, value: &str) -> String;
 
@@ -93,9 +98,10 @@ pub(super) trait Block: Text {
     fn statement(&mut self, statement: &Statement) {
         match statement {
             Statement::Let(name, shape, value) => {
-                let (name, value) = (self.local(name), self.value(value));
-                if name != value {
-                    let line = self.define(&name, *shape, &value);
+                let (name, text) = (self.local(name), self.value(value));
+                if name != text {
+                    let name = self.defined(&name, *shape, value);
+                    let line = self.define(&name, *shape, &text);
                     self.out().line(line);
                 }
             }

@@ -214,8 +214,13 @@ pub(in crate::emit) trait Text {
             Test::Finite(a) => vec![self.finite(&self.within(a, Level::Atom))],
             Test::NotNumber(a) => vec![self.not_number(&self.within(a, Level::Atom))],
             Test::All(tests) if tests.len() == 1 => self.parts(&tests[0]),
-            Test::All(tests) => tests.iter().flat_map(|test| self.operands(test)).collect(),
+            Test::All(tests) => self.all(tests),
         }
+    }
+
+    /// Several tests, each as an operand of [`Text::and`].
+    fn all(&self, tests: &[Test]) -> Vec<String> {
+        tests.iter().flat_map(|test| self.operands(test)).collect()
     }
 
     /// A test as an operand of [`Text::and`] and [`Text::or`].
@@ -225,6 +230,19 @@ pub(in crate::emit) trait Text {
             _ => vec![format!("({})", self.test(test))],
         }
     }
+}
+
+/// Without the brackets around the whole, where those of a statement or a call are enough.
+pub(super) fn bare(test: String) -> String {
+    let inner = test.strip_prefix('(').and_then(|inner| inner.strip_suffix(')'));
+    let whole = |inner: &&str| {
+        let mut depth = 0i32;
+        inner.chars().all(|c| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            depth >= 0
+        })
+    };
+    inner.filter(whole).map_or(test.clone(), str::to_owned)
 }
 
 /// Lines that are indented as blocks open and close.

@@ -1,7 +1,7 @@
 //! The source: every function has one exit.
 
 use super::super::block::{either, same};
-use super::super::text::Text;
+use super::super::text::{Text, bare};
 use super::{C, externs, word};
 use crate::code::{
     Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test,
@@ -375,17 +375,4 @@ if ({size} <= {tolerance}) {{
             behind(solve, &tolerance, &real).into_iter().for_each(|line| self.out.line(line));
         }
     }
-}
-
-/// A test without brackets around it, those of the statement being enough.
-fn bare(test: String) -> String {
-    let inner = test.strip_prefix('(').and_then(|inner| inner.strip_suffix(')'));
-    let whole = |inner: &&str| {
-        let mut depth = 0i32;
-        inner.chars().all(|c| {
-            depth += i32::from(c == '(') - i32::from(c == ')');
-            depth >= 0
-        })
-    };
-    inner.filter(whole).map_or(test.clone(), str::to_owned)
 }

@@ -6,6 +6,7 @@ use super::super::legal::copies;
 use super::super::text::Text;
 use super::{Python, annotation};
 use crate::code::{Function, Owner, Shape};
+use crate::parameter::Precision;
 
 const OVERFLOW: &str =
     "the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1";
@@ -87,6 +88,8 @@ impl Python<'_> {
         for argument in &function.arguments {
             let kind = match argument.shape {
                 Shape::Reals(_) => "ArrayLike",
+                // A float64 is a float, a float32 is none.
+                Shape::Real if self.code.precision == Precision::F32 => "float | np.float32",
                 shape => annotation(shape),
             };
             list.push(format!("{}: {kind}", argument.name));

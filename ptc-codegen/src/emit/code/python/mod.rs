@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::legal::checks;
-use super::text::{Level, Lines, Text};
+use super::text::{Level, Lines, Text, bare};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
@@ -132,11 +132,36 @@ impl Text for Python<'_> {
     }
 
     fn finite(&self, value: &str) -> String {
-        format!("np.isfinite({value})")
+        format!("np.isfinite({})", bare(value.to_owned()))
     }
 
     fn not_number(&self, value: &str) -> String {
-        format!("np.isnan({value})")
+        format!("np.isnan({})", bare(value.to_owned()))
+    }
+
+    /// Comparisons of which one goes on where that before it ends are one: `a <= b < c`.
+    fn all(&self, tests: &[Test]) -> Vec<String> {
+        let mut parts: Vec<String> = Vec::new();
+        let mut end = None;
+        for test in tests {
+            let (start, sign, next) = match test {
+                Test::Less(a, b) if !self.batch => (Some(a), "<", Some(b)),
+                Test::AtMost(a, b) if !self.batch => (Some(a), "<=", Some(b)),
+                _ => (None, "", None),
+            };
+            match (next, parts.last_mut()) {
+                (Some(next), Some(last)) if start == end => {
+                    last.pop();
+                    last.push_str(&format!(" {sign} {})", self.within(next, Level::Sum)));
+                }
+                _ => parts.extend(self.operands(test)),
+            }
+            end = next;
+        }
+        if let [one] = parts.as_mut_slice() {
+            *one = bare(std::mem::take(one));
+        }
+        parts
     }
 
     fn and(&self) -> &'static str {

@@ -172,10 +172,10 @@ fn rows_function(weights: usize) -> String {
     let part = tail - 1;
     format!(
         "\
-def _rows(weights: Sequence[ArrayLike], tail: list[Array]) -> list[Array]:
+def _rows(weights: Sequence[ArrayLike], tail: Sequence[ArrayLike]) -> list[Array]:
     \"\"\"Loops over the powers of the Taylor series of mu, for the gains of all states.\"\"\"
     row = [np.asarray(weight, dtype=_R) for weight in weights]
-    p = tail
+    p = [np.asarray(value, dtype=_R) for value in tail]
     q: list[Array] = []  # p^2
     for k in range({part}):
         v = p[k] + p[k]

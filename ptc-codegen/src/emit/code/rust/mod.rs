@@ -126,6 +126,14 @@ impl Block for Rust<'_> {
         ("// ", "")
     }
 
+    /// With its type where only literals stand in the value, which have none of their own.
+    fn defined(&self, name: &str, shape: Shape, value: &Expr) -> String {
+        match value.is_constant() {
+            true => format!("{name}: {}", self.type_of(shape)),
+            false => name.to_owned(),
+        }
+    }
+
     fn define(&self, name: &str, _shape: Shape, value: &str) -> String {
         format!("let {name} = {value};")
     }
