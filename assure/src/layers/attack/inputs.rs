@@ -37,7 +37,7 @@ pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     let (mut drawn, mut accepted, mut failed) = (0, 0, 0);
     let began = Instant::now();
     while began.elapsed() < if *brief { BRIEF } else { TIME } && failed < ENOUGH {
-        let words = command_line(&mut random, folder)?;
+        let words = command_line(&mut random, folder, drawn)?;
         let output = limited(command, &words, folder, seconds)?;
         drawn += 1;
         accepted += usize::from(output.status.success());
@@ -96,15 +96,16 @@ fn of<'a>(random: &mut Random, choices: &[&'a str]) -> &'a str {
     choices[usize::try_from(random.below(choices.len() as u64)).unwrap_or(0)]
 }
 
-/// The words of a command line, by flags or with a design file of the same keys.
-fn command_line(random: &mut Random, folder: &Path) -> Result<Vec<String>> {
+/// The words of the command line with this index, by flags or with a design file of the same keys.
+fn command_line(random: &mut Random, folder: &Path, index: usize) -> Result<Vec<String>> {
     let mut words: Vec<String> = match random.below(3) {
         0 => vec!["check".to_owned()],
         _ => {
             let language = of(random, &["c", "rust", "cpp", "python", "st"]);
             let mut words = ["emit", "--lang", language, "-o", "-"].map(str::to_owned).to_vec();
-            words
-                .extend((language == "c" && random.below(2) == 0).then(|| "--selftest".to_owned()));
+            if language == "c" && index % 2 == 0 {
+                words.push("--selftest".to_owned());
+            }
             words
         }
     };

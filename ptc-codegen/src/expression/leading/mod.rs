@@ -52,6 +52,11 @@ pub(crate) struct Decay {
     pub(crate) pure: bool,
 }
 
+/// Steps of the effort that an operation of a search takes the time of.
+const WALKED: usize = 25;
+/// Steps of the effort that an operation on long intervals takes the time of.
+const ENCLOSED: usize = 300;
+
 /// How an expression in positive parameters compares with 0.
 pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
     match sign(expression, &positive_parameters) {
@@ -64,6 +69,7 @@ pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
         return None;
     }
     // A constant such as ln 3 - 1.
+    effort::spend(ENCLOSED * expression.size())?;
     let value = Evaluator::new().value(expression, &Names::new())?;
     let known = value.existence == Existence::Certain;
     match (known, value.interval.is_positive(), value.interval.is_negative()) {
@@ -314,6 +320,7 @@ impl Walk<'_> {
     }
 
     fn spend(&self, work: usize) -> Option<()> {
+        effort::spend(WALKED * work)?;
         let left = self.left.get().checked_sub(work);
         self.left.set(left.unwrap_or(0));
         left.map(|_| ())
