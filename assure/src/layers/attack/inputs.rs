@@ -103,7 +103,7 @@ fn command_line(random: &mut Random, folder: &Path, index: usize) -> Result<Vec<
         _ => {
             let language = of(random, &["c", "rust", "cpp", "python", "st"]);
             let mut words = ["emit", "--lang", language, "-o", "-"].map(str::to_owned).to_vec();
-            if language == "c" && index % 2 == 0 {
+            if language == "c" && index.is_multiple_of(2) {
                 words.push("--selftest".to_owned());
             }
             words
