@@ -55,6 +55,7 @@ fn expressions_that_grow_when_they_are_simplified_end() {
             nested("tanh(E)", 80, name),
             nested("atanh(E/2)", 40, name),
             nested("cosh(E)", 30, name),
+            format!("tau*atan({name})*exp({})", nested("cosh(E)", 66, name)),
             nested("ln(1+E)", 50, name),
             nested("(E)^(E)", 8, name),
             format!("{name}^1e8 - b"),

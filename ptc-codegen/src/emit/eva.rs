@@ -8,9 +8,10 @@ use super::code::externs;
 use super::outline::Outline;
 use super::{Controller, File, literal, text_of, tidy};
 use crate::code::{Code, Expr};
+use crate::controller::checked;
 use crate::expression::Function as Math;
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
-use crate::program::digits::{self, Condition};
+use crate::program::digits::Condition;
 use crate::program::number;
 use crate::request::{Guard, Spec};
 
@@ -63,7 +64,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
         having.map(|call| call.text(&name, None)).collect()
     };
-    let checks = digits::checks(spec, controller.program);
+    let [checks, _] = checked(controller);
     let harness = Harness {
         name: &name,
         prefix: &prefix,

@@ -55,14 +55,6 @@ pub fn least(precision: Precision) -> f64 {
     }
 }
 
-/// Takes the product of two numbers, each at least [`least`], into the normal range.
-pub fn large(precision: Precision) -> f64 {
-    match precision {
-        Precision::F64 => 1e100,
-        Precision::F32 => f64::from(1e25_f32),
-    }
-}
-
 /// Binary exponents of the least normal number, and of the greatest one.
 fn normal(precision: Precision) -> (f64, f64) {
     match precision {

@@ -52,7 +52,7 @@ pub(crate) struct Decay {
     pub(crate) pure: bool,
 }
 
-/// Steps of the effort that an operation of a search takes the time of.
+/// Steps of the effort that an operation of a search takes the time of, at 5 million a second.
 const WALKED: usize = 25;
 /// Steps of the effort that an operation on long intervals takes the time of.
 const ENCLOSED: usize = 300;
