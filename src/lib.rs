@@ -102,6 +102,9 @@ pub use error::Error;
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
 /// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
 /// | `f` | known constant of the plant, cancelled; with `clock = samples` | a finite number | 0 |
+/// | `A` | matrix of a linear plant x' = A x + B u, y = C x in place of a chain; with `clock = samples` | n rows of n finite numbers, n <= 8 | |
+/// | `B` | what the input of the linear plant moves | n finite numbers | |
+/// | `C` | what is measured of the linear plant, in place of `measured` | n finite numbers, or rows of them | all states |
 /// | `tau` | prescribed settling time in s | a number > 0 | run time |
 /// | `t0` | start time in s | a finite number | run time |
 /// | `eps` | time-to-go in s at which the gains are held | a number > 0 and < tau | run time |
@@ -119,6 +122,7 @@ pub use error::Error;
 /// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |
 /// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all |
 /// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | |
+/// | `after_observer` | poles of the observer in 1/s once the estimates are exact; with `clock = samples` | one for each state that is estimated, with real parts < 0 | the last gains stay |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope` | none |

@@ -26,7 +26,7 @@ const STEPS: usize = 14;
 
 type Keys = &'static [(&'static str, &'static str)];
 
-const DESIGNS: [Keys; 12] = [
+const DESIGNS: [Keys; 14] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -107,6 +107,26 @@ const DESIGNS: [Keys; 12] = [
         ("disturbance", "constant"),
         ("observer_poles", "-4,-5,-6,-7,-8"),
         ("sample_time", "0.01"),
+    ],
+    &[
+        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
+        ("B", "[0,0,500]"),
+        ("C", "[[1,0,0],[0,0,1]]"),
+        ("mu", "exp(a=1)"),
+        ("sample_time", "1e-3"),
+        ("delay", "1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7"),
+        ("after_observer", "-90+20i,-90-20i,-100,-120"),
+    ],
+    &[
+        ("A", "[[0,1],[49,-0.1]]"),
+        ("B", "[0.1,-1.3]"),
+        ("C", "[[1,0.5],[0.2,-1]]"),
+        ("mu", "exp(a=1)"),
+        ("sample_time", "0.01"),
+        ("precision", "f32"),
+        ("after", "zero"),
     ],
 ];
 
@@ -277,8 +297,8 @@ fn what_a_language_cannot_say_is_refused() {
         spec(&keys)
     };
     let cases = [
-        (Language::Fmu3, of("stage"), "clock", "no clock in samples"),
-        (Language::Fmu2, of("stage"), "clock", "no clock in samples"),
+        (Language::Fmu3, of("time_to_go"), "name", "meaning of its own in fmu3"),
+        (Language::Fmu2, of("time_to_go"), "name", "meaning of its own in fmu2"),
         (Language::Python, of("lambda"), "name", "meaning of its own in python"),
         (Language::Cpp, of("concept"), "name", "meaning of its own in cpp"),
         (Language::Matlab, of("end"), "name", "meaning of its own in matlab"),

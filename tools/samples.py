@@ -1,7 +1,9 @@
-"""The emitted C of a clock in samples in the loop with the exact chain of integrators, in 120 digits.
+"""The emitted C of a clock in samples in the loop with the exact plant, in 120 digits.
 
     python3 tools/samples.py table COMMAND   both laws side by side, by h/tau
     python3 tools/samples.py rest COMMAND    what is left of the state at sample N
+    python3 tools/samples.py plants COMMAND  the same of random linear plants
+    python3 tools/samples.py gains COMMAND   tests/data/sampled_plants.json: gains of linear plants, without COMMAND's help
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
@@ -11,13 +13,14 @@ is not the controller's.
 
 import argparse
 import ctypes
+import json
 import random
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from mpmath import factorial, mp, mpf, nstr
+from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr, rgamma, zeros
 
 mp.dps = 120
 ROOM = 4096  # bytes for a controller, whatever its fields
@@ -53,6 +56,28 @@ class Controller:
         if status < 0:
             raise ValueError(f"step({now}, {x}) gives {status}")
         return u.value
+
+
+class Linear:
+    """x' = A x + gain B (u + force), u held for h and `delay` samples late."""
+
+    def __init__(self, h, a, b, x, delay=0, force=0, gain="1"):
+        n = len(x)
+        whole = zeros(n + 1, n + 1)
+        for i in range(n):
+            whole[i, n] = mpf(gain) * mpf(b[i]) * mpf(h)
+            for j in range(n):
+                whole[i, j] = mpf(a[i][j]) * mpf(h)
+        self.whole = expm(whole, method="taylor")
+        self.x, self.force, self.late = [mpf(value) for value in x], mpf(force), [mpf(0)] * delay
+        self.most = max(map(abs, self.x))
+
+    def step(self, u):
+        self.late.append(mpf(u))
+        given = [*self.x, self.late.pop(0) + self.force]
+        n = len(self.x)
+        self.x = [sum(self.whole[i, j] * given[j] for j in range(n + 1)) for i in range(n)]
+        self.most = max(self.most, *map(abs, self.x))
 
 
 class Chain:
@@ -170,6 +195,155 @@ def rest(command, gain):
     return int(max(max(found[group]) for group in claimed) > LUCK)
 
 
+def plant(rng, n, kind, h):
+    """A and B of a random plant, of some `kind`, in coordinates that mix its modes."""
+    a = [[0.0] * n for _ in range(n)]
+    rates = [rng.uniform(-8, 8) for _ in range(n)] if kind == "unstable" else [
+        -rng.uniform(0.1, 20) for _ in range(n)]
+    if kind == "stiff":
+        rates[0] = -rng.uniform(2, 12) / h
+    for i in range(n):
+        a[i][i] = rates[i]
+    if kind == "complex" and n > 1:
+        w = rng.uniform(5, 40)
+        a[0][0], a[0][1], a[1][0], a[1][1] = -0.3, w, -w, -0.3
+    for _ in range(2 * n if n > 1 else 0):  # x_i += f x_j
+        i, j = rng.sample(range(n), 2)
+        f = rng.uniform(-1, 1)
+        a[i] = [p + f * q for p, q in zip(a[i], a[j])]
+        for row in a:
+            row[j] -= f * row[i]
+    b = [rng.uniform(-2, 2) for _ in range(n)]
+    return [[float(f"{value:.6g}") for value in row] for row in a], [float(f"{value:.6g}") for value in b]
+
+
+def rows(matrix):
+    return "[" + ",".join("[" + ",".join(map(repr, row)) + "]" for row in matrix) + "]"
+
+
+def one_plant(command, rng, n, kind, delay, samples, outputs=None, force=0, gain="1"):
+    """What is left of a random plant at sample N; None where the generator refuses it."""
+    h = rng.choice([0.001, 0.05])
+    a, b = plant(rng, n, kind, h)
+    order = n + delay
+    flags = [f"--A={rows(a)}", f"--B={[*b]}", "--mu", "exp(a=1)", "--clock", "samples",
+             "--sample-time", str(h), "--tau", nstr(samples * mpf(str(h)), 30), "--delay", str(delay),
+             f"--poles={poles(rng, order, order)}"]
+    c = None
+    if outputs:
+        c = [[round(rng.uniform(-1, 1), 3) for _ in range(n)] for _ in range(outputs)]
+        count = n + (force != 0)
+        flags += [f"--C={rows(c)}"]
+        if outputs < n or force:
+            own = poles(rng, count, count) if outputs == 1 else ",".join(f"-{count + i}" for i in range(count))
+            flags += [f"--observer-poles={own}", "--deadbeat", str(2 * (order + count))]
+            flags += ["--disturbance", "constant"] if force else []
+    try:
+        controller = Controller(command, *flags)
+    except subprocess.CalledProcessError:
+        return None
+    controller.init()
+    loop = Linear(str(h), a, b, [rng.uniform(-1, 1) for _ in range(n)], delay, force, gain)
+    for k in range(samples):
+        y = loop.x if c is None else [sum(p * q for p, q in zip(row, loop.x)) for row in c]
+        loop.step(controller.step(k, y))
+    return max(map(abs, loop.x)) / loop.most
+
+
+def plants(command, gain):
+    """Rows of Markdown: loops, plants refused, what is left in the median and at most."""
+    rng, found, refused = random.Random(1), {}, {}
+
+    def loop(group, *arguments):
+        left = one_plant(command, rng, *arguments, gain=gain)
+        if left is None:
+            refused[group] = refused.get(group, 0) + 1
+        else:
+            found.setdefault(group, []).append(left)
+
+    for kind in ("slow", "unstable", "complex", "stiff"):
+        for n in range(1, 5):
+            for delay in range(3):
+                for samples in (n + delay + 2, 20, 1000):
+                    enough = ">=" if samples >= 2 * (n + delay) else "<"
+                    loop(f"all states, N {enough} 2 (n + d)", n, kind, delay, samples)
+            for outputs in range(1, n + 1):
+                loop("C of several rows, N = 200" if outputs > 1 else "C of one row, N = 200", n, kind, 1, 200, outputs)
+                loop("observer and disturbance, N = 200", n, kind, 0, 200, outputs, 0.3)
+    for group, left in sorted(found.items()):
+        left.sort()
+        ends = f"{float(left[len(left) // 2]):.1e} | {float(left[-1]):.1e}"
+        print(f"| {group} | {len(left)} | {refused.get(group, 0)} | {ends} |")
+    return 0
+
+
+def gains(_, __):
+    """Gains from the solutions T^(p) of the loop: those of the flat output and of the states that go with it."""
+    plants = [
+        ("motor", [[0, 1, 0], [0, "-0.5", 1500], [0, -15, -600]], [0, 0, 500], "1e-3"),
+        ("complex", [[0, 1, 0, 0], [-900, "-0.6", 900, "0.6"], [0, 0, 0, 1], [400, "0.3", -400, "-0.3"]], [0, 0, 0, 1], "2e-3"),
+        ("unstable", [[0, 1], [49, 0]], [0, "-1.3"], "0.01"),
+        ("mixed", [["3.1", "-2", "0.4"], ["1.2", "-7", 1], ["0.3", "0.9", "-1.5"]], [1, "-0.4", "0.7"], "0.05"),
+        ("stiff", [["-9000", 3], [2, "-0.5"]], [1, "0.25"], "1e-3"),
+        ("first", [["-0.25"]], [2], "0.5"),
+    ]
+    found = []
+    with mp.workdps(90):
+        for name, a, b, h in plants:
+            n = len(b)
+            whole = zeros(n + 1, n + 1)
+            for i in range(n):
+                whole[i, n] = mpf(b[i]) * mpf(h)
+                for j in range(n):
+                    whole[i, j] = mpf(a[i][j]) * mpf(h)
+            whole = expm(whole, method="taylor")
+            phi, held = whole[:n, :n], whole[:n, n]
+            # The row c with c Phi^i Gamma = 0, i < n - 1, and 1 for i = n - 1.
+            reach = zeros(n, n)
+            for j in range(n):
+                column = phi**j * held
+                for i in range(n):
+                    reach[j, i] = column[i]
+            unit = zeros(n, 1)
+            unit[n - 1] = 1
+            c = lu_solve(reach, unit).T
+            flat = zeros(n, n)
+            for j in range(n):
+                row = c * phi**j
+                for i in range(n):
+                    flat[j, i] = row[i]
+            for samples in (n + 2, 40, 1000):
+                p = [mpf(n + 1) + mpf(i) * 5 / 4 for i in range(n)]
+                chosen = sorted({0, samples // 2, samples - 1, max(0, samples - 2 * n - 4)})
+                cases = {}
+                for k in chosen:
+                    left = samples - k
+                    law = max(2 * n, int(ceil(max(p))) + n - 1)
+                    x, u = zeros(n, n), zeros(1, n)
+                    for i in range(n):
+                        if left > law:
+                            y = [falling(left - j, p[i]) / falling(left, p[i]) for j in range(n + 1)]
+                        else:
+                            y = [mpf(i == j) for j in range(n + 1)]
+                        state = lu_solve(flat, matrix(y[:n]))
+                        u[i] = y[n] - (c * phi**n * state)[0]
+                        for j in range(n):
+                            x[j, i] = state[j]
+                    row = lu_solve(x.T, u.T)
+                    cases[str(k)] = [nstr(value, 40) for value in row]
+                found.append({
+                    "name": name, "A": rows(a).replace("'", ""), "B": str(b).replace("'", ""),
+                    "h": h, "samples": samples, "poles": [nstr(-value, 20) for value in p], "gains": cases,
+                })
+    print(json.dumps(found, indent=1))
+    return 0
+
+
+def falling(m, p):
+    """m^(p)."""
+    return rgamma(m - p + 1) * gamma(m + 1)
+
+
 def stage(command, _):
     """Rows of Markdown: the worst of 20 runs from 0.1 m with 0.3 N, on a grid of the encoder's steps."""
     for observer_eps, eps in ((0.01, 0), (0.03, 0), (0.03, 0.03), (0.06, 0.03), (0.06, 0.1)):
@@ -192,7 +366,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "stage": stage}
+    commands = {"table": table, "rest": rest, "plants": plants, "gains": gains, "stage": stage}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

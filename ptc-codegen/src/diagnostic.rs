@@ -157,6 +157,18 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
     ranked.min().map(|(_, name)| name)
 }
 
+/// A number to four significant digits.
+pub(crate) fn digits(value: f64) -> String {
+    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    // + 0 takes the sign off -0.
+    let size = f64::abs(rounded);
+    if size == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
+        format!("{}", rounded + 0.0)
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{near_miss, visible};

@@ -14,7 +14,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order in which they are told.
-pub static KEYS: [KeyInfo; 33] = [
+pub static KEYS: [KeyInfo; 37] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -94,6 +94,24 @@ pub static KEYS: [KeyInfo; 33] = [
         example: "-9.81",
     },
     KeyInfo {
+        key: "A",
+        meaning: "matrix of a linear plant x' = A x + B u, y = C x in place of a chain; with clock = samples",
+        legal: "n rows of n finite numbers, n <= 8",
+        example: "[[0, 1], [-4, -0.2]]",
+    },
+    KeyInfo {
+        key: "B",
+        meaning: "what the input of the linear plant moves",
+        legal: "n finite numbers",
+        example: "[0, 1]",
+    },
+    KeyInfo {
+        key: "C",
+        meaning: "what is measured of the linear plant, in place of `measured`",
+        legal: "n finite numbers, or rows of them",
+        example: "[1, 0]",
+    },
+    KeyInfo {
         key: "tau",
         meaning: "prescribed settling time in s",
         legal: "a number > 0",
@@ -163,7 +181,7 @@ pub static KEYS: [KeyInfo; 33] = [
     KeyInfo {
         key: "measured",
         meaning: "states that are measured; an observer gives the others; with clock = samples",
-        legal: "x1, or x1 to x_m without a gap",
+        legal: "x1, or x1 to x_m without a gap; any states of a linear plant",
         example: "x1",
     },
     KeyInfo {
@@ -189,6 +207,12 @@ pub static KEYS: [KeyInfo; 33] = [
         meaning: "time-to-go in s at which the gains of the observer are held; with clock = samples",
         legal: "a number > 0",
         example: "0.03",
+    },
+    KeyInfo {
+        key: "after_observer",
+        meaning: "poles of the observer in 1/s, in place of its last gains, once the estimates are exact; with clock = samples",
+        legal: "one for each state that is estimated, with real parts < 0; complex ones in pairs",
+        example: "-100,-120,-150",
     },
     KeyInfo {
         key: "x0_max",
@@ -235,6 +259,7 @@ impl KeyInfo {
         match self.key {
             "tau" | "t0" | "eps" | "u_max" => Some("params"),
             "x_max" => Some("envelope"),
+            "A" | "B" | "C" => Some("plant"),
             _ => None,
         }
     }

@@ -23,6 +23,7 @@ pub mod internal;
 pub mod keys;
 pub mod law;
 pub mod limits;
+pub mod linear;
 pub mod lower;
 pub mod mapping;
 pub mod parameter;
@@ -121,9 +122,9 @@ impl Accepted {
     /// # Errors
     /// Everything in the spec that cannot stand alone.
     pub fn project(&self, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
-        self.report.spec.needs_time("a project")?;
         project.accepts(&self.report.spec)?;
-        within(|| Ok(project.files(&self.controller())))
+        let emitted = self.files(project.language(), &[])?;
+        within(|| Ok(project.files(&self.report, emitted)))
     }
 
     fn controller(&self) -> Controller<'_> {
@@ -146,7 +147,6 @@ pub fn generate(spec: &Spec, language: Language) -> Result<Vec<File>, Vec<Diagno
 /// # Errors
 /// Everything in the spec that cannot be generated or stand alone, and every check that refuses it.
 pub fn project(spec: &Spec, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
-    spec.needs_time("a project")?;
     project.accepts(spec)?;
     accepted(spec)?.project(project)
 }

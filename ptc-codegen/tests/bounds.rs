@@ -1,11 +1,11 @@
-//! Every input has a bound in time: what is too large is refused with its size and the limit, what
+//! Every input has a bound in time and memory: what is too large is refused with its size and the limit, what
 //! is accepted ends.
 #![cfg(feature = "cli")]
 
 mod support;
 
 use std::fs;
-use std::process::Output;
+use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use support::{command, folder};
@@ -13,10 +13,21 @@ use support::{command, folder};
 /// Many times what a release takes: tests are built with little optimisation, and run beside others.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// The command under a limit of 500 MB, where the system has one.
+fn limited(arguments: &[&str]) -> Command {
+    if !cfg!(target_os = "linux") {
+        return command(arguments);
+    }
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "ulimit -v 500000; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_ptc-codegen")]);
+    shell.args(arguments).stdin(Stdio::null());
+    shell
+}
+
 /// What the command gives, without a panic, in time, and with an exit code that is documented.
 fn run(arguments: &[&str]) -> Output {
     let began = Instant::now();
-    let output = command(arguments).output().expect("the command runs");
+    let output = limited(arguments).output().expect("the command runs");
     assert!(began.elapsed() < PATIENCE, "{:?} for {arguments:?}", began.elapsed());
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0..=3)), "{arguments:?}: {stderr}");
@@ -75,6 +86,23 @@ fn expressions_that_grow_when_they_are_simplified_end() {
     }
 }
 
+/// A derivative repeats what is beside each of its parts, and a logarithm for each atanh its argument.
+#[test]
+fn what_repeats_parts_of_a_law_takes_bounded_memory() {
+    let tower = nested("atanh(E/2)", 25, "xi1");
+    let factors: Vec<_> = (1..=8).map(|k| format!("({tower}+{k})")).collect();
+    let product = factors.join("*");
+    for law in [
+        nested("((E+1)/(E+2)/(E+3))", 2, &product),
+        nested("((E+1)/(E+2)/(E+3))", 2, &factors[..3].join("*")),
+        nested("((E+1)/(E+2)/(E+3))", 3, &tower),
+        nested("(tanh(E)*E)", 3, &factors[..2].join("*")),
+    ] {
+        let output = run(&["check", "--n=11", "--mu=exp_sum(3)", &format!("--pi0={law}")]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
 /// A step with a line for each coefficient grows with the mapping and the square of the order.
 #[test]
 fn mappings_of_any_size_are_expanded_in_time_or_refused() {
@@ -89,6 +117,11 @@ fn mappings_of_any_size_are_expanded_in_time_or_refused() {
         &["coefficients in its expansion", "100000"],
     );
     assert!(run(&[&own[..], &["--n=4", &kappa]].concat()).status.success());
+    // The sums of a series are long where its orders are many.
+    let row: Vec<_> = (1..104).map(|k| format!("(dt+{k})")).collect();
+    let kappa =
+        format!("--kappa=exp({}^0.3)", nested("sin(E)", 10, &format!("({})", row.join("/"))));
+    assert!(run(&[&own[..], &["--n=16", &kappa]].concat()).status.success());
 }
 
 /// The work of a self-test is bounded, whatever its design holds.
@@ -103,6 +136,10 @@ fn self_tests_end() {
     }
     let output = run(&[&own[..], &["--n=16", "--mu=tan"]].concat());
     assert!(output.status.success());
+    // Each trial asks for each of its parameters.
+    let term = |k: usize| format!("(p{}*xi{}+p{}*dt)", k % 60, 1 + k % 8, (7 * k) % 60);
+    let law = format!("--pi0={}", (0..190).map(term).collect::<Vec<_>>().join("+"));
+    run(&[&own[..], &["--n=8", "--mu=exp_sum(2)", &law]].concat());
 }
 
 #[test]

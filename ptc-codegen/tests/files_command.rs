@@ -222,6 +222,55 @@ fn a_limit_of_size_is_an_error_that_leaves_nothing() {
 }
 
 #[test]
+fn a_limit_of_size_leaves_no_folder_that_was_made_for_an_output() {
+    let folder = folder("files_limit_folders");
+    for what in [&["--lang=c"][..], &["--lang=st"], &["--lang=fmu3"], &["--project=cmake"]] {
+        for place in ["q", "a/b/q"] {
+            let common = ["emit", "--n=2", "--mu=exp", "--name=roll", "-o", place];
+            let arguments = [&common[..], what].concat();
+            // 2: the first file of some fits, and a later one does not.
+            for limit in ["ulimit -f 0", "ulimit -f 1", "ulimit -f 2"] {
+                let (code, printed, wrong) = limited(&folder, limit, &arguments);
+                assert_eq!((code, printed.as_str()), (Some(2), ""), "{arguments:?}: {wrong}");
+                assert_eq!(names(&folder), [""; 0], "{arguments:?} under {limit}");
+            }
+        }
+    }
+    fs::create_dir(folder.join("a")).expect("a folder");
+    let arguments = ["emit", "--n=2", "--mu=exp", "--name=roll", "--lang=c", "-o", "a/b"];
+    assert_eq!(limited(&folder, "ulimit -f 2", &arguments).0, Some(2));
+    assert_eq!(names(&folder), ["a"], "what was there before stays");
+    assert_eq!(names(&folder.join("a")), [""; 0]);
+    assert_eq!(run_in(&folder, &arguments).0, Some(0));
+    assert_eq!(names(&folder.join("a/b")), ["roll.c", "roll.h"]);
+}
+
+#[test]
+fn a_signal_at_any_instant_leaves_no_part_of_a_project() {
+    let folder = folder("files_project_signals");
+    let arguments = ["emit", "--project=cmake", "--n=2", "--mu=exp", "--name=roll", "-o", "a/q"];
+    let began = Instant::now();
+    assert_eq!(run_in(&folder, &arguments).0, Some(0));
+    let (whole, time) = (names(&folder.join("a/q")), began.elapsed());
+    for instant in 0..40 {
+        fs::remove_dir_all(folder.join("a")).expect("removed");
+        let mut child =
+            command_in(&folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
+        std::thread::sleep(time.mul_f64(f64::from(instant) / 40.0));
+        let kill = Command::new("kill").args(["-TERM", &child.id().to_string()]).output();
+        kill.expect("runs");
+        child.wait().expect("ends");
+        match names(&folder).first() {
+            Some(_) => {
+                assert_eq!(names(&folder.join("a")), ["q"]);
+                assert_eq!(names(&folder.join("a/q")), whole);
+            }
+            None => fs::create_dir(folder.join("a")).expect("a folder"),
+        }
+    }
+}
+
+#[test]
 fn an_interrupt_of_the_search_runs_no_scenario_again() {
     // Each objective has a search of its own.
     let objective = DESIGN.find("[[objective]]").map_or("", |at| &DESIGN[at..]);

@@ -183,6 +183,40 @@ fn the_same_design_gives_the_same_bytes_and_another_a_different_token() {
     }
 }
 
+/// With a clock in samples the inputs are what is measured, N is an integer, and a step is a sample.
+#[test]
+fn a_clock_in_samples_has_steps_of_a_sample() {
+    let folder = folder("fmu_samples");
+    let observer = ["--measured=x1", "--observer-poles=-4,-5,-6", "--disturbance=constant"];
+    let design =
+        ["--n=2", "--mu=exp(a=1)", "--clock=samples", "--name=stage", "--sample-time=0.01"];
+    for lang in ["fmu2", "fmu3", "c"] {
+        written(&[&["--lang", lang][..], &design, &observer].concat(), &folder.join(lang));
+    }
+    for lang in ["fmu2", "fmu3"] {
+        let entries = entries(&folder.join(lang).join("stage.fmu"));
+        let c = fs::read(folder.join("c/stage.c")).expect("there");
+        assert_eq!(entries["sources/stage.c"], c);
+        let all = elements(&text(&entries, "modelDescription.xml"));
+        let simulation = all.iter().find(|(name, _)| name == "CoSimulation").expect("one");
+        assert_eq!(simulation.1["canHandleVariableCommunicationStepSize"], "false");
+        let inputs: Vec<_> = all
+            .iter()
+            .filter(|(_, a)| a.get("causality").is_some_and(|causality| causality == "input"))
+            .map(|(_, a)| a["name"].as_str())
+            .collect();
+        assert_eq!(inputs, ["y1"]);
+        let experiment = all.iter().find(|(name, _)| name == "DefaultExperiment").expect("one");
+        assert_eq!(experiment.1["stepSize"], "0.01");
+        assert_eq!(experiment.1["stopTime"], "10");
+        match lang {
+            "fmu3" => assert_eq!(simulation.1["fixedInternalStepSize"], "0.01"),
+            _ => assert!(all.iter().any(|(name, a)| name == "Integer"
+                && a.get("start").is_some_and(|start| start == "1000"))),
+        }
+    }
+}
+
 /// An importer that compiles sources can use what is written without a compiler.
 #[test]
 fn without_a_compiler_there_are_sources_and_a_word_about_it() {

@@ -24,6 +24,9 @@ const SAMPLES: &str = include_str!("../../docs/samples.md");
 /// The design of the README's example, which docs/samples.md uses too.
 const ENCODER: &str = include_str!("../../examples/encoder.toml");
 
+/// The design of a linear plant, which docs/samples.md shows.
+const MOTOR: &str = include_str!("../../examples/motor.toml");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
@@ -166,6 +169,8 @@ fn pages_show_what_is_printed() {
     let [wish] = &blocks_of(DESIGN, "toml")[..] else { panic!("one wish") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
+    assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
+    fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }

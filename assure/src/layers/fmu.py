@@ -1,5 +1,6 @@
 """FMUs in fmpy: validation, single calls and closed loops. Called by fmu.rs.
 
+ticks LIST         each line of LIST: FMU of a clock in samples, loop (file names), n, delay
 run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
 pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
 """
@@ -161,10 +162,51 @@ def run(listed):
         instance.close()
 
 
+def ticks(listed):
+    """Closed loops of clocks in samples with a chain of integrators; u is read any number of times."""
+    for line in pathlib.Path(listed).read_text().splitlines():
+        fmu, looped, n, delay = line.split("\t")
+        problems = validate_fmu(fmu)
+        if problems:
+            pathlib.Path(looped).write_text("invalid " + " | ".join(problems).replace("\n", " "))
+            continue
+        instance, n = Instance(fmu), int(n)
+        start = instance.model.defaultExperiment
+        h, end = float(start.stepSize), float(start.stopTime)
+        x, late = [1.0] + [0.0] * (n - 1), [0.0] * int(delay)
+        shown = len(instance.states)
+        instance.start(0.0, [], x[:shown])
+        given = [v for v in instance.model.modelVariables if v.causality == "parameter"]
+        counts = ("Integer", "Int32")
+        read = lambda v: (instance.integer if v.type in counts else instance.get)([v.valueReference])[0]
+        lines = [" ".join(hexed(read(v)) for v in given)]
+        for k in range(round(end / h) + 1):
+            instance.set(instance.states, x[:shown])
+            for _ in range(k % 3):
+                instance.outputs()
+            u, _, status = instance.outputs()
+            lines.append(" ".join([str(status), *(hexed(v) for v in [*x, u])]))
+            late.append(u)
+            acting = late.pop(0)
+            for i in range(n):
+                total = acting
+                for j in range(n - i, 0, -1):
+                    total = x[i + j - 1] + h * total / j
+                x[i] = total
+            instance.step(k * h, h)
+        try:
+            instance.step(0.0, 2 * h)
+            lines.append("error a step of two periods is taken")
+        except FMICallException:
+            pass
+        pathlib.Path(looped).write_text("\n".join(lines))
+        instance.close()
+
+
 def pack(folder, fmu):
     build_platform_binary(folder)
     shutil.move(shutil.make_archive(fmu, "zip", folder), fmu)
 
 
 if __name__ == "__main__":
-    {"run": run, "pack": pack}[sys.argv[1]](*sys.argv[2:])
+    {"run": run, "pack": pack, "ticks": ticks}[sys.argv[1]](*sys.argv[2:])

@@ -1,5 +1,7 @@
 //! FMUs in fmpy: validated, called, run in closed loop, and compared with the emitted C.
 
+mod ticks;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -131,6 +133,7 @@ fn run(context: &Context) -> Result<Finding> {
          compared by its bits, the status by its value."
             .to_owned(),
     );
+    ticks::run(context, &python, &generator, &mut finding)?;
     seed(context, &python, &mut finding)?;
     Ok(finding)
 }

@@ -39,7 +39,8 @@ pub(super) const LAYER: Layer = Layer {
     run,
 };
 
-/// The designs: the default, all fixed in single precision, functions and states that are latched.
+/// The designs: the default, all fixed in single precision, functions and states that are latched; in
+/// samples all open, an observer of a chain in single precision, and one of another plant.
 fn designs() -> Vec<Spec> {
     vec![
         spec(&[("n", "2"), ("mu", "exp"), ("name", "stage")]),
@@ -57,6 +58,35 @@ fn designs() -> Vec<Spec> {
         spec(&[("n", "4"), ("mu", "tanh"), ("name", "boom"), ("after", "zero")]),
         spec(&[("n", "2"), ("mu", "exp_sum"), ("name", "sluice")]),
         spec(&[("n", "2"), ("mu", "exp(a=1)"), ("name", "lift"), ("pi0", "-12*xi1-7*xi2+0*xi1_0")]),
+        spec(&[("n", "3"), ("mu", "exp"), ("name", "gantry"), ("clock", "samples")]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "exp(a=1)"),
+            ("name", "slide"),
+            ("clock", "samples"),
+            ("precision", "f32"),
+            ("sample_time", "1e-3"),
+            ("tau", "0.8"),
+            ("delay", "1"),
+            ("poles", "-4,-5,-6"),
+            ("measured", "x1"),
+            ("observer_poles", "-4,-5,-6"),
+            ("disturbance", "constant"),
+            ("u_max", "6"),
+            ("after", "zero"),
+        ]),
+        spec(&[
+            ("A", "[[0,1,0],[0,-2,5],[0,-1,-40]]"),
+            ("B", "[0,0,40]"),
+            ("C", "[1,0,0]"),
+            ("mu", "exp(a=1)"),
+            ("name", "motor"),
+            ("clock", "samples"),
+            ("sample_time", "1e-3"),
+            ("tau", "0.4"),
+            ("poles", "-5,-6,-7"),
+            ("observer_poles", "-4,-5,-6"),
+        ]),
     ]
 }
 

@@ -14,7 +14,7 @@ pub mod poles;
 pub mod sampled;
 pub mod sampling;
 
-mod eigenvalues;
+use crate::diagnostic::digits;
 
 /// What a check came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -69,18 +69,6 @@ impl Outcome {
             details: Vec::new(),
             fix: None,
         }
-    }
-}
-
-/// A number to four significant digits.
-pub(crate) fn digits(value: f64) -> String {
-    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
-    // + 0 takes the sign off -0.
-    let size = f64::abs(rounded);
-    if size == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
-        format!("{}", rounded + 0.0)
-    } else {
-        format!("{rounded:e}")
     }
 }
 

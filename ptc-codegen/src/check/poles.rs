@@ -3,9 +3,10 @@
 use nalgebra::{Complex, DMatrix};
 use num_traits::ToPrimitive;
 
-use super::eigenvalues::eigenvalues;
-use super::{digits, exponent, to_f64};
+use super::{exponent, to_f64};
 use crate::algebra::BigRational;
+use crate::diagnostic::digits;
+use crate::linear::eigenvalues;
 
 /// The poles that `gains` k_1..k_n place, rightmost first: numbers for a report, from which nothing
 /// is decided. Empty where a gain overflows a double.

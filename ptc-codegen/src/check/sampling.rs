@@ -9,8 +9,9 @@
 
 use nalgebra::DMatrix;
 
-use super::eigenvalues::eigenvalues;
-use super::{Outcome, Verdict, digits, exponent, middle, to_f64};
+use super::{Outcome, Verdict, exponent, middle, to_f64};
+use crate::diagnostic::digits;
+use crate::linear::eigenvalues;
 
 /// The guard to take is this many times the least one: at the least one the loop with held gains
 /// neither decays nor grows, and twice as far the period may be late by as much as itself.

@@ -113,8 +113,8 @@ fn library(name: &str, version: Version, files: &[File]) -> Result<(String, Vec<
         Some(File { name: file.name.strip_prefix("sources/")?.to_owned(), text: file.text.clone() })
     });
     for file in sources.chain(version.headers()) {
-        fs::write(home.path().join(&file.name), &file.text)
-            .map_err(|error| failed("no folder to run", &error))?;
+        let written = home.write(&file.name, file.text.as_bytes());
+        written.map_err(|error| failed("no folder to run", &error))?;
     }
     // Its paths are relative, so that none of this machine gets into the library.
     let output = Command::new(&compiler)

@@ -5,7 +5,7 @@ use std::io;
 
 use ptc_codegen::emit::File;
 
-use super::output::{Kind, Place, TemporaryFolder, holds};
+use super::output::{Folder, Kind, Place, TemporaryFolder, holds};
 use super::report::Failure;
 use super::write::{self, failed, to_stdout};
 
@@ -36,12 +36,10 @@ pub(crate) fn write(place: &Place, files: &[File]) -> Result<(), Failure> {
             ));
         }
     };
-    fs::create_dir_all(parent).map_err(wrong)?;
+    let _made = Folder::new(parent).map_err(wrong)?;
     let temporary = TemporaryFolder::new(parent).map_err(wrong)?;
     for file in files {
-        let path = temporary.path().join(&file.name);
-        let home = path.parent().unwrap_or(temporary.path());
-        fs::create_dir_all(home).and_then(|()| fs::write(&path, &file.text)).map_err(wrong)?;
+        temporary.write(&file.name, file.text.as_bytes()).map_err(wrong)?;
     }
     if let Ok(there) = fs::metadata(folder) {
         fs::set_permissions(temporary.path(), there.permissions()).map_err(wrong)?;

@@ -24,9 +24,10 @@ pub fn template(name: Option<&str>) -> String {
         for info in keys {
             text.push_str(&entry(info, name));
         }
+        if table == plant::TABLE {
+            text.extend(PLANT_KEYS.iter().map(|info| entry(info, None)));
+        }
     }
-    text.push_str(&format!("\n[{}]\n", plant::TABLE));
-    text.extend(PLANT_KEYS.iter().map(|info| entry(info, None)));
     #[cfg(feature = "campaign")]
     text.push_str(&of_verify());
     text
@@ -56,6 +57,9 @@ fn entry(info: &KeyInfo, name: Option<&str>) -> String {
 pub(super) fn value(text: &str) -> String {
     let is_number = |text: &str| text == "inf" || number(text).is_some();
     if is_number(text) {
+        return text.to_owned();
+    }
+    if text.starts_with('[') {
         return text.to_owned();
     }
     let items: Vec<_> = text.split(',').map(str::trim).collect();

@@ -11,6 +11,9 @@ use crate::limits::ITEMS;
 use crate::parameter::Fixed;
 use crate::syntax::{Node, Value, number, parse};
 
+/// The keys whose value may be a list of rows.
+const MATRICES: [&str; 2] = ["A", "C"];
+
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {
     pub(super) range: Range<usize>,
@@ -51,6 +54,11 @@ impl Toml<'_> {
 impl Reader<'_> {
     /// The value of `key`, unless it is none of a spec, which is told.
     pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
+        self.list(key, toml, MATRICES.contains(&key.rsplit('.').next().unwrap_or(key)))
+    }
+
+    /// A value, or a list of values; the rows of a matrix are lists in a list.
+    fn list(&mut self, key: &str, toml: Toml<'_>, of_rows: bool) -> Option<Node> {
         let Kind::List(items) = toml.kind else { return self.item(key, toml) };
         let before = self.items;
         self.items += items.len();
@@ -64,7 +72,12 @@ impl Reader<'_> {
         let mut nodes = Vec::new();
         let mut whole = true;
         for (index, item) in items.into_iter().enumerate() {
-            match self.item(&format!("{key}[{index}]"), item) {
+            let key = format!("{key}[{index}]");
+            let read = match of_rows {
+                true => self.list(&key, item, false),
+                false => self.item(&key, item),
+            };
+            match read {
                 Some(node) => nodes.push(node),
                 None => whole = false,
             }

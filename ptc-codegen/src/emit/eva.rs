@@ -38,7 +38,7 @@ struct Range {
 pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let spec = controller.spec();
     let name = spec.name();
-    let frame = &Outline::new(controller, program);
+    let frame = &Outline::new(controller.spec(), program);
     let callbacks = program.functions.iter().flat_map(|function| &function.callbacks);
     let callbacks: Vec<_> = callbacks.cloned().collect();
     let externs = &externs(&name, &callbacks);

@@ -14,14 +14,21 @@ use crate::request::{Feedback, Spec};
 use crate::request::{Pole, gains};
 use crate::syntax::number as fixed;
 
-/// What is told of the defaults, a line each.
-pub(super) const DEFAULTS: [&str; 6] = [
+/// What is told of the defaults of a clock in time, a line each.
+pub(super) const TIMED: [&str; 6] = [
     "tau = 1 s (100 eps where the design fixes an eps from 0.1 s on), t0 = 0, u_max = 1e30;",
     "a = 1, m = 1, a_i = i, a parameter of an expression 1, and of what has bounds the least;",
     "gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on, or n, 2n or 4n",
     "more; eps what brings |x_i| from at most 1 to at most 0.01, else what the sample period asks",
     "for, else tau/100; the sample period that of the design, else tau/1000, or a half, a quarter,",
     "... of it. The longest period is taken that eps bears, and the first of these poles with it.",
+];
+
+/// The same of a clock in samples.
+pub(super) const SAMPLED: [&str; 3] = [
+    "N = 1000, h = 1e-3 s, u_max = 1e30, a = 1, eps = 0, deadbeat = 0; gains of the poles -(m + 2),",
+    "-(m + 3), ..., -(2 m + 1), m the order of the loop, its delay counted; x1 = 1 at the start, or",
+    "less, so that u stays within u_max.",
 ];
 
 /// The bound of |u| where the design leaves it open: above whatever occurs, and finite in f32.
@@ -57,6 +64,9 @@ impl Example {
             }
         }
         spec.bounds.clear();
+        if spec.sampled().is_some() {
+            return Self::in_samples(&spec);
+        }
         let tau = spec.fixed.get(&Parameter::Tau).and_then(to_f64).unwrap_or(1.0);
         let sampled = sample(&spec, tau);
         let period = sampled.promises.sample_time.as_ref().and_then(to_f64);
@@ -64,6 +74,15 @@ impl Example {
         let eps = fixed(&format!("{}", tau / 100.0));
         values.entry(Parameter::Eps).or_insert(eps.unwrap_or(Fixed::Infinite));
         Self { values, precision: spec.precision, period: period.unwrap_or(tau / 1000.0) }
+    }
+
+    /// The same where the clock is in samples; only gains are open.
+    fn in_samples(spec: &Spec) -> Self {
+        let order = i64::try_from(spec.loop_order()).unwrap_or(1);
+        let poles: Vec<_> = (2..=order + 1).map(|i| Pole::real(-integer(order + i))).collect();
+        let placed = placed(spec, &poles).unwrap_or_else(|| spec.clone());
+        let period = placed.fixed.get(&Parameter::SampleTime).and_then(to_f64);
+        Self { values: placed.fixed, precision: spec.precision, period: period.unwrap_or(1e-3) }
     }
 
     /// The value of a parameter, in the precision of the controller.
@@ -95,6 +114,7 @@ fn default(spec: &Spec, parameter: Parameter) -> Option<Fixed> {
         Parameter::Samples => Some(1000.into()),
         Parameter::SampleTime => fixed("1e-3"),
         Parameter::Deadbeat => Some(0.into()),
+        Parameter::Eps if spec.sampled().is_some() => Some(0.into()),
         Parameter::Eps | Parameter::Gain(_) => None,
     }
 }
@@ -110,15 +130,20 @@ fn to_f64(value: &Fixed) -> Option<f64> {
 /// Gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on and `left` more,
 /// where the design leaves them open; none where it does not.
 fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
-    if spec.feedback != Feedback::Linear || spec.fixed.contains_key(&Parameter::Gain(1)) {
-        return None;
-    }
     let n = i64::try_from(spec.n).ok()?;
     // Where no rate is found, that of the common mappings is taken.
     let rate = decay(spec).greatest().unwrap_or_else(|| integer(1));
     let right = (rate * integer(n)).ceil() + integer(left);
     let poles: Vec<_> = (1..=n).map(|i| Pole::real(-(&right + integer(i)))).collect();
-    let gains = gains(&poles).ok()?;
+    placed(spec, &poles)
+}
+
+/// The design with the gains of `poles`; none where it does not leave them open.
+fn placed(spec: &Spec, poles: &[Pole]) -> Option<Spec> {
+    if spec.feedback != Feedback::Linear || spec.fixed.contains_key(&Parameter::Gain(1)) {
+        return None;
+    }
+    let gains = gains(poles).ok()?;
     let mut spec = spec.clone();
     let gains = (1..).zip(&gains).filter_map(|(i, gain)| Some((Parameter::Gain(i), exact(gain)?)));
     spec.fixed.extend(gains);

@@ -2,9 +2,10 @@
 
 use super::declared::{declared, meaning};
 use super::{Controller, Language, formulas};
+use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
-use crate::check::{Verdict, digits};
 use crate::controller::measured::Measured;
+use crate::diagnostic::digits;
 use crate::expression::Function;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};

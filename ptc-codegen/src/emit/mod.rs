@@ -141,7 +141,7 @@ enum Print {
     /// A program is printed.
     Program(fn(&Code) -> Vec<File>),
     /// Files stand around the C of a controller.
-    Around(fn(&Controller<'_>) -> Vec<File>),
+    Around(fn(&Report, &Code) -> Vec<File>),
 }
 
 /// A generated file.
@@ -158,11 +158,6 @@ fn program(controller: &Controller<'_>, language: Language) -> Code {
     let head = header::lines(controller, language);
     let parameters = declared(controller.spec(), language);
     code::short(controller::code::code(controller, head, parameters))
-}
-
-/// The C of a controller.
-fn c_files(controller: &Controller<'_>) -> Vec<File> {
-    code::c(&program(controller, Language::C), &code::Notes::default())
 }
 
 /// Notes what keeps `what`, around the controller of `spec`, from standing alone: it can call no
@@ -195,7 +190,7 @@ pub fn emit(controller: &Controller<'_>, language: Language) -> Result<Vec<File>
     accepts(target, controller.spec(), Some(controller.program))?;
     let files = match target.print {
         Print::Program(print) => print(&program(controller, language)),
-        Print::Around(files) => files(controller),
+        Print::Around(files) => files(controller.report, &program(controller, Language::C)),
     };
     named_apart(language, controller.spec(), files)
 }
@@ -240,15 +235,15 @@ fn accepts(target: &Target, spec: &Spec, program: Option<&Program>) -> Result<()
 /// The files of a controller in samples in `language`.
 ///
 /// # Errors
-/// As [`emit`]; an FMU has no clock in samples.
+/// As [`emit`].
 pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Vec<Diagnostic>> {
     accepts(language.target(), &report.spec, None)?;
-    let Some(controller) = sampled::program(report, language) else {
-        fault("a controller without samples")
+    let program = |language| {
+        sampled::program(report, language).unwrap_or_else(|| fault("a controller without samples"))
     };
     let files = match language.target().print {
-        Print::Program(print) => print(&controller),
-        Print::Around(_) => fault("an FMU refuses a clock in samples"),
+        Print::Program(print) => print(&program(language)),
+        Print::Around(files) => files(report, &program(Language::C)),
     };
     named_apart(language, &report.spec, files)
 }

@@ -2,9 +2,8 @@
 
 use super::c;
 use crate::code::{Code, Expr, Statement, Variable};
-use crate::controller::Controller;
 use crate::parameter::Precision;
-use crate::request::{Feedback, Guard, What};
+use crate::request::{Feedback, Guard, Spec, What};
 
 /// The types and members of a controller in C.
 pub(super) struct Outline {
@@ -33,8 +32,7 @@ pub(super) struct Local {
 }
 
 impl Outline {
-    pub(super) fn new(controller: &Controller<'_>, program: &Code) -> Self {
-        let spec = controller.spec();
+    pub(super) fn new(spec: &Spec, program: &Code) -> Self {
         let copy = |statement: &Statement| match statement {
             Statement::Let(name, _, Expr::Parameter(key)) => {
                 Some(Local { name: name.clone(), value: key.clone() })

@@ -39,12 +39,22 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         1 => "u held from sample to sample, one sample late".to_owned(),
         d => format!("u held from sample to sample, {d} samples late"),
     };
+    let late = match &sampled.linear {
+        Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
+        _ => late,
+    };
     let force = if sampled.force == Default::default() { "" } else { "f + " };
     let gain = if spec.input_gain.is_some() { "g " } else { "" };
     let input = if sampled.disturbance { "(u + d), d constant and unknown" } else { "u" };
-    rest.push(format!("Plant: {chain}x{n}' = {force}{gain}{input}; {late}."));
+    rest.push(match &sampled.linear {
+        Some(_) => format!("Plant: x' = A x + B {input} of --A and --B above; {late}."),
+        None => format!("Plant: {chain}x{n}' = {force}{gain}{input}; {late}."),
+    });
     rest.push("Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned());
-    rest.push(format!("Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1));
+    rest.push(match &sampled.linear {
+        Some(_) => format!("Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1),
+        None => format!("Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1),
+    });
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
     for parameter in spec.parameters() {
@@ -78,7 +88,13 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
             Some(samples) => format!("{samples}"),
             None => "N/2".to_owned(),
         };
-        lines.push(format!("The estimates are exact from sample {until} after the start on where the measurement is; with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat."));
+        let then = match observer.after.is_empty() {
+            true => {
+                "with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat"
+            }
+            false => "from there on the observer has the poles after_observer",
+        };
+        lines.push(format!("The estimates are exact from sample {until} after the start on where the measurement is; {then}."));
     }
     lines.push(match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => "u is not clipped.",

@@ -17,7 +17,7 @@ pub(super) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
     let name = spec.name();
     let numbers = Numbers { spec };
     let program = program(controller, Language::C);
-    let frame = Outline::new(controller, &program);
+    let frame = Outline::new(controller.spec(), &program);
     let tests = (code::start_tests(&program), code::zero_tests(&program));
     let unreachable = wrapped(&test.unreachable, &tests);
     let header = Header {

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed};
 
-use super::effort::spend;
+use super::effort::{keep, spend};
 use super::field::{Field, Kernel, Terms};
 use super::ratio::{Ratio, content, labour};
 use super::{Expression, Function};
@@ -12,12 +12,14 @@ use crate::limits::SIZE;
 impl Expression {
     /// Number of its operations and leaves.
     pub(crate) fn size(&self) -> usize {
-        1 + self.operands().into_iter().map(Self::size).sum::<usize>()
+        1 + self.operands().map(Self::size).sum::<usize>()
     }
 
-    /// Number of the operations and the leaf on the longest way to a leaf.
-    pub(crate) fn height(&self) -> usize {
-        1 + self.operands().into_iter().map(Self::height).max().unwrap_or(0)
+    /// Whether it may stand twice in what follows: what nests doubles each time, and many that do so
+    /// may stand side by side.
+    pub(super) fn twice(&self) -> bool {
+        let size = 2 * self.size();
+        SIZE.admits(size) && keep(size).is_some()
     }
 }
 
@@ -101,7 +103,7 @@ impl Field {
         // Of exponentials the slowest one is taken out, so that the others are 1 or less; of roots
         // and calls likewise, so that none is computed twice.
         for (symbol, _) in common.clone().factors() {
-            if !matches!(self.kernel(*symbol), Some(Kernel::Atom(atom)) if atom.operands().is_empty())
+            if !matches!(self.kernel(*symbol), Some(Kernel::Atom(atom)) if atom.operands().next().is_none())
             {
                 let greatest = ratio.num.terms().map(|(m, _)| m.exponent(*symbol)).max();
                 let slowest = greatest.filter(|e| *e <= 0).unwrap_or(common.exponent(*symbol));

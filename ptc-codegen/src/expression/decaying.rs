@@ -10,7 +10,6 @@ use super::normal::{moves, within};
 use super::ratio::{Ratio, content};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
-use crate::limits::SIZE;
 
 /// The same function of t, stretched time since the start, with denominators in which no exponential
 /// grows with it. Parameters are taken as positive.
@@ -43,8 +42,7 @@ fn as_exponentials(form: &Expression) -> Expression {
             Expression::Call(function @ (Function::Cosh | Function::Sinh), u) => {
                 let Some(Limit::Infinite | Limit::MinusInfinite) = grows(u) else { return None };
                 let u = as_exponentials(u);
-                // It stands twice in what follows.
-                if !SIZE.admits(2 * u.size()) {
+                if !u.twice() {
                     return Some(Expression::call(*function, u));
                 }
                 let both = exponential(u.clone()).add(exponential(u.clone().neg()));

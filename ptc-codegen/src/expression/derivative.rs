@@ -1,8 +1,25 @@
 //! Derivatives.
 
+use super::effort::keep;
 use super::{Expression, Function, Variable};
 
 impl Expression {
+    /// Takes the effort of a derivative, which repeats the operands of products, quotients, powers and
+    /// calls beside their derivatives; none where it is not left.
+    pub(crate) fn differentiable(&self) -> Option<()> {
+        keep(self.size_and_repeated().1)
+    }
+
+    /// Its size, and about that of its derivative.
+    fn size_and_repeated(&self) -> (usize, usize) {
+        let (size, repeated) = self
+            .operands()
+            .map(Self::size_and_repeated)
+            .fold((1, 1), |(size, repeated), (s, r)| (size + s, repeated + r));
+        let alone = matches!(self, Self::Neg(_) | Self::Add(..) | Self::Sub(..));
+        (size, if alone { repeated } else { repeated + size })
+    }
+
     /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
     /// side or their mean: whether there is a kink is for the caller to ask.
     pub fn derivative(&self, wrt: Variable) -> Self {

@@ -42,6 +42,15 @@ pub(crate) fn spend(steps: usize) -> Option<()> {
     (rest > 0).then_some(())
 }
 
+/// Steps of the effort that an operation or an operand takes that is copied, and kept until a normal
+/// form of the whole is found: beside the time that is some 100 bytes, two or three times.
+const KEPT: usize = 8;
+
+/// Takes the effort of so many operations and operands; `None` where it is not left.
+pub(crate) fn keep(size: usize) -> Option<()> {
+    spend(size.saturating_mul(KEPT))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -75,7 +75,7 @@ fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
         }
         _ => None,
     };
-    expression.operands().into_iter().for_each(|operand| collect(operand, found));
+    expression.operands().for_each(|operand| collect(operand, found));
     let constant = |(part, condition): &(E, Condition)| {
         let number = part.number().map(Interval::exact);
         number.is_some_and(|number| condition.is_certain(&number))

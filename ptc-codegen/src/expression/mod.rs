@@ -286,19 +286,20 @@ impl Expression {
         }
     }
 
-    /// Its operands.
-    pub fn operands(&self) -> Vec<&Self> {
-        match self {
-            Self::Number(_) | Self::Pi | Self::Parameter(_) | Self::Variable(_) => Vec::new(),
-            Self::Neg(a) | Self::Call(_, a) => vec![a],
+    /// Its operands, from the left.
+    pub fn operands(&self) -> impl Iterator<Item = &Self> {
+        let (first, second): (Option<&Self>, Option<&Self>) = match self {
+            Self::Number(_) | Self::Pi | Self::Parameter(_) | Self::Variable(_) => (None, None),
+            Self::Neg(a) | Self::Call(_, a) => (Some(a), None),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
             | Self::Div(a, b)
             | Self::Power(a, b)
             | Self::Min(a, b)
-            | Self::Max(a, b) => vec![a, b],
-        }
+            | Self::Max(a, b) => (Some(a), Some(b)),
+        };
+        first.into_iter().chain(second)
     }
 
     /// The same expression with `to` in place of the leaves for which it gives something.
@@ -323,7 +324,7 @@ impl Expression {
 
     /// Whether `wanted` holds for it or anything in it.
     pub fn any(&self, wanted: &dyn Fn(&Self) -> bool) -> bool {
-        wanted(self) || self.operands().into_iter().any(|e| e.any(wanted))
+        wanted(self) || self.operands().any(|e| e.any(wanted))
     }
 
     /// Whether `variable` occurs in it.
@@ -334,11 +335,15 @@ impl Expression {
     /// Its parameters, in their own order, each once.
     pub fn parameters(&self) -> std::collections::BTreeSet<Parameter> {
         let mut found = std::collections::BTreeSet::new();
+        self.parameters_into(&mut found);
+        found
+    }
+
+    fn parameters_into(&self, found: &mut std::collections::BTreeSet<Parameter>) {
         if let Self::Parameter(parameter) = self {
             found.insert(*parameter);
         }
-        found.extend(self.operands().into_iter().flat_map(Self::parameters));
-        found
+        self.operands().for_each(|operand| operand.parameters_into(found));
     }
 }
 

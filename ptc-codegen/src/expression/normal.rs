@@ -8,7 +8,6 @@ use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
-use crate::limits::SIZE;
 use crate::parameter::Parameter;
 
 /// A normal form may be this much larger than what it stands for; a larger one is not used.
@@ -51,8 +50,7 @@ fn logarithmic(expression: &Expression) -> Expression {
     expression.substitute(&|e| match e {
         Expression::Call(Function::Atanh, s) => {
             let (one, s) = (Expression::integer(1), logarithmic(s));
-            // It stands twice in the ratio.
-            if !SIZE.admits(2 * s.size()) {
+            if !s.twice() {
                 return Some(Expression::call(Function::Atanh, s));
             }
             let ratio = one.clone().add(s.clone()).div(one.sub(s));
@@ -88,7 +86,7 @@ fn at_limit(expression: &Expression) -> Expression {
             Limit::MinusInfinite => (true, at_limit(u).neg()),
             Limit::Finite(_) => return None,
         };
-        if !SIZE.admits(2 * u.size()) {
+        if !u.twice() {
             return Some(Expression::call(*function, if falls { u.neg() } else { u }));
         }
         let (one, two) = (Expression::integer(1), Expression::integer(2));

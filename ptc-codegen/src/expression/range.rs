@@ -152,15 +152,24 @@ impl Mul for Range {
     fn mul(self, other: Self) -> Self {
         // 0 times an infinite end is 0, as the end itself is not in the interval.
         let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
-        let products = [
-            product(self.low, other.low),
-            product(self.low, other.high),
-            product(self.high, other.low),
-            product(self.high, other.high),
-        ];
-        // No end is no number here, so that min and max pass over none.
-        let low = products.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let sides = |range: Self| (range.low >= 0.0, range.high <= 0.0);
+        // The ends whose products are the least and the greatest, by the signs of both.
+        let (low, high) = match (sides(self), sides(other)) {
+            ((true, _), (true, _)) => ((self.low, other.low), (self.high, other.high)),
+            ((true, _), (_, true)) => ((self.high, other.low), (self.low, other.high)),
+            ((true, _), _) => ((self.high, other.low), (self.high, other.high)),
+            ((_, true), (true, _)) => ((self.low, other.high), (self.high, other.low)),
+            ((_, true), (_, true)) => ((self.high, other.high), (self.low, other.low)),
+            ((_, true), _) => ((self.low, other.high), (self.low, other.low)),
+            (_, (true, _)) => ((self.low, other.high), (self.high, other.high)),
+            (_, (_, true)) => ((self.high, other.low), (self.low, other.low)),
+            _ => {
+                let low = product(self.low, other.high).min(product(self.high, other.low));
+                let high = product(self.low, other.low).max(product(self.high, other.high));
+                return Self::new(low, high);
+            }
+        };
+        let [low, high] = [low, high].map(|(a, b)| product(a, b));
         let zero = Self::from(0.0);
         if self == zero || other == zero {
             return zero;
@@ -210,6 +219,27 @@ mod tests {
                         assert!(holds(x / y, &(&p / &q)), "{a} {b}");
                     }
                 }
+            }
+        }
+        let infinite = [f64::NEG_INFINITY, -2.0, -0.5, 0.0, 0.5, 3.0, f64::INFINITY];
+        let ends = infinite.iter().flat_map(|low| infinite.map(|high| [*low, high]));
+        let ends = ends.filter(|[low, high]| low <= high && low.is_finite() | high.is_finite());
+        let ranges: Vec<_> = ends.map(|[low, high]| Range { low, high }).collect();
+        for a in &ranges {
+            for b in &ranges {
+                let products = [a.low, a.high].map(|a| [b.low, b.high].map(|b| (a, b)));
+                let product = |(a, b): &(f64, f64)| if a * b == 0.0 { 0.0 } else { a * b };
+                let products: Vec<_> = products.iter().flatten().map(product).collect();
+                // 0 times an infinite end is no number, and 0.
+                let value = |start: f64, most: fn(f64, f64) -> f64| {
+                    products.iter().map(|p| if p.is_nan() { 0.0 } else { *p }).fold(start, most)
+                };
+                let own = *a * *b;
+                let (low, high) =
+                    (value(f64::INFINITY, f64::min), value(f64::NEG_INFINITY, f64::max));
+                assert!(own.low <= low && high <= own.high, "{a:?} {b:?} {own:?}");
+                let near = |x: f64, y: f64| x == y || (x - y).abs() <= 1e-15 * y.abs().max(1e-300);
+                assert!(near(own.low, low) && near(own.high, high), "{a:?} {b:?} {own:?}");
             }
         }
         let third = Interval::exact(&(integer(1) / integer(3)));

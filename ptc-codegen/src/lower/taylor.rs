@@ -72,7 +72,7 @@ impl Builder<'_> {
             }
             // A cotangent, whose series is sound where that of the tangent is not.
             Expression::Div(a, b) if matches!(&**b, Expression::Call(Function::Tan, _)) => {
-                let angle = b.operands().remove(0).clone();
+                let angle = b.operands().next().unwrap_or(b).clone();
                 let (sin, cos) = (Function::Sin, Function::Cos);
                 let above = (**a).clone().mul(Expression::call(cos, angle.clone()));
                 self.series(&above.div(Expression::call(sin, angle)), point)

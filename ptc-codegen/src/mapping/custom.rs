@@ -1,7 +1,7 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
 use crate::expression::decaying::decaying;
-use crate::expression::effort::{completed, spend};
+use crate::expression::effort::{bounded, completed};
 use crate::expression::leading::{Decay, Limit};
 use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
 use crate::limits::EFFORT;
@@ -41,12 +41,12 @@ impl Form {
     /// The form of a mu; none where it takes too much effort.
     fn of_mu(mu: &Expression) -> Option<Self> {
         let complement = normal::complement(mu);
-        differentiable(&complement)?;
+        complement.differentiable()?;
         match solve(&complement, Variable::SinceStart, Variable::TimeToGo.into()) {
             Some(kappa) => Self::of_kappa(&kappa),
             None => {
                 let complement = decaying(&complement);
-                differentiable(&complement)?;
+                complement.differentiable()?;
                 Some(Self::Complement(complement))
             }
         }
@@ -54,14 +54,9 @@ impl Form {
 
     fn of_kappa(kappa: &Expression) -> Option<Self> {
         let form = Kappa::form_of(kappa);
-        differentiable(&form)?;
+        form.differentiable()?;
         Some(Self::Kappa(Kappa::with_form(form)))
     }
-}
-
-/// Takes the effort of a derivative, which repeats what stands beside each of its parts.
-fn differentiable(form: &Expression) -> Option<()> {
-    spend(form.size().saturating_mul(form.height()))
 }
 
 impl Kappa {
@@ -142,13 +137,14 @@ impl Custom {
                 a.contains(v) && !matches!(limit(a, v), Some(Limit::Finite(_)))
             })
         };
-        match &self.form {
+        bounded(|| match &self.form {
             Form::Complement(form) => {
                 let (mut falling, t) = (form.substitute(fixed), Variable::SinceStart);
                 let decay = leading::decay(&falling, t)?;
                 // Without oscillations a function falls at the rate at which its derivative does.
                 if oscillates(&falling, t, leading::limit) {
                     for _ in 0..order {
+                        falling.differentiable()?;
                         falling = normal::normal(&falling.derivative(t));
                         leading::decay(&falling, t).filter(|d| d.rate == decay.rate)?;
                     }
@@ -160,7 +156,7 @@ impl Custom {
                 let steady = !oscillates(&kappa, to_go, leading::limit_at_zero);
                 steady.then(|| leading::decay_of_inverse(&kappa, to_go))?
             }
-        }
+        })
     }
 
     /// Whether stretched time is the root of an equation, found by an iteration.

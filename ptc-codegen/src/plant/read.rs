@@ -6,7 +6,7 @@ use super::{Plant, TABLE};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, resolve};
-use crate::keys::PLANT_KEYS;
+use crate::keys::{KeyInfo, PLANT_KEYS};
 use crate::parameter::Parameter;
 use crate::request::{Entry, Spec, known};
 use crate::syntax::{Node, Value, real};
@@ -38,6 +38,16 @@ pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagno
             let help = "leave one of the two out";
             found.push("repeated-key", entry.key.as_str(), Some(entry.place), message, help);
         }
+    }
+    // A, B and C are the controller's own.
+    given.retain(|name, _| KeyInfo::find(name).and_then(KeyInfo::table) != Some(TABLE));
+    if spec.sampled().is_some_and(|sampled| sampled.linear.is_some()) {
+        for (name, (place, _)) in &given {
+            let message = format!("`{name}` beside `A`");
+            let help = "the plant is either x' = A x + B u, or a chain with f and g";
+            found.push("conflict", format!("{TABLE}.{name}"), Some(*place), message, help);
+        }
+        return (None, found.finish(None::<()>).err().unwrap_or_default());
     }
     let plant = (!given.is_empty()).then(|| plant(&given, spec, &mut found));
     (plant, found.finish(None::<()>).err().unwrap_or_default())

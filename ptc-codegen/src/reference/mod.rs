@@ -178,6 +178,8 @@ pub fn evaluate(spec: &Spec, call: &Call<'_>) -> Option<Outcome> {
 /// each precision, and the mapping at the last few times.
 pub struct Reference<'a> {
     spec: &'a Spec,
+    /// What `init` checks of them counts for each call.
+    run_time: Vec<Parameter>,
     mapping: Mapping,
     /// Exact for every sum of three doubles.
     exact: Arithmetic,
@@ -196,6 +198,7 @@ impl<'a> Reference<'a> {
     pub(crate) fn within(spec: &'a Spec, work: Work) -> Option<Self> {
         Some(Self {
             spec,
+            run_time: spec.run_time_parameters().collect(),
             mapping: Mapping::new(spec),
             exact: Arithmetic::new(4352)?,
             precisions: Vec::new(),
@@ -207,7 +210,7 @@ impl<'a> Reference<'a> {
     pub fn evaluate(&mut self, call: &Call<'_>) -> Option<Outcome> {
         let (spec, exact) = (self.spec, &self.exact);
         let parameter = |p| value_of(spec, p, call.parameter);
-        if spec.run_time_parameters().any(|p| !admitted(spec, p, &parameter)) {
+        if self.run_time.iter().any(|p| !admitted(spec, *p, &parameter)) {
             return Some(Outcome::refused(Status::Param));
         }
         let [tau, start, eps] =

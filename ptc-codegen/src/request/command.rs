@@ -6,6 +6,7 @@ use crate::expression::Subject;
 use crate::family::Family;
 use crate::mapping::TimeMapping;
 use crate::parameter::{Fixed, Parameter, Precision};
+use crate::syntax::constant;
 
 impl Spec {
     /// The command line (without the program's name and `--lang`) that gives this spec.
@@ -76,12 +77,25 @@ impl Spec {
 
     fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
         let mut words = vec!["--clock samples".to_owned()];
+        if let Some(plant) = &sampled.linear {
+            let row = |row: &Vec<BigRational>| {
+                let entries: Vec<_> = row.iter().map(constant::text).collect();
+                format!("[{}]", entries.join(","))
+            };
+            let rows = |rows: &[Vec<BigRational>]| {
+                format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join(","))
+            };
+            words.push(format!("--A=\"{}\" --B=\"{}\"", rows(&plant.a), row(&plant.b)));
+            if !plant.measures_states() {
+                words.push(format!("--C=\"{}\"", rows(&plant.c)));
+            }
+        }
         if sampled.force != BigRational::default() {
             words.push(format!("--f={}", sampled.force));
         }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));
-        if sampled.measured < self.n {
+        if sampled.linear.is_none() && sampled.measured < self.n {
             let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
             words.push(format!("--measured={}", names.join(",")));
         }
@@ -93,6 +107,9 @@ impl Spec {
             let samples = observer.samples;
             words.extend(samples.map(|samples| format!("--observer-samples={samples}")));
             words.extend(observer.eps.iter().map(|eps| format!("--observer-eps={eps}")));
+            if !observer.after.is_empty() {
+                words.push(format!("--after-observer={}", written(&observer.after)));
+            }
         }
         words
     }

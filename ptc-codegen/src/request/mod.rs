@@ -14,6 +14,7 @@ use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
+use crate::linear::Linear;
 use crate::mapping::{Custom, Mapping, TimeMapping};
 use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
 
@@ -104,11 +105,13 @@ pub enum Clock {
 pub struct Sampled {
     /// Samples between a measurement and the input that follows from it.
     pub delay: usize,
-    /// Constant input gain g of the plant.
+    /// The plant where it is not a chain.
+    pub linear: Option<Linear>,
+    /// Constant input gain g of a chain.
     pub gain: BigRational,
-    /// Constant f of the plant.
+    /// Constant f of a chain.
     pub force: BigRational,
-    /// x1..x_m are measured.
+    /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
     pub measured: usize,
     /// Whether a constant that is added to u is estimated and cancelled.
     pub disturbance: bool,
@@ -122,6 +125,11 @@ impl Sampled {
     /// Whether there is an observer.
     pub fn observes(&self) -> bool {
         self.observer.is_some()
+    }
+
+    /// Whether what is measured is the state itself.
+    pub fn measures_states(&self) -> bool {
+        !self.observes() && self.linear.as_ref().is_none_or(Linear::measures_states)
     }
 
     /// The least N with which the loop of a plant of order `n` can end at rest.
@@ -148,7 +156,9 @@ impl Sampled {
 pub struct Observer {
     /// Its poles in stretched time.
     pub poles: Vec<(BigRational, BigRational)>,
-    /// The gains that its poles give.
+    /// How many of them belong to each measured value.
+    pub blocks: Vec<usize>,
+    /// The gains that its poles give; of a linear plant those of each row of C, one after the other.
     pub gains: Vec<BigRational>,
     /// The greatest exponent p = -Re(pole)/a.
     pub greatest: BigRational,
@@ -156,6 +166,9 @@ pub struct Observer {
     pub samples: Option<u32>,
     /// Time-to-go at which its gains are held; none ends in deadbeat.
     pub eps: Option<Fixed>,
+    /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
+    /// its last gains stay.
+    pub after: Vec<(BigRational, BigRational)>,
 }
 
 /// One controller to generate.

@@ -139,7 +139,7 @@ impl Builder<'_> {
 
     fn step(&mut self, start: &Expr, samples: &Expr) -> Function {
         let measured = self.sampled.measured;
-        let given = if self.sampled.observes() { "y" } else { "x" };
+        let given = if self.sampled.measures_states() { "x" } else { "y" };
         let mut body = Vec::new();
         if self.guarded() {
             let finite = (0..measured).map(|j| Test::Finite(Expr::Element(given.to_owned(), j)));
@@ -160,10 +160,9 @@ impl Builder<'_> {
         if self.sampled.observes() {
             body.extend(self.observe(samples));
         } else {
-            for j in 0..measured {
-                let value = Expr::Element(given.to_owned(), j);
-                body.push(Statement::Let(format!("x{}", j + 1), real, value));
-            }
+            let states = self.states(given);
+            let states = states.into_iter().zip(1..);
+            body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
         body.extend(self.law());
         body.push(Statement::Require(Test::Finite(Expr::local("v")), Status::Range));
@@ -189,6 +188,10 @@ impl Builder<'_> {
             for name in self.estimated() {
                 let value = Expr::local(name.clone());
                 body.push(Statement::Set(Place::Field(format!("{name}_hat")), value));
+                if self.sampled.linear.is_some() {
+                    let next = Expr::local(format!("{name}_on"));
+                    body.push(Statement::Set(Place::Field(format!("{name}_next")), next));
+                }
             }
             body.push(Statement::Set(Place::Field("seen".to_owned()), Expr::Count(1)));
         }
@@ -197,9 +200,11 @@ impl Builder<'_> {
             true => "Call it once for each tick.",
             false => "",
         };
-        let what = match self.sampled.observes() {
-            true => "what is measured, y = (x1, ...)",
-            false => "the state x = (x1, x1', ...)",
+        let what = match (self.sampled.measures_states(), &self.sampled.linear) {
+            (true, None) => "the state x = (x1, x1', ...)",
+            (true, Some(_)) => "the state x",
+            (false, None) => "what is measured, y = (x1, ...)",
+            (false, Some(_)) => "what is measured, y = C x",
         };
         Function {
             name: "step",

@@ -1,33 +1,55 @@
 //! The observer: the estimates from what is measured, and the functions that give them.
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Mul, Range, Sub};
 
 use num_traits::ToPrimitive;
 
 use super::controller::Builder;
-use super::observer::Injection;
-use super::pair::Pair;
+use super::observer::{Injection, Recurrence};
 use super::rows::{deadbeat_from, rows};
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::internal::fault;
+use crate::linear::{Pair, sampled_poles};
 use crate::parameter::{Fixed, Parameter};
+use crate::request::{Observer, Sampled};
 
 /// A part of N_o at which the gains of the observer stay once it is through.
 const HELD_PART: i64 = 8;
 
-impl Builder<'_> {
-    /// What the observer estimates: x_m, ..., x_n, and the disturbance.
+/// The gains of one measured value, with the words between `l` and the number of a state in their
+/// names, and the unit of each.
+pub(super) struct Named {
+    pub(super) of: String,
+    pub(super) injection: Injection,
+    pub(super) units: Vec<Expr>,
+}
+
+impl<'a> Builder<'a> {
+    /// What the observer estimates: of a chain x_m, ..., x_n, else all states, and the disturbance.
     pub(super) fn estimated(&self) -> Vec<String> {
-        let states = self.sampled.measured..=self.spec.n;
+        let states = self.first_estimated()..=self.spec.n;
         let disturbance = self.sampled.disturbance.then(|| "d".to_owned());
         states.map(|j| format!("x{j}")).chain(disturbance).collect()
     }
 
-    /// The estimates from what is measured: predicted, then corrected.
+    /// The number of the first state that the observer estimates.
+    fn first_estimated(&self) -> usize {
+        if self.sampled.linear.is_some() { 1 } else { self.sampled.measured }
+    }
+
+    /// The estimates from what is measured.
     pub(super) fn observe(&mut self, samples: &Expr) -> Vec<Statement> {
+        match &self.sampled.linear {
+            Some(plant) => self.predicted(plant, samples),
+            None => self.corrected(samples),
+        }
+    }
+
+    /// The estimates of a chain: predicted, then corrected by what is measured now.
+    fn corrected(&mut self, samples: &Expr) -> Vec<Statement> {
         let (measured, real) = (self.sampled.measured, Shape::Real);
         let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain);
         let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
@@ -67,7 +89,15 @@ impl Builder<'_> {
             vec![set("base", y.clone()), set("miss", Expr::integer(0))],
             vec![set("base", Expr::local("p1")), set("miss", y.sub(Expr::local("p1")))],
         ));
-        body.extend(self.injection(&pair, samples));
+        let observer = self.observer();
+        let switch = deadbeat_from(order, &observer.greatest);
+        let recurrence = self.recurrence(0..order, &switch);
+        let c: Vec<_> = (0..order).map(|j| integer(i64::from(j == 0))).collect();
+        let Some(injection) = Injection::of(&pair, &c, &recurrence) else {
+            fault("a chain is not observable")
+        };
+        let units = (0..order).map(|i| self.period(power(i) - power(0))).collect();
+        body.extend(self.gains(&[Named { of: String::new(), injection, units }], &switch, samples));
         for j in 1..measured {
             let value = Expr::Element("y".to_owned(), j - 1);
             body.push(Statement::Let(format!("x{j}"), real, value));
@@ -89,24 +119,38 @@ impl Builder<'_> {
         any(&promises.noise) || any(&promises.sensor_step)
     }
 
-    /// The gains l1.. of the observer at this sample.
-    fn injection(&mut self, pair: &Pair, samples: &Expr) -> Vec<Statement> {
-        let order = pair.order();
-        let one = Expr::integer(1);
-        let Some(observer) = self.sampled.observer.as_ref() else {
-            fault("no poles of the observer")
-        };
-        let gains: Vec<_> = observer.gains.iter().cloned().map(Expr::Number).collect();
-        let law: Vec<_> = rows(&gains, &self.parameter(Parameter::A));
+    pub(super) fn observer(&self) -> &'a Observer {
+        let sampled: &'a Sampled = self.sampled;
+        sampled.observer.as_ref().unwrap_or_else(|| fault("no poles of the observer"))
+    }
+
+    /// The error recurrence of `some` of the observer's poles.
+    pub(super) fn recurrence(&self, some: Range<usize>, switch: &BigInt) -> Recurrence {
+        let observer = self.observer();
+        let gains: Vec<_> =
+            observer.gains[some.clone()].iter().cloned().map(Expr::Number).collect();
+        let law = rows(&gains, &self.parameter(Parameter::A));
         let law: Vec<_> = law.iter().filter_map(Expr::number).cloned().collect();
-        let switch = deadbeat_from(order, &observer.greatest);
-        let c: Vec<_> = (0..order).map(|j| integer(i64::from(j == 0))).collect();
-        let Some(injection) = Injection::new(pair, &c, &law, &switch) else {
-            fault("a chain is not observable")
-        };
-        let scale = |this: &Self, i: usize| this.period(pair.powers[i] - pair.powers[0]);
+        let after = observer.after.get(some);
+        let after = after.zip(self.fixed(Parameter::SampleTime));
+        Recurrence::new(&law, switch, after.and_then(|(poles, h)| sampled_poles(poles, h)))
+    }
+
+    /// The gains l1.. of the observer at this sample, of each injection; `switch` is the number of
+    /// samples to go at which deadbeat takes over.
+    pub(super) fn gains(
+        &mut self,
+        injections: &[Named],
+        switch: &BigInt,
+        samples: &Expr,
+    ) -> Vec<Statement> {
+        let observer = self.observer();
+        let orders = injections.iter().map(|own| own.injection.end[0].len());
+        let order = orders.max().unwrap_or(0);
+        let one = Expr::integer(1);
         let real = Shape::Real;
-        let set = |i: usize, value| Statement::Set(Place::Local(format!("l{}", i + 1)), value);
+        let place = |own: &Named, i: usize| format!("l{}{}", own.of, i + 1);
+        let set = |name: String, value| Statement::Set(Place::Local(name), value);
         let observer_eps = observer.eps.as_ref().and_then(Fixed::number);
         let observer_samples = match self.sampled.observer_samples() {
             Some(samples) => Expr::Count(samples),
@@ -120,7 +164,8 @@ impl Builder<'_> {
         body.push(Statement::Let("left_o".to_owned(), Shape::Count, left));
         let from = BigRational::from_integer(switch.clone());
         let going = Expr::local("left_o").real();
-        let now = match (observer_eps, self.is_noisy()) {
+        let noisy = self.is_noisy() && observer.after.is_empty();
+        let now = match (observer_eps, noisy) {
             (Some(eps), _) => {
                 let hold = Expr::Number(eps.clone()).div(self.parameter(Parameter::SampleTime));
                 let hold = self.keep("hold_o", "samples to go at which the observer is held", hold);
@@ -136,35 +181,59 @@ impl Builder<'_> {
             (None, false) => going,
         };
         body.push(Statement::Let("o0".to_owned(), real, now));
-        for i in 0..order {
-            body.push(Statement::Variable(format!("l{}", i + 1), real));
+        for own in injections {
+            for i in 0..own.units.len() {
+                body.push(Statement::Variable(place(own, i), real));
+            }
         }
         let mut known = Vec::new();
         for j in 0..order {
             let below = Expr::local("o0").sub(Expr::integer(i64::try_from(j).unwrap_or(0)));
             known.push(Statement::Let(format!("r{j}"), real, one.clone().div(below)));
         }
-        for (i, (numbers, constant)) in injection.law.iter().enumerate() {
-            let unit = scale(self, i);
-            let mut sum = Expr::integer(0);
-            for (j, number) in numbers.iter().enumerate() {
-                let value = Expr::Number(number.clone()).mul(unit.clone());
-                let name = format!("q{}_{}", i + 1, j + 1);
-                let weight = self.keep(&name, "weight in the observer's gains", value);
-                sum = sum.add(weight).mul(Expr::local(format!("r{j}")));
+        for own in injections {
+            for (i, (numbers, constant)) in own.injection.law.iter().enumerate() {
+                let unit = &own.units[i];
+                let mut sum = Expr::integer(0);
+                for (j, number) in numbers.iter().enumerate() {
+                    let value = Expr::Number(number.clone()).mul(unit.clone());
+                    let name = format!("q{}{}_{}", own.of, i + 1, j + 1);
+                    let weight = self.keep(&name, "weight in the observer's gains", value);
+                    sum = sum.add(weight).mul(Expr::local(format!("r{j}")));
+                }
+                let constant = Expr::Number(constant.clone()).mul(unit.clone());
+                known.push(set(place(own, i), sum.add(constant)));
             }
-            known.push(set(i, sum.add(Expr::Number(constant.clone()).mul(unit))));
         }
+        let mut after = Vec::new();
+        for own in injections {
+            for (i, gain) in own.injection.after.iter().flatten().enumerate() {
+                let gain = Expr::Number(gain.clone()).mul(own.units[i].clone());
+                after.push(set(place(own, i), gain));
+            }
+        }
+        let over = Test::CountEqual(Expr::local("left_o"), Expr::Count(0));
+        let finished = |before: Vec<Statement>| match after.is_empty() {
+            true => before,
+            false => vec![Statement::If(over, after, before)],
+        };
         if observer_eps.is_some() {
-            body.extend(known);
+            body.extend(finished(known));
             return body;
         }
         let mut end = |below: usize| -> Vec<Statement> {
-            let value = |i: usize, this: &mut Self| {
-                let number = Expr::Number(injection.end[i][below].clone()).mul(scale(this, i));
-                this.keep(&format!("e{below}_{}", i + 1), "gain of the observer at its end", number)
-            };
-            (0..order).map(|i| set(i, value(i, self))).collect()
+            let mut statements = Vec::new();
+            for own in injections {
+                for (i, unit) in own.units.iter().enumerate() {
+                    let end = &own.injection.end[i];
+                    let number = Expr::Number(end[below.min(end.len() - 1)].clone());
+                    let name = format!("e{below}_{}{}", own.of, i + 1);
+                    let about = "gain of the observer at its end";
+                    let value = self.keep(&name, about, number.mul(unit.clone()));
+                    statements.push(set(place(own, i), value));
+                }
+            }
+            statements
         };
         let mut ended = end(order - 1);
         for below in (0..order - 1).rev() {
@@ -173,7 +242,8 @@ impl Builder<'_> {
             let here = end(below);
             ended = vec![Statement::If(Test::CountEqual(Expr::local("left_o"), at), here, ended)];
         }
-        body.push(Statement::If(Test::Less(Expr::Number(from), Expr::local("o0")), known, ended));
+        let test = Test::Less(Expr::Number(from), Expr::local("o0"));
+        body.extend(finished(vec![Statement::If(test, known, ended)]));
         body
     }
 
@@ -193,7 +263,7 @@ impl Builder<'_> {
             guarded: self.guarded(),
         };
         let mut functions = Vec::new();
-        let known = self.sampled.measured;
+        let known = self.first_estimated();
         let state = |j: usize| Expr::field(format!("x{j}_hat"));
         let values: Vec<_> = (known..=self.spec.n).map(state).collect();
         let xhat = Variable::new("xhat", Shape::Reals(values.len()), "estimates");

@@ -3,11 +3,11 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::controller::Builder;
-use super::pair::Pair;
 use super::rows::{deadbeat, deadbeat_from, rows};
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::internal::fault;
+use crate::linear::{Linear, Pair, dot};
 use crate::parameter::Parameter;
 
 impl Builder<'_> {
@@ -19,14 +19,23 @@ impl Builder<'_> {
 
     /// The plant as the controller knows it, undelayed.
     fn plant(&self) -> Pair {
-        Pair::chain(self.spec.n, &self.sampled.gain)
+        match &self.sampled.linear {
+            Some(plant) => self.sampled_plant(plant),
+            None => Pair::chain(self.spec.n, &self.sampled.gain),
+        }
+    }
+
+    /// A plant of a spec, which its reader has found controllable.
+    pub(super) fn sampled_plant(&self, plant: &Linear) -> Pair {
+        let pair = self.fixed(Parameter::SampleTime).and_then(|h| Pair::linear(plant, h));
+        pair.unwrap_or_else(|| fault("a linear plant is not sampled"))
     }
 
     /// v, the input before it is clipped, from the states x1.. and the inputs under way.
     pub(super) fn law(&mut self) -> Vec<Statement> {
         let order = self.spec.n + self.sampled.delay;
         let pair = self.plant().delayed(self.sampled.delay);
-        let Some((s, drift)) = pair.flat() else { fault("a chain is not controllable") };
+        let Some((s, drift)) = pair.flat() else { fault("a plant is not controllable") };
         let gains: Vec<_> = (1..=order).map(|i| self.parameter(Parameter::Gain(i))).collect();
         let law = rows(&gains, &self.parameter(Parameter::A));
         let offset = self.offset();
@@ -63,8 +72,7 @@ impl Builder<'_> {
         }
         // Deadbeat: the drift is in its gains.
         let column = |factors: &[BigRational], j: usize| {
-            let products = factors.iter().enumerate().map(|(i, factor)| factor * s.at(i, j));
-            products.fold(BigRational::default(), |sum, product| sum + product)
+            dot(factors.iter().enumerate().map(|(i, factor)| (factor, s.at(i, j))))
         };
         let dead: Vec<_> = deadbeat(order).iter().zip(&drift).map(|(b, a)| b - a).collect();
         let dead = (0..order).map(|j| Expr::Number(column(&dead, j))).collect();

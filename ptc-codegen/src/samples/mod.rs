@@ -1,6 +1,6 @@
 //! Prescribed time in samples: the controller that is at rest exactly at sample N of its loop.
 //!
-//! Between samples a held input moves the plant by x_{k+1} = Phi x_k + Gamma u_k (`pair`). In the
+//! Between samples a held input moves the plant by x_{k+1} = Phi x_k + Gamma u_k ([`crate::linear`]). In the
 //! coordinates z = S x that is an Euler chain, and the rows that Theorem 1 gives for the mapping
 //! `exp` (`rows`) are exact in it with falling powers of time-to-go in place of powers:
 //! u = sum_j row_j z_j/((T - (j-1) h) ... (T - (m-1) h)). By duality the same rows give an observer
@@ -10,9 +10,8 @@
 mod controller;
 mod estimates;
 mod feedback;
-mod matrix;
 mod observer;
-mod pair;
+mod predicted;
 mod rows;
 mod start;
 

@@ -8,11 +8,48 @@
 
 use num_traits::{One, Zero};
 
-use super::matrix::Matrix;
-use super::pair::{Pair, binomial, factorial};
 use crate::algebra::{BigInt, BigRational};
+use crate::linear::{Matrix, Outputs, Pair, binomial, dot, factorial};
 
-/// The gains of an observer of one measured combination of the states.
+/// c_{0,k}, ..., c_{m-1,k-m+1}: what gains at sample k are made of.
+#[derive(Clone, Debug)]
+pub(super) struct Recurrence {
+    /// Of each c the coefficients q_1..q_m with c = constant - sum_j q_j/((M-j+1)...(M-m+1)).
+    law: Vec<Vec<BigRational>>,
+    constant: Vec<BigRational>,
+    /// All c at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes over.
+    end: Vec<Vec<BigRational>>,
+    /// All c once the estimates are exact, where they are others then.
+    after: Option<Vec<BigRational>>,
+}
+
+impl Recurrence {
+    /// That of the `rows` of a law; `switch` is M at which deadbeat takes over, and `after` holds the
+    /// coefficients of the polynomial that follows.
+    pub(super) fn new(
+        rows: &[BigRational],
+        switch: &BigInt,
+        after: Option<Vec<BigRational>>,
+    ) -> Self {
+        let m = rows.len();
+        // c_j of an Euler chain, where rho = 0.
+        let constant: Vec<_> = (0..m).map(|j| signed(m - j, binomial(m, j))).collect();
+        // The numerators have a degree below m, so m points give them.
+        let law = |j: usize| newton((0..m).map(|i| numerator(rows, j, &whole(i))).collect());
+        let switch = BigRational::from_integer(switch.clone());
+        let end = |below: usize| {
+            let now = &switch - whole(below);
+            let c = |j: usize| match j <= below {
+                true => BigRational::zero(),
+                false => &constant[j] - numerator(rows, j, &now) / falling(&now, m),
+            };
+            (0..m).map(c).collect()
+        };
+        Self { law: (0..m).map(law).collect(), end: (0..m).map(end).collect(), constant, after }
+    }
+}
+
+/// The gains of an observer for one measured value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Injection {
     /// Of each state the coefficients q_1..q_m with L = sum_j q_j/((M-j+1)...(M-m+1)), then what is
@@ -21,17 +58,41 @@ pub(super) struct Injection {
     /// Of each state its gain at 0, 1, ..., m - 1 samples below the instant at which deadbeat takes
     /// over; the last one stays.
     pub(super) end: Vec<Vec<BigRational>>,
+    /// Of each state its gain once the estimates are exact, where it is another one then.
+    pub(super) after: Option<Vec<BigRational>>,
 }
 
 impl Injection {
-    /// The gains for the states of `pair` measured as `c` x, with `rows` of the law; none where the
-    /// pair is not observable. `switch` is M at which deadbeat takes over.
-    pub(super) fn new(
-        pair: &Pair,
-        c: &[BigRational],
-        rows: &[BigRational],
-        switch: &BigInt,
-    ) -> Option<Self> {
+    /// The gains `base` + `map` c of all states.
+    fn new(recurrence: &Recurrence, base: &[BigRational], map: &Matrix) -> Self {
+        let m = recurrence.constant.len();
+        let one = BigRational::one();
+        let gain = |state: usize, c: &[BigRational]| {
+            let terms = (0..m).map(|j| (map.at(state, j), &c[j]));
+            dot(terms.chain([(&base[state], &one)]))
+        };
+        let law = |state: usize| {
+            let weight = |q: usize| -dot((0..m).map(|j| (map.at(state, j), &recurrence.law[j][q])));
+            ((0..m).map(weight).collect(), gain(state, &recurrence.constant))
+        };
+        let end = |state: usize| recurrence.end.iter().map(|c| gain(state, c)).collect();
+        let states = 0..base.len();
+        let after = recurrence.after.as_ref();
+        let after = after.map(|c| states.clone().map(|state| gain(state, c)).collect());
+        Self { law: states.clone().map(law).collect(), end: states.map(end).collect(), after }
+    }
+
+    /// The gains of block `i` of several measured values.
+    pub(super) fn of_block(outputs: &Outputs, i: usize, recurrence: &Recurrence) -> Self {
+        let columns = &outputs.columns[i];
+        let size = outputs.blocks[i];
+        let map = Matrix::new(columns[0].len(), size, |state, j| columns[j][state].clone());
+        Self::new(recurrence, &columns[size], &map)
+    }
+
+    /// The gains L, beta_j L = c_j - alpha_j, for the states of `pair` measured as `c` x; none where
+    /// the pair is not observable.
+    pub(super) fn of(pair: &Pair, c: &[BigRational], recurrence: &Recurrence) -> Option<Self> {
         let m = pair.order();
         let alpha = pair.phi.characteristic();
         let mut powers = vec![c.to_vec()];
@@ -40,46 +101,12 @@ impl Injection {
             powers.push(next);
         }
         let beta = |j: usize| -> Vec<BigRational> {
-            let entry = |state: usize| {
-                let terms = (j + 1..=m).map(|i| &alpha[i] * &powers[i - j][state]);
-                terms.fold(BigRational::zero(), |sum, term| sum + term)
-            };
+            let entry = |state: usize| dot((j + 1..=m).map(|i| (&alpha[i], &powers[i - j][state])));
             (0..m).map(entry).collect()
         };
-        let system = Matrix::of_rows((0..m).map(beta).collect());
-        // c_j of an Euler chain, where rho = 0.
-        let chain = |j: usize| signed(m - j, binomial(m, j));
-        let law_at = |point: &BigRational| {
-            let right: Vec<_> = (0..m).map(|j| -numerator(rows, j, point)).collect();
-            system.solve(&right)
-        };
-        // The numerators have a degree below m, so m points give them.
-        let values: Option<Vec<_>> = (0..m).map(|i| law_at(&whole(i))).collect();
-        let values = values?;
-        let constant: Vec<_> = (0..m).map(|j| chain(j) - &alpha[j]).collect();
-        let constant = system.solve(&constant)?;
-        let law = (0..m).map(|state| {
-            let column: Vec<_> = values.iter().map(|at| at[state].clone()).collect();
-            (newton(column), constant[state].clone())
-        });
-        let switch = BigRational::from_integer(switch.clone());
-        let end_at = |below: usize| {
-            let now = &switch - whole(below);
-            let right: Vec<_> = (0..m)
-                .map(|j| {
-                    if j <= below {
-                        return -alpha[j].clone();
-                    }
-                    let falling = falling(&now, m);
-                    chain(j) - numerator(rows, j, &now) / falling - &alpha[j]
-                })
-                .collect();
-            system.solve(&right)
-        };
-        let end: Option<Vec<_>> = (0..m).map(end_at).collect();
-        let end = end?;
-        let end = (0..m).map(|state| end.iter().map(|at| at[state].clone()).collect()).collect();
-        Some(Self { law: law.collect(), end })
+        let map = Matrix::of_rows((0..m).map(beta).collect()).inverse()?;
+        let base: Vec<_> = map.on(&alpha[..m]).iter().map(|value| -value).collect();
+        Some(Self::new(recurrence, &base, &map))
     }
 }
 

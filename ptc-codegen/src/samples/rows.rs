@@ -5,12 +5,12 @@
 
 use std::ops::{Div, Mul};
 
-use super::pair::binomial;
 use crate::algebra::{BigInt, BigRational, Kind, Monomial, Poly};
 use crate::code::Expr;
 use crate::family::Family;
 use crate::internal::fault;
 use crate::law::{Form, Law};
+use crate::linear::binomial;
 use crate::mapping::Mapping;
 
 /// row_1..row_m of the gains k_1..k_m and the rate a.

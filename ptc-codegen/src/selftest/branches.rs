@@ -62,7 +62,7 @@ impl Maker<'_> {
     pub(super) fn branches(&mut self) -> Vec<Session> {
         let spec = self.spec();
         let mut draw = Draw(3);
-        let all: Vec<_> = spec.run_time_parameters().collect();
+        let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let iterated = self.spec().is_iterated();
         for round in self.trials.rounds(if iterated { ITERATED } else { CANDIDATES }) {

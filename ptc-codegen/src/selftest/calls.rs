@@ -156,10 +156,9 @@ impl Maker<'_> {
         let n = self.spec().n;
         self.checked[0].iter().find(|check| matches!(check, Condition::Kept(..)))?;
         let mut session = self.session(0.0625);
-        let all = self.spec().run_time_parameters();
-        for (value, parameter) in session.parameters.iter_mut().zip(all) {
+        for (value, parameter) in session.parameters.iter_mut().zip(self.chosen.at_run_time()) {
             if matches!(parameter, Parameter::Gain(_)) {
-                *value = self.chosen.legal(parameter, 0.0);
+                *value = self.chosen.legal(*parameter, 0.0);
             }
         }
         if !self.is_taken(&session) {
@@ -180,7 +179,7 @@ impl Maker<'_> {
         let tau = self.parameter(&session, Parameter::Tau);
         let middle = self.time(&session, 0.5 * tau);
         let x = state(n, 1.0);
-        if let Some(at) = spec.run_time_parameters().position(|p| p == Parameter::UMax) {
+        if let Some(at) = self.chosen.place(Parameter::UMax) {
             let control = self.expected(&session, middle, &x)?.control?;
             let wanted = if control.u() == 0.0 { 1.0 } else { control.u().abs() };
             session.parameters[at] = self.chosen.legal(Parameter::UMax, wanted);

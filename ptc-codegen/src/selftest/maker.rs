@@ -43,7 +43,7 @@ impl<'a> Maker<'a> {
     }
 
     pub(super) fn parameter(&self, session: &Session, wanted: Parameter) -> f64 {
-        let at = self.spec().run_time_parameters().position(|p| p == wanted);
+        let at = self.chosen.place(wanted);
         match (wanted, session.again) {
             (Parameter::StartTime, Some(start)) => start,
             _ => at.map_or_else(|| self.chosen.value(wanted, 0.0), |at| session.parameters[at]),
@@ -152,12 +152,14 @@ impl<'a> Maker<'a> {
         let start = self.parameter(session, Parameter::StartTime);
         let deadline =
             settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);
-        let (controller, machine, x0) = (self.controller, self.machine, session.x0.as_slice());
+        let (controller, chosen) = (self.controller, self.chosen);
+        let (machine, x0) = (self.machine, session.x0.as_slice());
         let parameters = &session.parameters;
-        let trial = Trial { controller, machine, parameters, x0, start, t: start, x: &zeros };
+        let trial =
+            Trial { controller, chosen, machine, parameters, x0, start, t: start, x: &zeros };
         let legal = |p: Parameter| self.spec().keeps_digits(p, self.parameter(session, p));
         let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(session, p));
-        let in_domain = eps < tau && self.spec().run_time_parameters().all(legal);
+        let in_domain = eps < tau && self.chosen.at_run_time().iter().copied().all(legal);
         in_domain
             && deadline.is_finite()
             && self.checked.iter().all(|checks| trial.first_failure(checks).is_none())
@@ -165,8 +167,10 @@ impl<'a> Maker<'a> {
 
     pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {
         let start = self.parameter(session, Parameter::StartTime);
-        let (controller, machine, x0) = (self.controller, self.machine, session.x0.as_slice());
-        Trial { controller, machine, parameters: &session.parameters, x0, start, t, x }.run()
+        let (controller, chosen) = (self.controller, self.chosen);
+        let (machine, x0) = (self.machine, session.x0.as_slice());
+        Trial { controller, chosen, machine, parameters: &session.parameters, x0, start, t, x }
+            .run()
     }
 
     /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a

@@ -126,7 +126,8 @@ impl SelfTest {
             ));
         }
         let taken = sessions.iter().map(|session| &session.parameters);
-        let not_zero = zero::never(controller, &machine, taken.chain(&overflow.parameters));
+        let not_zero =
+            zero::never(controller, &chosen, &machine, taken.chain(&overflow.parameters));
         let mut refused = refused::parameters(controller, &chosen);
         refused.extend(overflow.parameters);
         let mut refused_states =
@@ -136,7 +137,7 @@ impl SelfTest {
             sessions,
             refused,
             refused_states,
-            tau_is_kept: spec.run_time_parameters().any(|p| p == crate::parameter::Parameter::Tau),
+            tau_is_kept: chosen.place(crate::parameter::Parameter::Tau).is_some(),
             unreachable: [overflow.unreachable, not_zero, never].concat(),
         })
     }

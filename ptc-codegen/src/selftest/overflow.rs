@@ -40,8 +40,16 @@ pub(super) fn find(
     let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
     for round in trials.rounds(if usual.is_empty() { 0 } else { TRIALS }) {
         let set = extreme(spec, chosen, &usual, round, &mut draw);
-        let trial =
-            Trial { controller, machine, parameters: &set, x0: &zeros, start, t: start, x: &zeros };
+        let trial = Trial {
+            controller,
+            chosen,
+            machine,
+            parameters: &set,
+            x0: &zeros,
+            start,
+            t: start,
+            x: &zeros,
+        };
         if let Some(index) = trial.first_failure(&fields) {
             first[index].get_or_insert(set);
         }
@@ -59,7 +67,7 @@ pub(super) fn find(
         }
     }
     // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
-    let keeps_tau = spec.run_time_parameters().any(|p| p == Parameter::Tau);
+    let keeps_tau = chosen.place(Parameter::Tau).is_some();
     if !keeps_tau {
         found.unreachable.push(Unreachable {
             condition: Always::Written("isfinite(deadline)".to_owned()),
@@ -76,8 +84,16 @@ pub(super) fn find(
     for round in trials.rounds(if armed.is_empty() { 0 } else { TRIALS }) {
         let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
         let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
-        let trial =
-            Trial { controller, machine, parameters: &usual, x0: &x0, start, t: start, x: &zeros };
+        let trial = Trial {
+            controller,
+            chosen,
+            machine,
+            parameters: &usual,
+            x0: &x0,
+            start,
+            t: start,
+            x: &zeros,
+        };
         if let Some(index) = trial.first_failure(&armed) {
             first[index].get_or_insert((start, x0));
         }
@@ -118,7 +134,7 @@ pub(super) fn extreme(
     round: usize,
     draw: &mut Draw,
 ) -> Vec<f64> {
-    let all: Vec<_> = spec.run_time_parameters().collect();
+    let all = chosen.at_run_time();
     // First each alone at its ends, then all of them anywhere.
     let ends = [greatest(spec), greatest(spec) / 4.0, 2.0 * least(spec), 64.0 / greatest(spec)];
     let alone = (round < 4 * all.len()).then(|| (round / 4, ends[round % 4]));

@@ -8,6 +8,9 @@ use crate::request::Spec;
 /// Values of every parameter, fixed or chosen.
 pub(super) struct Chosen<'a> {
     spec: &'a Spec,
+    /// Every parameter, and those left to run time in the order of the emitted struct.
+    all: Vec<Parameter>,
+    run_time: Vec<Parameter>,
     /// The greatest a with which the design holds, beyond which `init` refuses.
     greatest: Option<(Parameter, f64)>,
 }
@@ -19,7 +22,18 @@ impl<'a> Chosen<'a> {
         let greatest = bound.and_then(|(parameter, bound)| {
             Some((*parameter, round(bound.number()?, spec.precision)))
         });
-        Self { spec, greatest }
+        let (all, run_time) = (spec.parameters(), spec.run_time_parameters().collect());
+        Self { spec, all, run_time, greatest }
+    }
+
+    /// The parameters left to run time, in the order of the emitted struct.
+    pub(super) fn at_run_time(&self) -> &[Parameter] {
+        &self.run_time
+    }
+
+    /// The place of a parameter in the emitted struct, where it is left to run time.
+    pub(super) fn place(&self, wanted: Parameter) -> Option<usize> {
+        self.run_time.iter().position(|parameter| *parameter == wanted)
     }
 
     /// The greatest value that a check allows a parameter.
@@ -76,8 +90,7 @@ impl<'a> Chosen<'a> {
                     k * number(n + 1 - j) / (number(j) * 1.5)
                 }),
             Parameter::Named(_) => {
-                let all = self.spec.parameters();
-                let index = all.iter().position(|p| *p == parameter).unwrap_or(0);
+                let index = self.all.iter().position(|p| *p == parameter).unwrap_or(0);
                 0.5 + 0.125 * number(index)
             }
         }
@@ -90,7 +103,7 @@ impl<'a> Chosen<'a> {
 
     /// All run-time parameters in an undisturbed run, in the order of the emitted struct.
     pub(super) fn run_time(&self, eps: f64) -> Vec<f64> {
-        self.spec.run_time_parameters().map(|p| self.value(p, eps)).collect()
+        self.run_time.iter().map(|p| self.value(*p, eps)).collect()
     }
 
     /// eps as a part of tau with which time-to-go is tracked all the way.

@@ -16,7 +16,7 @@ impl Maker<'_> {
         let spec = self.spec();
         let mut draw = Draw(2);
         let largest = greatest(spec);
-        let all: Vec<_> = spec.run_time_parameters().collect();
+        let all = self.chosen.at_run_time();
         let mut found = Vec::new();
         let mut kinds = vec![(true, true), (true, false)];
         for round in self.trials.rounds(2 * CANDIDATES) {
@@ -62,7 +62,7 @@ impl Maker<'_> {
     fn at_the_ends(&self, session: &mut Session, round: usize) {
         let spec = self.spec();
         let largest = greatest(spec);
-        let all: Vec<_> = spec.run_time_parameters().collect();
+        let all = self.chosen.at_run_time();
         for (at, parameter) in all.iter().enumerate() {
             let value = match parameter {
                 Parameter::UMax if round % 3 == 1 => 1.0,

@@ -11,13 +11,13 @@ pub(super) fn parameters(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Ve
     let spec = controller.spec();
     let usual = chosen.run_time(0.0625);
     let mut refused = Vec::new();
-    for (at, parameter) in spec.run_time_parameters().enumerate() {
+    for (at, &parameter) in chosen.at_run_time().iter().enumerate() {
         for value in illegal(spec, chosen, parameter) {
             let mut set = usual.clone();
             set[at] = value;
             // An eps that is too great for this tau alone is the business of eps.
             if parameter == Parameter::Tau
-                && let Some(eps) = spec.run_time_parameters().position(|p| p == Parameter::Eps)
+                && let Some(eps) = chosen.place(Parameter::Eps)
                 && value > 0.0
             {
                 set[eps] = settle(value / 16.0, spec.precision);

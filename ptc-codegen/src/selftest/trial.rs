@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::parameters::Chosen;
 use crate::controller::Controller;
 use crate::parameter::Parameter;
 use crate::program::digits::Condition;
@@ -14,6 +15,7 @@ use crate::request::{Guard, Spec};
 /// The inputs of a trial.
 pub(super) struct Trial<'a> {
     pub(super) controller: &'a Controller<'a>,
+    pub(super) chosen: &'a Chosen<'a>,
     /// A machine of its program that has computed nothing yet.
     pub(super) machine: &'a Machine,
     /// Run-time parameters in the order of the struct.
@@ -56,8 +58,7 @@ impl Trial<'_> {
     }
 
     fn parameter(&self, wanted: Parameter) -> f64 {
-        let at = self.spec().run_time_parameters().position(|p| p == wanted);
-        at.map_or(f64::NAN, |at| self.parameters[at])
+        self.chosen.place(wanted).map_or(f64::NAN, |at| self.parameters[at])
     }
 
     /// What values of the program are.

@@ -1,5 +1,6 @@
 //! Factors that are 0, with which a product may be 0 as well: those that no set of parameters makes so.
 
+use super::parameters::Chosen;
 use super::trial::Trial;
 use super::{Always, Unreachable};
 use crate::controller::{Controller, checked};
@@ -9,6 +10,7 @@ use crate::program::machine::Machine;
 /// The factors that are 0 with none of the `sets`.
 pub(super) fn never<'a>(
     controller: &Controller<'_>,
+    chosen: &Chosen<'_>,
     machine: &Machine,
     sets: impl Iterator<Item = &'a Vec<f64>>,
 ) -> Vec<Unreachable> {
@@ -25,7 +27,7 @@ pub(super) fn never<'a>(
     let mut seen = vec![false; factors.len()];
     for parameters in sets {
         let (x0, x, start, t) = (zeros.as_slice(), zeros.as_slice(), 0.0, 0.0);
-        let trial = Trial { controller, machine, parameters, x0, start, t, x };
+        let trial = Trial { controller, chosen, machine, parameters, x0, start, t, x };
         for (seen, number) in seen.iter_mut().zip(trial.numbers(&factors)) {
             *seen |= number == 0.0;
         }

@@ -14,6 +14,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
+mod linear;
 mod mode;
 mod pass;
 mod plant;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
+use super::linear::Linear;
 use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::{First, State};
@@ -12,7 +13,7 @@ use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::code::{Code, Instance};
 use crate::expression::Expression;
-use crate::parameter::Parameter;
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::reference::Status;
 use crate::request::Spec;
@@ -50,7 +51,15 @@ impl Default for Loop {
 pub struct Sampled {
     n: usize,
     controller: Kind,
-    motion: Motion,
+    moved: Moved,
+}
+
+/// What moves between samples.
+#[derive(Clone, Debug)]
+enum Moved {
+    /// A chain with f and g.
+    Chain(Box<Motion>),
+    Linear(Linear),
 }
 
 /// What the controller is given beside the measurement.
@@ -92,14 +101,21 @@ impl Sampled {
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
         let Some(sampled) = spec.sampled() else {
             let controller = Kind::Time(Box::new(Controller::new(spec)?));
-            return Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) });
+            let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
+            return Ok(Self { n: spec.n, controller, moved });
         };
         let code = Arc::new(samples::controller(spec, sampled, Vec::new()));
         let controller = Kind::Samples(code, spec.run_time_parameters().collect());
+        if let Some(plant) = &sampled.linear {
+            let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
+            let moved = Moved::Linear(Linear::new(plant, h));
+            return Ok(Self { n: spec.n, controller, moved });
+        }
         // A chain has the f that the controller knows.
         let own = Plant { f: Expression::Number(sampled.force.clone()), ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
-        Ok(Self { n: spec.n, controller, motion: Motion::new(spec, plant) })
+        let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
+        Ok(Self { n: spec.n, controller, moved })
     }
 
     /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts
@@ -114,7 +130,9 @@ impl Sampled {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        self.motion.init(values, x0)?;
+        if let Moved::Chain(motion) = &mut self.moved {
+            motion.init(values, x0)?;
+        }
         let mut kind = self.controller.clone();
         let mut controller = match &mut kind {
             Kind::Time(controller) => {
@@ -126,7 +144,6 @@ impl Sampled {
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut random = Pcg64Mcg::seed_from_u64(around.seed);
         let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
-        let mut measured = x0.to_vec();
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
         let end = around.end * tau;
@@ -136,9 +153,14 @@ impl Sampled {
             let last = since >= end * (1.0 - 1e-12);
             let since = if last { end } else { since };
             let t = t0 + since;
+            let state = &x.as_slice()[..self.n];
+            let mut measured = match &self.moved {
+                Moved::Chain(_) => state.to_vec(),
+                Moved::Linear(plant) => plant.measured(state),
+            };
             for (j, own) in measured.iter_mut().enumerate() {
                 let bound = around.noise.get(j).copied().unwrap_or(0.0);
-                let noisy = x[j] + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+                let noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
                 *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
             }
             let (u, status) = controller.step(index, t, &measured);
@@ -164,8 +186,11 @@ impl Sampled {
         u: f64,
         (from, to): (f64, f64),
     ) -> Result<State, Failure> {
-        let mut between =
-            Between { n: self.n, motion: &mut self.motion, u, from, length: to - from };
+        let motion = match &mut self.moved {
+            Moved::Chain(motion) => motion,
+            Moved::Linear(plant) => return plant.after(x, u, to - from),
+        };
+        let mut between = Between { n: self.n, motion, u, from, length: to - from };
         let mut end = x;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
         let done = walk.on(&mut between, x, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);

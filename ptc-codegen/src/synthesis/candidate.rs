@@ -1,7 +1,7 @@
 //! The candidates: mappings in the order in which they are tried, poles, and how fast these may be.
 
 use super::wish::{Choice, Wish};
-use crate::check::digits;
+use crate::diagnostic::digits;
 
 /// A mapping that is tried.
 #[derive(Debug)]

@@ -81,7 +81,7 @@ impl Tally {
         for i in 0..self.objectives {
             let sides = [excess[i], excess[i + self.objectives]];
             self.excess[i].take(Worst { value: sides[0].max(sides[1]), index });
-            let judgement = Status::judge(status, sides);
+            let judgement = Judgement::of(sides);
             self.failed[i] += u64::from(judgement == Judgement::Fails);
             self.open[i] += u64::from(judgement == Judgement::Open);
         }

@@ -46,14 +46,17 @@ impl Status {
             Self::Unfinished => 2.0,
         }
     }
+}
 
-    /// Of the excess on both sides. What failed before the end of an unfinished run failed.
-    pub(super) fn judge(code: f64, sides: [f64; 2]) -> Judgement {
+impl Judgement {
+    /// Of the excess on both sides, as far as each came: where rounding takes one of them away, it
+    /// may exceed anything before its integration stops, and only what both exceed fails.
+    pub(super) fn of(sides: [f64; 2]) -> Self {
         let [low, high] = [sides[0].min(sides[1]), sides[0].max(sides[1])];
         match () {
-            () if high <= 0.0 => Judgement::Holds,
-            () if low > 0.0 || code == Self::Unfinished.code() => Judgement::Fails,
-            () => Judgement::Open,
+            () if high <= 0.0 => Self::Holds,
+            () if low > 0.0 => Self::Fails,
+            () => Self::Open,
         }
     }
 }
@@ -89,8 +92,7 @@ impl Outcome {
 
     /// What it says of an objective.
     pub fn judgement(&self, objective: usize) -> Judgement {
-        let sides = [self.excess[objective], self.excess_direct[objective]];
-        Status::judge(self.status().code(), sides)
+        Judgement::of([self.excess[objective], self.excess_direct[objective]])
     }
 }
 

@@ -2,7 +2,7 @@
 //! one clear error.
 
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::channel;
@@ -10,6 +10,9 @@ use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
 
 const SHOW: [&str; 6] = ["show", "r", "--n", "3", "--mu", "exp"];
+/// A request that takes much longer than a second: 1.4 million terms, each of which is derived.
+const LONG: &str = "{\"n\":16,\"bell\":true,\"r1\":\"v0 v1 v2 v3 +4 200 ^\",\
+                    \"derivations\":[[0,\"v1\"],[1,\"v2\"],[2,\"v3\"],[3,\"v0\"]]}\n";
 const R2: &str = "r2 = -a^2*T";
 
 /// A lock that is held.
@@ -105,4 +108,34 @@ fn an_abort_names_its_cause() {
     assert!(output.stdout.is_empty());
     assert!(stderr.contains("error: Symbolica aborted"), "{stderr}");
     assert!(stderr.contains("https://symbolica.io/license/"), "{stderr}");
+}
+
+/// SIGKILL cannot be caught: a worker sees by the end of its request that nobody waits.
+#[test]
+fn a_worker_ends_with_the_process_that_asks() {
+    let _turn = held(&shared());
+    let mut worker = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
+    worker.arg("symbolica-worker").stdin(Stdio::piped()).stdout(Stdio::null());
+    let mut worker = worker.stderr(Stdio::null()).spawn().expect("the binary runs");
+    let mut input = worker.stdin.take().expect("a pipe");
+    input.write_all(LONG.as_bytes()).expect("a request");
+    // In place of the process that asks: whatever holds the pipe.
+    let mut asks = Command::new("sleep").arg("60").stdout(Stdio::from(input)).spawn();
+    sleep(Duration::from_secs(1));
+    let at_work = worker.try_wait().expect("a child").is_none();
+    let asks = asks.as_mut().expect("sleep runs");
+    asks.kill().expect("killed");
+    asks.wait().expect("ended");
+    let killed = Instant::now();
+    let status = loop {
+        match worker.try_wait().expect("a child") {
+            Some(status) => break status,
+            None if killed.elapsed() < Duration::from_secs(10) => sleep(Duration::from_millis(10)),
+            None => {
+                let _ = worker.kill();
+                panic!("the worker lives on");
+            }
+        }
+    };
+    assert!(at_work && status.code() == Some(3), "{status}, at work: {at_work}");
 }

@@ -15,7 +15,8 @@ mod closed_loop;
 
 pub use closed_loop::ClosedLoop;
 
-use super::{Outcome, Verdict, digits, list, middle};
+use super::{Outcome, Verdict, list, middle};
+use crate::diagnostic::digits;
 
 /// The grid begins at this share of tau.
 const FLOOR: f64 = 1e-12;

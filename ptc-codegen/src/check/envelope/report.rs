@@ -1,7 +1,8 @@
 //! What a reader is told of an [`Envelope`].
 
-use super::super::{Outcome, Verdict, digits};
+use super::super::{Outcome, Verdict};
 use super::{Envelope, Excess, Interval};
+use crate::diagnostic::digits;
 use crate::parameter::Precision;
 use crate::program::{Input, Op, Program, Value, number};
 

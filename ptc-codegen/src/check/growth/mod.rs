@@ -191,7 +191,7 @@ mod tests {
     use super::*;
     use crate::algebra::integer;
     use crate::check::deadline::{ClosedLoop, deadline};
-    use crate::check::digits;
+    use crate::diagnostic::digits;
     use crate::request::{Pole, gains};
 
     fn exact(poles: &[i64]) -> Vec<BigRational> {

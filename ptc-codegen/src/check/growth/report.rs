@@ -1,7 +1,8 @@
 //! What a reader is told of [`Growth`].
 
-use super::super::{Outcome, Verdict, digits, poles, to_f64};
+use super::super::{Outcome, Verdict, poles, to_f64};
 use super::Growth;
+use crate::diagnostic::digits;
 
 impl Growth {
     /// The line Re = -m rho.

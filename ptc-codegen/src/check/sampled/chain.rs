@@ -5,7 +5,10 @@
 //! sum_l b_{l,k} w_l, w the errors of the measurement and of the actuator.
 
 use super::rounded::{Rounded, unit_roundoff};
+use crate::algebra::BigRational;
+use crate::expression::interval::Interval;
 use crate::expression::range::Range;
+use crate::linear::{Linear, held};
 use crate::parameter::Precision;
 
 /// A matrix with bounds of the distance of each entry from the true one, by rows.
@@ -58,7 +61,16 @@ pub(super) struct Step {
     pub(super) u: Row,
 }
 
-/// The chain x_i' = x_{i+1}, x_n' = g u, sampled with a period.
+/// In what a state is measured against u, so that all states are alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Unit {
+    /// A power of the time scale of the gains.
+    Power(i32),
+    /// The gains of state x_j and of its estimate.
+    Gain(usize),
+}
+
+/// A plant, sampled with a period: the chain x_i' = x_{i+1}, x_n' = g u, or any other.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) n: usize,
@@ -70,6 +82,8 @@ pub(super) struct Chain {
     /// h^j/j!, j = 0..=n, rounded.
     pub(super) shares: Vec<f64>,
     pub(super) gain: f64,
+    /// The rows of y = C x; none where the states of a chain are measured.
+    pub(super) outputs: Option<Vec<Vec<Near>>>,
 }
 
 impl Chain {
@@ -89,7 +103,56 @@ impl Chain {
         }
         let input = (0..n).map(|i| centre(g * shares[n - i], 0.0)).collect();
         let shares = shares.iter().map(|share| centre(*share, 0.0).0).collect();
-        Self { n, delay, motion, input, shares, gain: centre(g, 0.0).0 }
+        Self { n, delay, motion, input, shares, gain: centre(g, 0.0).0, outputs: None }
+    }
+
+    /// A linear plant with period `h`; none where a mode is too fast for it.
+    pub(super) fn linear(plant: &Linear, h: &BigRational, delay: usize) -> Option<Self> {
+        let (phi, gamma) = held(plant, h)?;
+        let near = |value: &BigRational| centre(Range::from(&Interval::exact(value)), 0.0);
+        let n = gamma.len();
+        let (entries, errors) = phi.iter().flatten().map(near).unzip();
+        let rows = plant.c.iter().map(|row| row.iter().map(near).collect());
+        Some(Self {
+            n,
+            delay,
+            motion: Matrix { size: n, entries, errors },
+            input: gamma.iter().map(near).collect(),
+            shares: vec![1.0, near(h).0],
+            gain: 1.0,
+            outputs: Some(rows.collect()),
+        })
+    }
+
+    /// The unit of x_j, from 1.
+    pub(super) fn unit(&self, j: usize) -> Unit {
+        match self.outputs {
+            Some(_) => Unit::Gain(j),
+            None => Unit::Power(i32::try_from(self.n + 1 - j).unwrap_or(i32::MAX)),
+        }
+    }
+
+    /// Number of values that are measured with an error of their own.
+    pub(super) fn sensors(&self) -> usize {
+        self.outputs.as_ref().map_or(self.n, Vec::len)
+    }
+
+    /// What is `near` in each measured value, as a sum over the states.
+    pub(super) fn of_states(&self, near: &[Near]) -> Vec<Near> {
+        let Some(rows) = &self.outputs else {
+            let one = |j: usize| near.get(j).copied().unwrap_or((0.0, 0.0));
+            return (0..self.n).map(one).collect();
+        };
+        let unit = 4.0 * unit_roundoff(Precision::F64);
+        let state = |j: usize| {
+            near.iter().zip(rows).fold((0.0, 0.0), |(sum, off): Near, ((value, error), row)| {
+                let (c, inexact) = row[j];
+                let part = value * c;
+                let off = off + error * (c.abs() + inexact) + value.abs() * inexact;
+                (sum + part, (off + unit * (sum.abs() + part.abs())) * (1.0 + unit))
+            })
+        };
+        (0..self.n).map(state).collect()
     }
 
     /// Length of the state with the inputs that are on their way.

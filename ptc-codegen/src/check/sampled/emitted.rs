@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::chain::{Chain, Near, Row, Step, centre};
+use super::chain::{Chain, Near, Row, Step, Unit, centre};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Operator, Place, Shape, Statement, Test};
 use crate::expression::range::Range;
@@ -24,24 +24,22 @@ enum Held {
 }
 
 /// The samples 0..=`last` of the loop of a controller, where the input that acts is kept, and the
-/// powers of time of what it keeps; none where a value is not enclosed.
+/// units of what it keeps; none where a value is not enclosed.
 pub(super) fn steps(
     spec: &Spec,
     sampled: &Sampled,
     chain: &Chain,
     last: usize,
-) -> Option<(Vec<Step>, Option<usize>, Vec<i32>)> {
+) -> Option<(Vec<Step>, Option<usize>, Vec<Unit>)> {
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", sampled.delay);
     let acting = kept.iter().position(|name| *name == acting).map(|at| chain.n + at);
-    let power = |name: &&str| {
-        let state = name.strip_prefix('x').and_then(|name| name.strip_suffix("_hat"));
-        let j: Option<i32> = state.and_then(|j| j.parse().ok());
-        let n = i32::try_from(chain.n).unwrap_or(i32::MAX);
-        j.map_or(0, |j| n + 1 - j)
+    let unit = |name: &&str| {
+        let state = name.strip_prefix('x').and_then(|name| name.split('_').next()?.parse().ok());
+        state.map_or(Unit::Power(0), |j: usize| chain.unit(j))
     };
-    let powers = kept.iter().map(power).collect();
+    let units = kept.iter().map(unit).collect();
     let mut seen = false;
     let mut steps = Vec::with_capacity(last + 1);
     for k in 0..=last {
@@ -49,18 +47,18 @@ pub(super) fn steps(
         sample.block(&code.init)?;
         sample.block(&code.function("step")?.body)?;
         let u = sample.real(code.function("step")?.finish.results()?.first()?)?;
-        let u = sample.row(&u, chain.n, true)?;
+        let u = sample.row(&u, chain, true)?;
         let rows: Option<Vec<_>> = kept
             .iter()
             .map(|name| match sample.fields.get(*name)? {
-                Held::Linear(sum) => sample.row(&Held::Linear(sum.clone()), chain.n, false),
-                Held::Known(_) | Held::Count(_) => None,
+                Held::Count(_) => None,
+                held => sample.row(&held.clone(), chain, false),
             })
             .collect();
         steps.push(chain.step(&u, &rows?, acting));
         seen = true;
     }
-    Some((steps, acting, powers))
+    Some((steps, acting, units))
 }
 
 /// The numbers that the controller changes from sample to sample.
@@ -112,16 +110,23 @@ impl<'a> Sample<'a> {
     }
 
     /// A value over the states x_1..x_n and what is kept, and over the causes.
-    fn row(&self, value: &Held, n: usize, acts: bool) -> Option<Row> {
-        let Held::Linear(sum) = value else { return None };
+    fn row(&self, value: &Held, chain: &Chain, acts: bool) -> Option<Row> {
+        let nothing = vec![Rounded::of(Range::from(0.0)); self.terms];
+        let sum = match value {
+            Held::Linear(sum) => sum,
+            // What the first measurement does not show.
+            Held::Known(known) if known.exact == Range::from(0.0) => &nothing,
+            Held::Known(_) | Held::Count(_) => return None,
+        };
         let near: Vec<Near> = sum.iter().map(|term| centre(term.exact, term.error)).collect();
         if near.iter().any(|(value, error)| !(value.is_finite() && error.is_finite())) {
             return None;
         }
         let measured = |j: usize| near.get(self.kept + j).copied().unwrap_or((0.0, 0.0));
-        let of_state = (0..n).map(measured).chain(near[..self.kept].iter().copied()).collect();
+        let states = chain.of_states(&near[self.kept..]);
+        let of_state = states.into_iter().chain(near[..self.kept].iter().copied()).collect();
         let actuator = if acts { 1.0 } else { 0.0 };
-        let of_cause = (0..n).map(measured).chain([(actuator, 0.0)]).collect();
+        let of_cause = (0..chain.sensors()).map(measured).chain([(actuator, 0.0)]).collect();
         Some(Row { of_state, of_cause })
     }
 

@@ -34,7 +34,7 @@ pub struct Worst {
     pub way: Option<Way>,
 }
 
-/// Bounds that hold from t0 to the deadline, between the samples too.
+/// Bounds that hold from t0 to the deadline, of a chain between the samples too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
     /// Of each |x_i|.
@@ -82,19 +82,27 @@ impl<'a> Loop<'a> {
         }
         let delay = promises.delay.unwrap_or(0);
         // The states, what is kept of them, and the causes.
-        let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |_| spec.n + 2);
+        let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |own| match own.linear {
+            Some(_) => 2 * (spec.n + 1) + 1,
+            None => spec.n + 2,
+        });
         let size = (spec.n + delay + kept) as f64;
         let numbers = size * (size + spec.n as f64 + 1.0);
         let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
         let Some(samples) = samples.filter(|count| *count > 0) else {
             return Err(format!(
                 "{} samples are more than it looks at",
-                crate::check::digits(count.to_f64().unwrap_or(f64::INFINITY))
+                crate::diagnostic::digits(count.to_f64().unwrap_or(f64::INFINITY))
             ));
         };
         let range = |value: &BigRational| Range::from(&Interval::exact(value));
         let period = range(&h);
-        let chain = Chain::new(spec.n, period, range(&gain), delay);
+        let chain = match spec.sampled().and_then(|own| own.linear.as_ref()) {
+            Some(plant) => {
+                Chain::linear(plant, &h, delay).ok_or("a mode is too fast for the sample period")?
+            }
+            None => Chain::new(spec.n, period, range(&gain), delay),
+        };
         Ok(Self { spec, expanded, period, samples, chain })
     }
 
@@ -106,7 +114,7 @@ impl<'a> Loop<'a> {
             bounds.get(if bounds.len() == 1 { 0 } else { j }).map_or(0.0, double)
         };
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
-        sampled.noise = (0..self.spec.n).map(noise).collect();
+        sampled.noise = (0..self.chain.sensors()).map(noise).collect();
         sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
         sampled
     }
@@ -173,7 +181,8 @@ impl<'a> Loop<'a> {
                     way.x[i] = way.x[i].max(bound.total());
                 };
                 take(&sampled.state(i + 1));
-                if k < self.samples {
+                // Between samples the states of a chain are polynomials.
+                if k < self.samples && self.chain.outputs.is_none() {
                     self.between(sampled, i).iter().for_each(take);
                 }
             }

@@ -4,7 +4,8 @@ use num_traits::ToPrimitive;
 
 use super::judge::{Loop, Worst};
 use crate::check::examine::Numbers;
-use crate::check::{Outcome, Verdict, digits, list};
+use crate::check::{Outcome, Verdict, list};
+use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
@@ -60,8 +61,8 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         () => (Verdict::Undecided, format!("{}, next to error", told(state))),
     };
     let mut details = vec![assumed(spec, worst.samples)];
-    details.extend(worst.states.iter().enumerate().map(|(i, _)| split(worst, i)));
-    details.extend(on_the_way(worst));
+    details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
+    details.extend(on_the_way(spec, worst));
     details.extend(limit);
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
     let fix = fails.then(|| fix(spec, worst, closed, state));
@@ -114,14 +115,28 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         (None, Some(start)) => format!("t0 = {start}"),
         (None, None) => "t0 = 0 (left to run time)".to_owned(),
     };
-    format!("the chain of integrators over {samples} samples, f = 0, {start}{absent}")
+    let plant = match linear(spec) {
+        true => format!("the plant x' = A x + B u over {samples} samples"),
+        false => format!("the chain of integrators over {samples} samples, f = 0"),
+    };
+    format!("{plant}, {start}{absent}")
+}
+
+/// Whether the plant is no chain.
+fn linear(spec: &Spec) -> bool {
+    spec.sampled().is_some_and(|own| own.linear.is_some())
+}
+
+/// What the noise of measured value j is called.
+fn noise_of(spec: &Spec, j: usize) -> String {
+    format!("noise of {}{j}", if linear(spec) { "y" } else { "x" })
 }
 
 /// Where the worst case of a state comes from.
-fn split(worst: &Worst, i: usize) -> String {
+fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     let bound = &worst.states[i];
     let noise = bound.noise.iter().zip(1..).filter(|(part, _)| **part > 0.0);
-    let noise = noise.map(|(part, j)| format!("{} noise of x{j}", digits(*part)));
+    let noise = noise.map(|(part, j)| format!("{} {}", digits(*part), noise_of(spec, j)));
     let mut parts = vec![format!("{} x0", digits(bound.x0))];
     parts.extend(noise);
     if bound.actuator > 0.0 {
@@ -131,16 +146,17 @@ fn split(worst: &Worst, i: usize) -> String {
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
 
-fn on_the_way(worst: &Worst) -> Option<String> {
+fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
     let way = worst.way.as_ref()?;
     let x = list(way.x.iter().copied());
-    Some(format!("on the way, between samples too, |x| <= {x} and |u| <= {}", digits(way.u)))
+    let at = if linear(spec) { "at the samples" } else { "between samples too" };
+    Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
 }
 
 /// What accounts for most of an error that is too large, and the eps that makes it least.
 fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     let bound = &worst.states[state];
-    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, format!("noise of x{j}")));
+    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, noise_of(spec, j)));
     let others = [(bound.x0, "x0".to_owned()), (bound.actuator, "u_step".to_owned())];
     let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
     let largest = largest.map(|(part, cause)| {

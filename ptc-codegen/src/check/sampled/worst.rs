@@ -6,7 +6,9 @@
 //! bounds, attained by their signs. The rows are computed in doubles; by how much rounding, here and
 //! in the emitted program, may change the sum is bounded with [`growth`](super::transition::growth).
 
-use super::chain::{Chain, Gains, Step};
+use std::collections::BTreeMap;
+
+use super::chain::{Chain, Gains, Step, Unit};
 use super::transition::growth;
 
 /// A linear loop with the bounds of what disturbs it.
@@ -17,8 +19,10 @@ pub(super) struct Sampled {
     steps: Vec<Step>,
     /// Where the input that acts is kept; none for u itself.
     pub(super) acting: Option<usize>,
-    /// Of each state its power of time in units of u.
-    powers: Vec<i32>,
+    /// Of each state its unit.
+    units: Vec<Unit>,
+    /// Of each x_j in units of gains, what it is at each sample.
+    gains: BTreeMap<usize, Vec<f64>>,
     /// Bounds of |x_j| at the start.
     pub(super) x0: Vec<f64>,
     /// Bounds of the error of each measured state.
@@ -59,6 +63,22 @@ impl Bound {
     }
 }
 
+/// The largest gain of the states in a unit up to each sample; until there is one, the first.
+fn most(steps: &[Step], units: &[Unit], unit: Unit) -> Vec<f64> {
+    let at = |step: &Step| {
+        let own = step.u.of_state.iter().zip(units).filter(|(_, own)| **own == unit);
+        own.fold(0.0, |most: f64, ((value, _), _)| most.max(value.abs()))
+    };
+    let mut all: Vec<_> = steps.iter().map(at).collect();
+    let first = all.iter().copied().find(|gain| *gain > 0.0).unwrap_or(1.0);
+    let mut most = 0.0_f64;
+    for gain in &mut all {
+        most = most.max(*gain);
+        *gain = if most > 0.0 { most } else { first };
+    }
+    all
+}
+
 /// The signals that attain a bound.
 #[cfg(test)]
 pub(super) struct Signals {
@@ -83,21 +103,26 @@ impl Sampled {
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
         let steps = gains.iter().map(|gains| chain.closed(gains)).collect();
         let acting = (chain.delay > 0).then_some(chain.n);
-        let kept = vec![0; chain.delay];
+        let kept = vec![Unit::Power(0); chain.delay];
         Self::of(chain, steps, acting, &kept)
     }
 
-    /// The loop of a chain and a controller that keeps states of these powers of time.
-    pub(super) fn of(chain: Chain, steps: Vec<Step>, acting: Option<usize>, kept: &[i32]) -> Self {
-        let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.n]);
-        let own = (0..chain.n).map(|j| i32::try_from(chain.n - j).unwrap_or(i32::MAX));
-        let powers = own.chain(kept.iter().copied()).collect();
-        Self { chain, steps, acting, powers, x0, noise, actuator: 0.0 }
+    /// The loop of a plant and a controller that keeps states of these units.
+    pub(super) fn of(chain: Chain, steps: Vec<Step>, acting: Option<usize>, kept: &[Unit]) -> Self {
+        let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.sensors()]);
+        let own = (1..=chain.n).map(|j| chain.unit(j));
+        let units: Vec<_> = own.chain(kept.iter().copied()).collect();
+        let gained = |unit: &Unit| match unit {
+            Unit::Gain(j) => Some((*j, most(&steps, &units, *unit))),
+            Unit::Power(_) => None,
+        };
+        let gains = units[..chain.n].iter().filter_map(gained).collect();
+        Self { chain, steps, acting, units, gains, x0, noise, actuator: 0.0 }
     }
 
     /// Length of the state.
     pub(super) fn size(&self) -> usize {
-        self.powers.len()
+        self.units.len()
     }
 
     /// Sample `k`.
@@ -131,17 +156,21 @@ impl Sampled {
     /// of the time scale of the gains.
     fn units(&self, k: usize) -> Vec<f64> {
         let gain = self.chain.gain.abs();
-        let row = self.step(k).u.of_state.iter().zip(&self.powers);
-        let pace = row
-            .filter(|(_, power)| **power > 0)
-            .map(|((value, _), power)| (value * gain).abs().powf(1.0 / f64::from(*power)));
+        let row = self.step(k).u.of_state.iter().zip(&self.units);
+        let pace = row.filter_map(|((value, _), unit)| match unit {
+            Unit::Power(power) if *power > 0 => {
+                Some((value * gain).abs().powf(1.0 / f64::from(*power)))
+            }
+            Unit::Power(_) | Unit::Gain(_) => None,
+        });
         let time = 1.0 / pace.fold(1.0 / (1e6 * self.chain.shares[1]), f64::max);
         let time = time.max(self.chain.shares[1]);
-        let state = |power: &i32| match power {
-            0 => 1.0,
-            power => 1.0 / (time.powi(*power) * gain),
+        let state = |unit: &Unit| match unit {
+            Unit::Power(0) => 1.0,
+            Unit::Power(power) => 1.0 / (time.powi(*power) * gain),
+            Unit::Gain(j) => self.gains.get(j).map_or(1.0, |gains| gains[k.min(gains.len() - 1)]),
         };
-        self.powers.iter().map(state).collect()
+        self.units.iter().map(state).collect()
     }
 
     /// The bound of the transitions up to sample `at`, where what the output sees counts alike at

@@ -15,7 +15,7 @@ pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};
 #[cfg(feature = "campaign")]
 pub(crate) use temporary::watch;
-pub(crate) use temporary::{Temporary, TemporaryFolder, commit};
+pub(crate) use temporary::{Folder, Temporary, TemporaryFolder, commit};
 
 use super::report::Failure;
 use super::write::{failed, shown, to_stdout};
@@ -144,8 +144,7 @@ impl Outputs {
         for (name, content) in files {
             all.push((self.claim("the output", &folder.join(name))?, content.as_ref()));
         }
-        // Without a file too the folder is there.
-        fs::create_dir_all(folder)
+        let _made = Folder::new(folder)
             .map_err(|error| failed("cannot make the folder", folder, &error))?;
         write(&all)
     }
@@ -219,7 +218,6 @@ fn beside(place: &Place, content: &[u8]) -> io::Result<Temporary> {
 /// owner and the mode of the file that it will replace.
 pub(crate) fn open_beside(place: &Place) -> io::Result<Temporary> {
     let folder = place.path.parent().unwrap_or(&place.path);
-    fs::create_dir_all(folder)?;
     let temporary = Temporary::new(folder)?;
     if let Kind::Regular(there) = &place.kind {
         if there.permissions().readonly() {

@@ -1,5 +1,6 @@
 //! Files and folders under way: each is gone when it is dropped, and when a signal ends the process,
-//! unless it has taken its place.
+//! unless it has taken its place. With them go the folders that were made to hold them, where nothing
+//! is in them.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -9,24 +10,72 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
 
-/// What is there now. Whoever changes it holds the lock, and a signal keeps it, so that nothing is
-/// made after the last look.
-static UNDER_WAY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// What is there now. Whoever makes or removes some of it holds the lock, and a signal keeps it, so
+/// that nothing is made after the last look.
+static UNDER_WAY: Mutex<UnderWay> =
+    Mutex::new(UnderWay { temporary: BTreeSet::new(), made: BTreeSet::new() });
 
-fn under_way() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+struct UnderWay {
+    /// Files and folders that are removed with all that is in them.
+    temporary: BTreeSet<PathBuf>,
+    /// Folders for outputs that were not there before.
+    made: BTreeSet<PathBuf>,
+}
+
+impl UnderWay {
+    /// Makes a folder, and those above it that are missing.
+    fn make(&mut self, folder: &Path) -> io::Result<()> {
+        let missing = folder.ancestors().filter(|path| !path.as_os_str().is_empty());
+        let missing: Vec<_> = missing.take_while(|path| !path.exists()).collect();
+        self.made.extend(missing.into_iter().map(Path::to_owned));
+        fs::create_dir_all(folder)
+    }
+
+    /// Removes the folders that were made and hold nothing, the inner ones first.
+    fn remove_empty(&mut self) {
+        for folder in self.made.iter().rev() {
+            // One that holds a file has become an output.
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+fn under_way() -> MutexGuard<'static, UnderWay> {
     UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A folder for outputs, which is removed again, with those that were made above it, when nothing is in
+/// it in the end.
+pub(crate) struct Folder(());
+
+impl Folder {
+    /// Makes it where it is missing.
+    pub(crate) fn new(folder: &Path) -> io::Result<Self> {
+        watch();
+        let made = under_way().make(folder);
+        // What was made before an error goes as well.
+        let folder = Self(());
+        made.map(|()| folder)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        under_way().remove_empty();
+    }
 }
 
 /// A file beside the one it will become.
 pub(crate) struct Temporary(Option<NamedTempFile>);
 
 impl Temporary {
-    /// An empty file in `folder`, with the mode of a new file.
+    /// An empty file in `folder`, which is made if it is missing, with the mode of a new file.
     pub(crate) fn new(folder: &Path) -> io::Result<Self> {
         watch();
         let mut all = under_way();
-        let file = builder(0o666).tempfile_in(folder)?;
-        all.insert(file.path().to_owned());
+        let made = all.make(folder).and_then(|()| builder(0o666).tempfile_in(folder));
+        let file = made.inspect_err(|_| all.remove_empty())?;
+        all.temporary.insert(file.path().to_owned());
         Ok(Self(Some(file)))
     }
 
@@ -40,9 +89,10 @@ impl Drop for Temporary {
     fn drop(&mut self) {
         let mut all = under_way();
         if let Some(file) = self.0.take() {
-            all.remove(file.path());
+            all.temporary.remove(file.path());
             // Where it cannot be removed nothing better is to be done.
             drop(file);
+            all.remove_empty();
         }
     }
 }
@@ -59,7 +109,7 @@ pub(crate) fn commit(mut files: Vec<(Temporary, PathBuf)>) -> Result<(), (PathBu
         let name = file.path().to_owned();
         match file.persist(&*path) {
             Ok(_) => {
-                all.remove(&name);
+                all.temporary.remove(&name);
             }
             Err(failed) => {
                 temporary.0 = Some(failed.file);
@@ -82,8 +132,17 @@ impl TemporaryFolder {
         watch();
         let mut all = under_way();
         let made = builder(0o777).tempdir_in(folder)?;
-        all.insert(made.path().to_owned());
+        all.temporary.insert(made.path().to_owned());
         Ok(Self(Some(made)))
+    }
+
+    /// Writes a file in it, by its path in it. A signal waits for the end of that: what is removed would
+    /// not be empty otherwise.
+    pub(crate) fn write(&self, name: &str, content: &[u8]) -> io::Result<()> {
+        let _all = under_way();
+        let path = self.path().join(name);
+        fs::create_dir_all(path.parent().unwrap_or(&path))?;
+        fs::write(&path, content)
     }
 
     /// Where it is.
@@ -103,7 +162,7 @@ impl TemporaryFolder {
             fs::remove_dir(path)?;
         }
         let renamed = fs::rename(made.path(), path);
-        all.remove(made.path());
+        all.temporary.remove(made.path());
         if renamed.is_ok() {
             // Its name is another now.
             let _ = made.keep();
@@ -116,7 +175,7 @@ impl Drop for TemporaryFolder {
     fn drop(&mut self) {
         let mut all = under_way();
         if let Some(folder) = self.0.take() {
-            all.remove(folder.path());
+            all.temporary.remove(folder.path());
             drop(folder);
         }
     }
@@ -170,12 +229,13 @@ mod signals {
         let mut signals = Signals::new(heard)?;
         thread::Builder::new().name("signals".to_owned()).spawn(move || {
             if let Some(signal) = signals.forever().next() {
-                let all = under_way();
-                for path in all.iter() {
+                let mut all = under_way();
+                for path in &all.temporary {
                     let removed = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
                     // The process ends in any case.
                     drop(removed);
                 }
+                all.remove_empty();
                 let _ = low_level::emulate_default_handler(signal);
                 low_level::exit(128 + signal);
             }

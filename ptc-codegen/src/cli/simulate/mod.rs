@@ -33,7 +33,8 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        if plant.is_none() && runs.is_empty() {
+        let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
+        if plant.is_none() && !linear && runs.is_empty() {
             note("the design has no [plant]: the plant is the chain of integrators, f = 0");
         }
         let plant = plant.unwrap_or_default();

@@ -78,12 +78,20 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn expression(&self, value: Value) -> Expr {
-        let known = self.known.get(&value).cloned();
+    /// What stands for a value. That of the only user is given away: the terms of a sum would be copied
+    /// with each term that is added.
+    fn expression(&mut self, value: Value) -> Expr {
+        let once = self.uses.get(&value) == Some(&1);
+        let known = match self.known.get(&value) {
+            Some(Expr::Neg(_) | Expr::Binary(..) | Expr::Call(..) | Expr::Pow(..)) if once => {
+                self.known.remove(&value)
+            }
+            known => known.cloned(),
+        };
         known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
     }
 
-    fn all(&self, values: &[Value]) -> Vec<Expr> {
+    fn all(&mut self, values: &[Value]) -> Vec<Expr> {
         values.iter().map(|value| self.expression(*value)).collect()
     }
 
@@ -162,16 +170,15 @@ impl Writer<'_> {
         }
     }
 
-    fn operation(&self, op: &Op) -> Expr {
-        let value = |v: &Value| self.expression(*v);
-        let two = |operator, a: &Value, b: &Value| Expr::binary(operator, value(a), value(b));
+    fn operation(&mut self, op: &Op) -> Expr {
+        let mut value = |v: &Value| self.expression(*v);
         match op {
             Op::Number(number) => Expr::Number(number.clone()),
             Op::Neg(a) => Expr::Neg(Box::new(value(a))),
-            Op::Add(a, b) => two(Operator::Add, a, b),
-            Op::Sub(a, b) => two(Operator::Sub, a, b),
-            Op::Mul(a, b) => two(Operator::Mul, a, b),
-            Op::Div(a, b) => two(Operator::Div, a, b),
+            Op::Add(a, b) => Expr::binary(Operator::Add, value(a), value(b)),
+            Op::Sub(a, b) => Expr::binary(Operator::Sub, value(a), value(b)),
+            Op::Mul(a, b) => Expr::binary(Operator::Mul, value(a), value(b)),
+            Op::Div(a, b) => Expr::binary(Operator::Div, value(a), value(b)),
             Op::Quotient(a, b) => Expr::Quotient(Box::new(value(a)), Box::new(value(b))),
             Op::Max(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(b), value(a)),
             Op::Min(a, b) => Expr::choose(Test::Less(value(a), value(b)), value(a), value(b)),
@@ -198,7 +205,7 @@ impl Writer<'_> {
             }
         }
         let body = std::mem::replace(&mut self.statements, outside);
-        self.statements.push(Statement::Solve(Box::new(Solve {
+        let solve = Solve {
             unknown: unknown.clone(),
             start: self.expression(root.start),
             low: self.expression(root.low),
@@ -209,7 +216,8 @@ impl Writer<'_> {
             size: self.expression(root.size),
             tolerance: self.expression(root.tolerance),
             rounds: root.rounds,
-        })));
+        };
+        self.statements.push(Statement::Solve(Box::new(solve)));
         Expr::local(unknown)
     }
 }

@@ -7,18 +7,17 @@ mod variables;
 use askama::Template;
 
 use super::apart::apart;
-use super::code::{Condition, domain};
+use super::code::{Condition, Notes, c, domain};
 use super::example::Example;
 use super::outline::Outline;
-use super::{
-    Controller, File, Language, Print, Target, c_files, literal, program, stands_alone, text_of,
-    tidy,
-};
+use super::{File, Language, Print, Target, literal, stands_alone, text_of, tidy};
+use crate::check::examine::Report;
+use crate::code::Code;
 use crate::diagnostic::Diagnostics;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Program, number};
 use crate::request::Spec;
-use variables::{Unit, Variable};
+use variables::{Inputs, Unit, Variable};
 
 /// A version of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,7 +53,7 @@ pub(super) const TARGET_2: Target = Target {
     language: Language::Fmu2,
     name: "fmu2",
     about: "an FMU for co-simulation after FMI 2.0",
-    print: Print::Around(|controller| files(controller, Version::Two)),
+    print: Print::Around(|report, code| files(report, code, Version::Two)),
     ..TARGET_3
 };
 
@@ -66,15 +65,10 @@ pub(super) const TARGET_3: Target = Target {
     comment: ("/* ", " */"),
     is_word,
     refuse,
-    print: Print::Around(|controller| files(controller, Version::Three)),
+    print: Print::Around(|report, code| files(report, code, Version::Three)),
 };
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
-    if spec.sampled().is_some() {
-        let message = "an FMU is given its time, and has no clock in samples";
-        let help = "leave `clock` out, or emit another language and count the ticks in the model";
-        found.push("unsupported", "clock", None, message, help);
-    }
     stands_alone(spec, "an FMU", found);
 }
 
@@ -84,15 +78,15 @@ fn is_word(word: &str) -> bool {
 }
 
 /// The files of the FMU of a controller, by their paths in it, without a binary.
-fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
-    let name = controller.spec().name();
+fn files(report: &Report, code: &Code, version: Version) -> Vec<File> {
+    let name = report.spec.name();
     // The token is a hash of all that the FMU says, itself left out.
-    let example = Example::of(controller.report);
-    let unsigned = with_token(controller, version, &example, "");
+    let example = Example::of(report);
+    let unsigned = with_token(&report.spec, code, version, &example, "");
     let token = token(unsigned.iter().map(|file| file.text.as_str()));
-    let mut files = with_token(controller, version, &example, &token);
+    let mut files = with_token(&report.spec, code, version, &example, &token);
     let at_source = |file: File| File { name: format!("sources/{}", file.name), ..file };
-    files.extend(c_files(controller).into_iter().map(at_source));
+    files.extend(c(code, &Notes::default()).into_iter().map(at_source));
     if version == Version::Three {
         let build = Build { name: &name };
         files.push(file("sources/buildDescription.xml", build.render()));
@@ -102,30 +96,49 @@ fn files(controller: &Controller<'_>, version: Version) -> Vec<File> {
 
 /// modelDescription.xml and the source of the interface.
 fn with_token(
-    controller: &Controller<'_>,
+    spec: &Spec,
+    program: &Code,
     version: Version,
     example: &Example,
     token: &str,
 ) -> Vec<File> {
-    let spec = controller.spec();
     let name = spec.name();
-    let program = program(controller, Language::C);
-    let frame = Outline::new(controller, &program);
+    let frame = Outline::new(spec, program);
+    let Inputs { count: inputs, letter } = Inputs::of(spec);
     let variables = variables::variables(spec, example);
     let number = |value: f64| literal::c(value, spec.precision);
     let real = |p: Parameter| number(example.value(p));
+    let start = |p: Parameter| match p {
+        Parameter::Samples => format!("{}u", example.value(p)),
+        p => real(p),
+    };
+    let at = |parameter: Parameter| match parameter.index() {
+        Some(index) => format!("{}[{index}]", parameter.key()),
+        None => parameter.key().to_owned(),
+    };
+    let is_count = |v: &&Variable| v.parameter == Some(Parameter::Samples);
+    let samples = variables.iter().find(is_count);
     let place = |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
-    let starts = frame.locals.iter().zip(spec.run_time_parameters());
-    let constants = variables.iter().filter_map(|v| {
+    let constants = variables.iter().filter(|v| !is_count(v)).filter_map(|v| {
         let number = spec.fixed.get(&v.parameter?).and_then(Fixed::number)?;
         let literal = literal::c(number::round(number, spec.precision), spec.precision);
         Some(Constant { reference: v.reference, literal })
     });
     let of_start = |v: &&Variable| v.parameter == Some(Parameter::StartTime) && v.place.is_some();
     let start_reference = variables.iter().find(of_start).map(|v| v.reference);
+    // What is fixed is a number, and what is not a parameter.
+    let known = |p: Parameter| match spec.fixed.contains_key(&p) {
+        true => start(p),
+        false => format!("state->params.{}", p.key()),
+    };
+    let ticks = spec.sampled().map(|_| Ticks {
+        samples: known(Parameter::Samples),
+        period: known(Parameter::SampleTime),
+    });
     let core = Core {
         name: &name,
-        n: spec.n,
+        inputs,
+        letter,
         version: if version == Version::Two { 2 } else { 3 },
         state_letter: if version == Version::Two { 's' } else { 'S' },
         logger: if version == Version::Two { "CallbackLogger" } else { "LogMessageCallback" },
@@ -135,16 +148,22 @@ fn with_token(
             None => real(Parameter::StartTime),
         },
         time_to_go: "-((t - state->controller.deadline) - state->controller.correction)",
-        starts: starts
-            .map(|(local, p)| Start { place: local.value.clone(), value: real(p) })
+        starts: spec
+            .run_time_parameters()
+            .map(|p| Start { place: at(p), value: start(p) })
             .collect(),
-        conditions: domain(&program)
+        conditions: domain(program)
             .iter()
-            .filter_map(|condition| Judged::of(condition, &variables, spec.n))
+            .filter_map(|condition| Judged::of(condition, &variables, spec.loop_order()))
             .collect(),
-        kept: variables.iter().filter_map(place).collect(),
+        kept: variables.iter().filter(|v| !is_count(v)).filter_map(place).collect(),
         constants: constants.collect(),
         start_reference,
+        samples_reference: samples.filter(|v| v.place.is_some()).map(|v| v.reference),
+        samples_fixed: samples
+            .filter(|v| v.place.is_none())
+            .map(|v| (v.reference, example.value(Parameter::Samples).to_string())),
+        ticks,
         frame: &frame,
     };
     let core = text_of(core.render());
@@ -158,13 +177,19 @@ fn with_token(
         spec.command()
     );
     let (units, outputs) = (Unit::all(&variables), variables::outputs(&variables));
-    let start_time = example.value(Parameter::StartTime);
-    let stop_time = start_time + example.value(Parameter::Tau);
     let period = example.period;
+    let (start_time, length) = match spec.sampled() {
+        Some(_) => (0.0, example.value(Parameter::Samples) * period),
+        None => (example.value(Parameter::StartTime), example.value(Parameter::Tau)),
+    };
+    let stop_time = start_time + length;
+    let variable_step = spec.sampled().is_none();
+    let fixed_step =
+        (!variable_step && spec.fixed.contains_key(&Parameter::SampleTime)).then_some(period);
     let tool = env!("CARGO_PKG_VERSION");
     let (source, xml) = match version {
         Version::Two => (
-            Fmi2 { name: &name, core: &core, single, frame: &frame }.render(),
+            Fmi2 { name: &name, core: &core, single, inputs, letter, frame: &frame }.render(),
             Model2 {
                 name: &name,
                 token,
@@ -174,13 +199,14 @@ fn with_token(
                 start_time,
                 stop_time,
                 period,
+                variable_step,
                 variables: &variables,
                 outputs: &outputs,
             }
             .render(),
         ),
         Version::Three => (
-            Fmi3 { name: &name, core: &core, single, frame: &frame }.render(),
+            Fmi3 { name: &name, core: &core, single, inputs, letter }.render(),
             Model3 {
                 name: &name,
                 token,
@@ -190,6 +216,8 @@ fn with_token(
                 start_time,
                 stop_time,
                 period,
+                variable_step,
+                fixed_step,
                 variables: &variables,
                 outputs: &outputs,
             }
@@ -270,7 +298,9 @@ impl Judged {
 #[template(path = "fmu/core.c.txt", escape = "none")]
 struct Core<'a> {
     name: &'a str,
-    n: usize,
+    /// Values that are measured, and the letter of their names.
+    inputs: usize,
+    letter: char,
     version: u8,
     /// `s` or `S`, as the interface spells `GetFMUstate`.
     state_letter: char,
@@ -284,7 +314,17 @@ struct Core<'a> {
     kept: Vec<Kept>,
     constants: Vec<Constant>,
     start_reference: Option<usize>,
+    /// Where the number of samples is set, or its value where it is fixed.
+    samples_reference: Option<usize>,
+    samples_fixed: Option<(usize, String)>,
+    ticks: Option<Ticks>,
     frame: &'a Outline,
+}
+
+/// A clock in samples: N and the period, as expressions.
+struct Ticks {
+    samples: String,
+    period: String,
 }
 
 #[derive(Template)]
@@ -293,6 +333,8 @@ struct Fmi2<'a> {
     name: &'a str,
     core: &'a str,
     single: bool,
+    inputs: usize,
+    letter: char,
     frame: &'a Outline,
 }
 
@@ -302,7 +344,8 @@ struct Fmi3<'a> {
     name: &'a str,
     core: &'a str,
     single: bool,
-    frame: &'a Outline,
+    inputs: usize,
+    letter: char,
 }
 
 #[derive(Template)]
@@ -316,6 +359,7 @@ struct Model2<'a> {
     start_time: f64,
     stop_time: f64,
     period: f64,
+    variable_step: bool,
     variables: &'a [Variable],
     outputs: &'a [&'a Variable],
 }
@@ -331,6 +375,9 @@ struct Model3<'a> {
     start_time: f64,
     stop_time: f64,
     period: f64,
+    variable_step: bool,
+    /// The sample period of a clock in samples, where it is fixed.
+    fixed_step: Option<f64>,
     variables: &'a [Variable],
     outputs: &'a [&'a Variable],
 }

@@ -31,6 +31,23 @@ pub(super) struct Variable {
     exponent: Option<i64>,
 }
 
+/// The inputs: how many, and the letter of their names.
+pub(super) struct Inputs {
+    pub(super) count: usize,
+    pub(super) letter: char,
+}
+
+impl Inputs {
+    pub(super) fn of(spec: &Spec) -> Self {
+        match spec.sampled() {
+            Some(sampled) if !sampled.measures_states() => {
+                Self { count: sampled.measured, letter: 'y' }
+            }
+            _ => Self { count: spec.n, letter: 'x' },
+        }
+    }
+}
+
 /// A unit that is a power of s.
 pub(super) struct Unit {
     pub(super) name: String,
@@ -75,7 +92,8 @@ pub(super) fn outputs(variables: &[Variable]) -> Vec<&Variable> {
 /// All variables but time, by their value references from 1.
 pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     let kind3 = if spec.precision == Precision::F32 { "Float32" } else { "Float64" };
-    let n = spec.n;
+    let (order, chain) = (spec.loop_order(), spec.sampled().is_none_or(|s| s.linear.is_none()));
+    let Inputs { count, letter } = Inputs::of(spec);
     let blank = || Variable {
         name: String::new(),
         reference: 0,
@@ -92,21 +110,23 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         exponent: None,
     };
     let mut all = Vec::new();
-    for j in 1..=n {
+    for j in 1..=count {
         let unit = match j {
-            1 => "unit".to_owned(),
-            2 => "unit/s".to_owned(),
-            j => format!("unit/s^{}", j - 1),
+            _ if !chain => String::new(),
+            1 => " [unit]".to_owned(),
+            2 => " [unit/s]".to_owned(),
+            j => format!(" [unit/s^{}]", j - 1),
         };
+        let what = if letter == 'x' { "State" } else { "Measurement" };
         all.push(Variable {
-            name: format!("x{j}"),
-            description: format!("State x{j} of the plant [{unit}]"),
+            name: format!("{letter}{j}"),
+            description: format!("{what} {letter}{j} of the plant{unit}"),
             attributes: vec![("start", "0".to_owned())],
             place: Some(format!("x[{}]", j - 1)),
             ..blank()
         });
     }
-    let every: Vec<_> = (1..=n).map(|j| j.to_string()).collect();
+    let every: Vec<_> = (1..=count).map(|j| j.to_string()).collect();
     all.push(Variable {
         name: "u".to_owned(),
         causality: "output",
@@ -138,7 +158,10 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
     for parameter in free {
         let domain = spec.domain(parameter);
-        let mut attributes = vec![("start", example.literal(parameter))];
+        let count = parameter == Parameter::Samples;
+        let value = example.value(parameter);
+        let shown = if count { value.to_string() } else { example.literal(parameter) };
+        let mut attributes = vec![("start", shown)];
         let round = |bound: &Fixed| {
             bound
                 .number()
@@ -147,6 +170,8 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         if let Some((least, greatest)) = spec.bounds.get(&parameter) {
             attributes.extend(round(least).map(|least| ("min", least)));
             attributes.extend(round(greatest).map(|greatest| ("max", greatest)));
+        } else if count {
+            attributes.push(("min", "0".to_owned()));
         } else if let Some((least, greatest)) = spec.ends(parameter) {
             let end = |value| number::literal(value, spec.precision);
             attributes.extend([("min", end(least)), ("max", end(greatest))]);
@@ -164,27 +189,34 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             description: format!(
                 "{} [{}], {}",
                 parameter.meaning(),
-                parameter.unit_for(n),
+                parameter.unit_for(order),
                 spec.legal(parameter)
             ),
             attributes,
+            kind2: if count { "Integer" } else { "Real" },
+            kind3: if count { "Int32" } else { kind3 },
             parameter: Some(parameter),
             place: Some(place),
-            exponent: exponent(parameter, n),
+            exponent: exponent(parameter, order).filter(|_| !count),
             ..blank()
         });
     }
     // Infinity, which fixes that u is not bounded, is no value that every importer reads.
     for parameter in fixed.into_iter().filter(|p| example.value(*p).is_finite()) {
+        let count = parameter == Parameter::Samples;
+        let value = example.value(parameter);
+        let shown = if count { value.to_string() } else { example.literal(parameter) };
         all.push(Variable {
             name: parameter.spelling(),
             causality: "local",
             variability: "constant",
             initial: Some("exact"),
-            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit_for(n)),
-            attributes: vec![("start", example.literal(parameter))],
+            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit_for(order)),
+            attributes: vec![("start", shown)],
+            kind2: if count { "Integer" } else { "Real" },
+            kind3: if count { "Int32" } else { kind3 },
             parameter: Some(parameter),
-            exponent: exponent(parameter, n),
+            exponent: exponent(parameter, order).filter(|_| !count),
             ..blank()
         });
     }

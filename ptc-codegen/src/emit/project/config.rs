@@ -1,11 +1,15 @@
 //! The values with which a project runs, as text in its language.
 
-use super::super::example::{DEFAULTS, Example};
-use super::super::{Controller, Language, c, declared, literal, rust};
+use super::super::example::{Example, SAMPLED, TIMED};
+use super::super::{Language, c, declared, literal, rust};
 use super::constant;
-use crate::parameter::Parameter;
+use super::ticks::Ticks;
+use crate::check::examine::Report;
+use crate::code::{Shape, Variable};
+use crate::parameter::{Parameter, Precision};
 use crate::program::number;
 use crate::request::Spec;
+use crate::samples;
 
 /// A run-time parameter, or an array of them.
 pub(super) struct Setting {
@@ -27,87 +31,152 @@ pub(super) struct Config {
     pub(super) real: &'static str,
     pub(super) zero: String,
     pub(super) half: String,
-    pub(super) latches: bool,
     pub(super) settings: Vec<Setting>,
+    pub(super) x0: Vec<String>,
+    pub(super) arrived: String,
+    pub(super) defaults: &'static [&'static str],
+    /// The flags of the design.
+    pub(super) command: String,
+    pub(super) language: Language,
+    pub(super) clock: Clock,
+}
+
+/// What is known of the clock and the plant.
+pub(super) enum Clock {
+    Time(Time),
+    Samples(Ticks),
+}
+
+/// A clock in time, and a chain of integrators.
+pub(super) struct Time {
+    pub(super) latches: bool,
     pub(super) start: String,
     pub(super) start_fixed: bool,
     pub(super) tau: String,
     pub(super) tau_fixed: bool,
     pub(super) period: String,
-    pub(super) x0: Vec<String>,
-    pub(super) arrived: String,
     /// A constant input gain of the plant, and how it was written.
     pub(super) gain: Option<String>,
     pub(super) gain_text: String,
-    pub(super) defaults: &'static [&'static str],
-    /// The flags of the design.
-    pub(super) command: String,
-    pub(super) language: Language,
 }
 
-impl Config {
-    pub(super) fn of(controller: &Controller<'_>, language: Language) -> Self {
-        let spec = controller.spec();
-        let name = spec.name();
-        let example = Example::of(controller.report);
-        let text = |value: f64| match language {
-            Language::C => literal::c(value, spec.precision),
-            _ => literal::plain(value, spec.precision),
-        };
-        let known = |parameter: Parameter, field: &str| match spec.fixed.contains_key(&parameter) {
-            true => (text(example.value(parameter)), true),
-            false if language == Language::C => (format!("(PARAMETERS.{field})"), false),
-            false => (format!("PARAMETERS.{field}"), false),
-        };
-        let (start, start_fixed) = known(Parameter::StartTime, "t0");
-        let (tau, tau_fixed) = known(Parameter::Tau, "tau");
-        let gain = spec.input_gain.as_ref();
-        let number = gain.and_then(constant).map(|g| text(number::round(g, spec.precision)));
-        let real = if language == Language::C { c::real(spec) } else { rust::real(spec) };
-        let x0 = (1..=spec.n).map(|j| text(if j == 1 { 1.0 } else { 0.0 }));
-        Self {
-            type_name: spec.type_name(),
-            n: spec.n,
-            real,
-            zero: text(0.0),
-            half: text(0.5),
-            latches: spec.latches(),
-            settings: settings(spec, &example, &text),
-            start,
-            start_fixed,
-            tau,
-            tau_fixed,
-            period: text(example.period),
-            x0: x0.collect(),
-            arrived: text(0.01),
-            gain: number,
-            gain_text: gain.map(ToString::to_string).unwrap_or_default(),
-            defaults: &DEFAULTS,
-            command: spec.command(),
-            language,
-            name,
+/// Texts of numbers in a language and a precision.
+pub(super) struct Words {
+    language: Language,
+    precision: Precision,
+}
+
+impl Words {
+    /// A number.
+    pub(super) fn number(&self, value: f64) -> String {
+        match self.language {
+            Language::C => literal::c(value, self.precision),
+            _ => literal::plain(value, self.precision),
+        }
+    }
+
+    /// A parameter, and whether it is fixed: its number, or where the run has it.
+    pub(super) fn parameter(
+        &self,
+        spec: &Spec,
+        example: &Example,
+        parameter: Parameter,
+    ) -> (String, bool) {
+        let key = parameter.key();
+        match spec.fixed.contains_key(&parameter) {
+            true => (self.number(example.value(parameter)), true),
+            false if self.language == Language::C => (format!("(PARAMETERS.{key})"), false),
+            false => (format!("PARAMETERS.{key}"), false),
         }
     }
 }
 
-fn settings(spec: &Spec, example: &Example, text: &dyn Fn(f64) -> String) -> Vec<Setting> {
-    let parameters = spec.parameters();
-    let of = |name: &str, length: Option<usize>| -> Vec<String> {
-        let own = parameters.iter().filter(|p| p.key() == name);
-        own.map(|p| text(example.value(*p))).take(length.unwrap_or(1)).collect()
+impl Config {
+    pub(super) fn of(report: &Report, language: Language) -> Self {
+        let spec = &report.spec;
+        let example = Example::of(report);
+        let words = Words { language, precision: spec.precision };
+        let (parameters, clock, defaults) = match spec.sampled() {
+            Some(sampled) => (
+                samples::controller(spec, sampled, Vec::new()).parameters,
+                Clock::Samples(Ticks::of(spec, sampled, &example, &words)),
+                &SAMPLED[..],
+            ),
+            None => (
+                declared(spec, Language::C),
+                Clock::Time(Time::of(spec, &example, &words)),
+                &TIMED[..],
+            ),
+        };
+        let first = match &clock {
+            Clock::Time(_) => words.number(1.0),
+            Clock::Samples(ticks) => ticks.start.clone(),
+        };
+        let others = (2..=spec.n).map(|_| words.number(0.0));
+        Self {
+            name: spec.name(),
+            type_name: spec.type_name(),
+            n: spec.n,
+            real: if language == Language::C { c::real(spec) } else { rust::real(spec) },
+            zero: words.number(0.0),
+            half: words.number(0.5),
+            settings: settings(spec, parameters, &example, &words),
+            x0: [first].into_iter().chain(others).collect(),
+            arrived: words.number(0.01),
+            defaults,
+            command: spec.command(),
+            language,
+            clock,
+        }
+    }
+}
+
+impl Time {
+    fn of(spec: &Spec, example: &Example, words: &Words) -> Self {
+        let known = |parameter| words.parameter(spec, example, parameter);
+        let (start, start_fixed) = known(Parameter::StartTime);
+        let (tau, tau_fixed) = known(Parameter::Tau);
+        let gain = spec.input_gain.as_ref();
+        let number =
+            gain.and_then(constant).map(|g| words.number(number::round(g, spec.precision)));
+        Self {
+            latches: spec.latches(),
+            start,
+            start_fixed,
+            tau,
+            tau_fixed,
+            period: words.number(example.period),
+            gain: number,
+            gain_text: gain.map(ToString::to_string).unwrap_or_default(),
+        }
+    }
+}
+
+fn settings(
+    spec: &Spec,
+    parameters: Vec<Variable>,
+    example: &Example,
+    words: &Words,
+) -> Vec<Setting> {
+    let all = spec.parameters();
+    let of = |parameter: &Variable| -> Vec<String> {
+        let own = all.iter().filter(|p| p.key() == parameter.name);
+        let values = own.map(|p| example.value(*p)).take(parameter.shape.length().unwrap_or(1));
+        let text = |value: f64| match parameter.shape {
+            Shape::Count => format!("{value}"),
+            _ => words.number(value),
+        };
+        values.map(text).collect()
     };
-    declared(spec, Language::C)
-        .into_iter()
-        .map(|parameter| {
-            let length = parameter.shape.length();
-            let values = of(&parameter.name, length).join(", ");
-            let array = length.is_some();
-            Setting {
-                name: parameter.name,
-                c: if array { format!("{{ {values} }}") } else { values.clone() },
-                rust: if array { format!("[{values}]") } else { values },
-                about: parameter.about,
-            }
-        })
-        .collect()
+    let setting = |parameter: Variable| {
+        let values = of(&parameter).join(", ");
+        let array = parameter.shape.length().is_some();
+        Setting {
+            c: if array { format!("{{ {values} }}") } else { values.clone() },
+            rust: if array { format!("[{values}]") } else { values },
+            name: parameter.name,
+            about: parameter.about,
+        }
+    };
+    parameters.into_iter().map(setting).collect()
 }

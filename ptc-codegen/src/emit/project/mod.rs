@@ -1,23 +1,27 @@
-//! Small projects that build as they are: a controller in closed loop with its chain of integrators.
+//! Small projects that build as they are: a controller in closed loop with its plant.
 //!
 //! Each holds the files of the emitted C or Rust as they are, and one file of values.
 
 mod config;
+mod start;
 mod templates;
+mod ticks;
 
 use askama::Template;
 
 use super::apart::apart;
-use super::{Controller, File, Language, c_files, code, program, stands_alone, text_of, tidy};
+use super::{File, Language, stands_alone, text_of, tidy};
 use crate::algebra::BigRational;
+use crate::check::examine::Report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
 use crate::parameter::Precision;
 use crate::request::Spec;
-use config::Config;
+use config::{Clock, Config};
 use templates::{
-    Arduino, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, Linker, MainC, MainRust,
-    Makefile, Memory, Properties, Readme, Runner, Startup,
+    Arduino, ArduinoTicks, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, ConfigTicksC,
+    ConfigTicksRust, Linker, MainC, MainRust, MainTicksC, MainTicksRust, Makefile, Memory,
+    Properties, Readme, Runner, Startup,
 };
 
 /// A kind of project.
@@ -86,17 +90,25 @@ impl Project {
         found.finish(Some(()))
     }
 
-    /// The files of the project of a controller, by their paths in it.
-    pub(crate) fn files(self, controller: &Controller<'_>) -> Vec<File> {
+    /// The language of its controller.
+    pub(crate) fn language(self) -> Language {
+        match self {
+            Self::CortexM | Self::Cmake | Self::Arduino => Language::C,
+            Self::RustEmbedded => Language::Rust,
+        }
+    }
+
+    /// The files of the project around the `emitted` ones of a controller, by their paths in it.
+    pub(crate) fn files(self, report: &Report, emitted: Vec<File>) -> Vec<File> {
+        let config = Config::of(report, self.language());
         let files = match self {
-            Self::CortexM => cortex_m(controller),
-            Self::RustEmbedded => rust_embedded(controller),
-            Self::Cmake => cmake(controller),
-            Self::Arduino => arduino(controller),
+            Self::CortexM => cortex_m(&config, emitted),
+            Self::RustEmbedded => rust_embedded(&config, emitted),
+            Self::Cmake => cmake(&config, emitted),
+            Self::Arduino => arduino(&config, &report.spec, emitted),
         };
-        let name = controller.spec().name();
         let is_c = |file: &File| [".c", ".h", ".ino"].iter().any(|end| file.name.ends_with(end));
-        let settled = |file| if is_c(&file) { apart(file, &name) } else { file };
+        let settled = |file| if is_c(&file) { apart(file, &config.name) } else { file };
         files.into_iter().map(settled).collect()
     }
 }
@@ -104,7 +116,8 @@ impl Project {
 /// What the files of the projects call their own parts: in the sources, among the files, and among
 /// the crates; and the targets that CMake keeps for itself, with the library it links.
 const NAMES: &str = "
-    arrived build config control core debug fail loop norm plant real run setup stop vector word
+    arrived build config control core debug due fail failed largest loop measure norm plant real row
+    rows run sample sent setup start_timer steps step_count stop table ticks turn turns vector word
     main startup
     alloc cortex_m cortex_m_rt cortex_m_semihosting std
     all all_build clean continuous depend edit_cache experimental help install m nightly package
@@ -123,136 +136,171 @@ fn file(name: &str, template: &impl Template) -> File {
     File { name: name.to_owned(), text: tidy(&text_of(template.render())) }
 }
 
-/// The emitted files in a folder of the project each, the header first.
-fn emitted(controller: &Controller<'_>, header: &str, source: &str) -> Vec<File> {
-    let place = |file: File| {
+/// The emitted files in a folder of the project each.
+fn placed<'a>(
+    emitted: Vec<File>,
+    header: &'a str,
+    source: &'a str,
+) -> impl Iterator<Item = File> + 'a {
+    emitted.into_iter().map(move |file| {
         let folder = if file.name.ends_with(".h") { header } else { source };
         File { name: format!("{folder}/{}", file.name), ..file }
-    };
-    c_files(controller).into_iter().map(place).collect()
+    })
 }
 
-fn cortex_m(controller: &Controller<'_>) -> Vec<File> {
-    let config = Config::of(controller, Language::C);
+/// The program around the controller in C; `timer` calls it at each sample where it is true.
+fn main_c(name: &str, config: &Config, timer: bool) -> File {
+    match &config.clock {
+        Clock::Time(time) => file(name, &MainC { config, time }),
+        Clock::Samples(ticks) => file(name, &MainTicksC { config, ticks, timer }),
+    }
+}
+
+fn config_c(name: &str, config: &Config) -> File {
+    match &config.clock {
+        Clock::Time(time) => file(name, &ConfigC { config, time }),
+        Clock::Samples(ticks) => file(name, &ConfigTicksC { config, ticks }),
+    }
+}
+
+fn cortex_m(config: &Config, emitted: Vec<File>) -> Vec<File> {
     let name = config.name.as_str();
-    let mut files = emitted(controller, "src", "src");
+    let mut files: Vec<_> = placed(emitted, "src", "src").collect();
     files.extend([
         file("Makefile", &Makefile { name }),
         file("linker.ld", &Linker {}),
         file("src/startup.c", &Startup {}),
-        file("src/main.c", &MainC { config: &config }),
-        file("src/config.h", &ConfigC { config: &config }),
-        file("README.md", &Readme {
-            title: format!("{name} on a Cortex-M4F"),
-            about: "Firmware in C without an operating system: start-up code with the FPU, a linker \
-                    script, the controller and a chain of integrators in its place.",
-            project: Project::CortexM,
-            commands: vec!["make".to_owned(), "make run".to_owned()],
-            needs: "It needs arm-none-eabi-gcc with newlib, and QEMU (machine mps2-an386) to run.",
-            config_file: "src/config.h",
-            source: "src",
-            config: &config,
-        }),
+        main_c("src/main.c", config, true),
+        config_c("src/config.h", config),
+        file(
+            "README.md",
+            &Readme {
+                title: format!("{name} on a Cortex-M4F"),
+                about: "Firmware in C without an operating system: start-up code with the FPU, a linker \
+                    script, the controller and its plant in simulation.",
+                project: Project::CortexM,
+                commands: vec!["make".to_owned(), "make run".to_owned()],
+                needs: "It needs arm-none-eabi-gcc with newlib, and QEMU (machine mps2-an386) to run.",
+                config_file: "src/config.h",
+                source: "src",
+                config,
+            },
+        ),
     ]);
     files
 }
 
-fn rust_embedded(controller: &Controller<'_>) -> Vec<File> {
-    let config = Config::of(controller, Language::Rust);
+fn rust_embedded(config: &Config, emitted: Vec<File>) -> Vec<File> {
     let name = config.name.as_str();
-    let module = code::rust(&program(controller, Language::Rust));
-    let libm = module.text.contains("feature = \"libm\"");
-    vec![
+    let libm = emitted.iter().any(|module| module.text.contains("feature = \"libm\""));
+    let (main, values) = match &config.clock {
+        Clock::Time(time) => (
+            file("src/main.rs", &MainRust { config, time }),
+            file("src/config.rs", &ConfigRust { config, time }),
+        ),
+        Clock::Samples(ticks) => (
+            file("src/main.rs", &MainTicksRust { config, ticks }),
+            file("src/config.rs", &ConfigTicksRust { config, ticks }),
+        ),
+    };
+    let mut files = vec![
         file("Cargo.toml", &Cargo { name, libm }),
         file(".cargo/config.toml", &Runner {}),
         file("build.rs", &Build {}),
         file("memory.x", &Memory {}),
-        file("src/main.rs", &MainRust { config: &config }),
-        file("src/config.rs", &ConfigRust { config: &config }),
-        File { name: format!("src/{}", module.name), ..module },
-        file(
-            "README.md",
-            &Readme {
-                title: format!("{name} on a Cortex-M4F, in Rust"),
-                about: "Firmware in Rust without an operating system: cortex-m-rt, the controller and a \
-                    chain of integrators in its place.",
-                project: Project::RustEmbedded,
-                commands: vec![
-                    "rustup target add thumbv7em-none-eabihf".to_owned(),
-                    "cargo run --release".to_owned(),
-                ],
-                needs: "It needs QEMU (machine mps2-an386) to run.",
-                config_file: "src/config.rs",
-                source: "src",
-                config: &config,
-            },
-        ),
-    ]
+        main,
+        values,
+    ];
+    files.extend(placed(emitted, "src", "src"));
+    files.push(file(
+        "README.md",
+        &Readme {
+            title: format!("{name} on a Cortex-M4F, in Rust"),
+            about: "Firmware in Rust without an operating system: cortex-m-rt, the controller and its \
+                plant in simulation.",
+            project: Project::RustEmbedded,
+            commands: vec![
+                "rustup target add thumbv7em-none-eabihf".to_owned(),
+                "cargo run --release".to_owned(),
+            ],
+            needs: "It needs QEMU (machine mps2-an386) to run.",
+            config_file: "src/config.rs",
+            source: "src",
+            config,
+        },
+    ));
+    files
 }
 
-fn cmake(controller: &Controller<'_>) -> Vec<File> {
-    let config = Config::of(controller, Language::C);
+fn cmake(config: &Config, emitted: Vec<File>) -> Vec<File> {
     let name = config.name.as_str();
-    let mut files = emitted(controller, "include", "src");
+    let mut files: Vec<_> = placed(emitted, "include", "src").collect();
     files.extend([
         file("CMakeLists.txt", &Cmake { name }),
         file(&format!("cmake/{name}Config.cmake.in"), &CmakeConfig { name }),
-        file("example/main.c", &MainC { config: &config }),
-        file("example/config.h", &ConfigC { config: &config }),
-        file("README.md", &Readme {
-            title: format!("The library {name}"),
-            about: "A library in C with an example, which is its test. Installed, it is found by \
+        main_c("example/main.c", config, false),
+        config_c("example/config.h", config),
+        file(
+            "README.md",
+            &Readme {
+                title: format!("The library {name}"),
+                about: "A library in C with an example, which is its test. Installed, it is found by \
                     `find_package`.",
-            project: Project::Cmake,
-            commands: vec![
-                "cmake -B build -DCMAKE_BUILD_TYPE=Release".to_owned(),
-                "cmake --build build".to_owned(),
-                "ctest --test-dir build --output-on-failure".to_owned(),
-                "cmake --install build --prefix installed".to_owned(),
-            ],
-            needs: "It needs CMake 3.15 and a C compiler. In another project: \
+                project: Project::Cmake,
+                commands: vec![
+                    "cmake -B build -DCMAKE_BUILD_TYPE=Release".to_owned(),
+                    "cmake --build build".to_owned(),
+                    "ctest --test-dir build --output-on-failure".to_owned(),
+                    "cmake --install build --prefix installed".to_owned(),
+                ],
+                needs: "It needs CMake 3.15 and a C compiler. In another project: \
                     `find_package(NAME)` and `target_link_libraries(... NAME::NAME)`.",
-            config_file: "example/config.h",
-            source: "DIR, and sort them into include/ and src/",
-            config: &config,
-        }),
+                config_file: "example/config.h",
+                source: "DIR, and sort them into include/ and src/",
+                config,
+            },
+        ),
     ]);
     files
 }
 
-fn arduino(controller: &Controller<'_>) -> Vec<File> {
-    let config = Config::of(controller, Language::C);
+fn arduino(config: &Config, spec: &Spec, emitted: Vec<File>) -> Vec<File> {
     let name = config.name.as_str();
-    let spec = controller.spec();
-    let mut files = emitted(controller, "src", "src");
+    let sketch = "examples/run/run.ino";
+    let mut files: Vec<_> = placed(emitted, "src", "src").collect();
     files.extend([
-        file("library.properties", &Properties {
-            name,
-            n: spec.n,
-            mapping: spec.mapping_name(),
-        }),
-        file("examples/run/run.ino", &Arduino { config: &config }),
-        file("examples/run/config.h", &ConfigC { config: &config }),
-        file("README.md", &Readme {
-            title: format!("The Arduino library {name}"),
-            about: match spec.precision {
-                Precision::F32 => "A library with an example sketch.",
-                Precision::F64 => {
-                    "A library with an example sketch. Where `double` has 4 bytes, as on AVR, the \
-                     controller has the digits of `float`: take `--precision f32`, which is that on \
-                     every board."
-                }
+        file(
+            "library.properties",
+            &Properties { name, n: spec.n, mapping: spec.mapping_name() },
+        ),
+        match &config.clock {
+            Clock::Time(time) => file(sketch, &Arduino { config, time }),
+            Clock::Samples(ticks) => file(sketch, &ArduinoTicks { config, ticks }),
+        },
+        config_c("examples/run/config.h", config),
+        file(
+            "README.md",
+            &Readme {
+                title: format!("The Arduino library {name}"),
+                about: match spec.precision {
+                    Precision::F32 => "A library with an example sketch.",
+                    Precision::F64 => {
+                        "A library with an example sketch. Where `double` has 4 bytes, as on AVR, the \
+                         controller has the digits of `float`: take `--precision f32`, which is that on \
+                         every board."
+                    }
+                },
+                project: Project::Arduino,
+                commands: vec![
+                    "arduino-cli lib install --zip-path LIBRARY.zip".to_owned(),
+                    "arduino-cli compile -b arduino:samd:mkrzero examples/run".to_owned(),
+                ],
+                needs: "Or copy the folder into that of your libraries, and open the example `run`.",
+                config_file: "examples/run/config.h",
+                source: "src",
+                config,
             },
-            project: Project::Arduino,
-            commands: vec![
-                "arduino-cli lib install --zip-path LIBRARY.zip".to_owned(),
-                "arduino-cli compile -b arduino:samd:mkrzero examples/run".to_owned(),
-            ],
-            needs: "Or copy the folder into that of your libraries, and open the example `run`.",
-            config_file: "examples/run/config.h",
-            source: "src",
-            config: &config,
-        }),
+        ),
     ]);
     files
 }

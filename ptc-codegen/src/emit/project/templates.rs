@@ -3,7 +3,8 @@
 use askama::Template;
 
 use super::Project;
-use super::config::Config;
+use super::config::{Clock, Config, Time};
+use super::ticks::{Plant, Ticks};
 
 /// What a project does and how it is built.
 #[derive(Template)]
@@ -24,30 +25,72 @@ pub(super) struct Readme<'a> {
 #[template(path = "project/config.h.txt", escape = "none")]
 pub(super) struct ConfigC<'a> {
     pub(super) config: &'a Config,
+    pub(super) time: &'a Time,
 }
 
 #[derive(Template)]
 #[template(path = "project/main.c.txt", escape = "none")]
 pub(super) struct MainC<'a> {
     pub(super) config: &'a Config,
+    pub(super) time: &'a Time,
 }
 
 #[derive(Template)]
 #[template(path = "project/run.ino.txt", escape = "none")]
 pub(super) struct Arduino<'a> {
     pub(super) config: &'a Config,
+    pub(super) time: &'a Time,
 }
 
 #[derive(Template)]
 #[template(path = "project/config.rs.txt", escape = "none")]
 pub(super) struct ConfigRust<'a> {
     pub(super) config: &'a Config,
+    pub(super) time: &'a Time,
 }
 
 #[derive(Template)]
 #[template(path = "project/main.rs.txt", escape = "none")]
 pub(super) struct MainRust<'a> {
     pub(super) config: &'a Config,
+    pub(super) time: &'a Time,
+}
+
+#[derive(Template)]
+#[template(path = "project/config_ticks.h.txt", escape = "none")]
+pub(super) struct ConfigTicksC<'a> {
+    pub(super) config: &'a Config,
+    pub(super) ticks: &'a Ticks,
+}
+
+#[derive(Template)]
+#[template(path = "project/main_ticks.c.txt", escape = "none")]
+pub(super) struct MainTicksC<'a> {
+    pub(super) config: &'a Config,
+    pub(super) ticks: &'a Ticks,
+    /// Whether the timer of the core calls it.
+    pub(super) timer: bool,
+}
+
+#[derive(Template)]
+#[template(path = "project/run_ticks.ino.txt", escape = "none")]
+pub(super) struct ArduinoTicks<'a> {
+    pub(super) config: &'a Config,
+    pub(super) ticks: &'a Ticks,
+}
+
+#[derive(Template)]
+#[template(path = "project/config_ticks.rs.txt", escape = "none")]
+pub(super) struct ConfigTicksRust<'a> {
+    pub(super) config: &'a Config,
+    pub(super) ticks: &'a Ticks,
+}
+
+#[derive(Template)]
+#[template(path = "project/main_ticks.rs.txt", escape = "none")]
+pub(super) struct MainTicksRust<'a> {
+    pub(super) config: &'a Config,
+    pub(super) ticks: &'a Ticks,
 }
 
 #[derive(Template)]

@@ -6,6 +6,7 @@ use num_traits::Zero;
 
 use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
+use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
@@ -19,7 +20,8 @@ pub(super) struct Law {
     pub(super) poles: Vec<(BigRational, BigRational)>,
 }
 
-/// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt.
+/// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt, as
+/// far as that is found within the effort.
 fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
     let kink = |e: &Expression| {
         use Expression::{Call, Max, Min};
@@ -30,14 +32,17 @@ fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
     if law.any(&kink) || law.any(&other) {
         return None;
     }
-    let (mut rest, mut gains) = (law.clone(), Vec::with_capacity(n));
-    for xi in (1..=n).map(Variable::Xi) {
-        let slope = normal(&law.derivative(xi));
-        rest = rest.sub(slope.clone().mul(xi.into()));
-        gains.push(-slope.number()?);
-    }
-    let linear = normal(&rest) == Expression::integer(0);
-    (linear && !gains.iter().all(Zero::is_zero)).then_some(gains)
+    bounded(|| {
+        let (mut rest, mut gains) = (law.clone(), Vec::with_capacity(n));
+        for xi in (1..=n).map(Variable::Xi) {
+            law.differentiable()?;
+            let slope = normal(&law.derivative(xi));
+            rest = rest.sub(slope.clone().mul(xi.into()));
+            gains.push(-slope.number()?);
+        }
+        let linear = normal(&rest) == Expression::integer(0);
+        (linear && !gains.iter().all(Zero::is_zero)).then_some(gains)
+    })
 }
 
 /// Gains that are fixed, as a reader would spell them.
@@ -101,7 +106,7 @@ impl Reader<'_> {
             && items.len() != n
         {
             let wanted = match key {
-                "observer_poles" => format!("{n} values that are estimated"),
+                "observer_poles" | "after_observer" => format!("{n} values that are estimated"),
                 _ => format!("order n = {n}"),
             };
             let message = format!("{} poles for {wanted}", items.len());

@@ -1,6 +1,7 @@
 //! From keys and values to a [`Spec`]: all mistakes at once, none left for later stages.
 
 mod law;
+mod linear;
 mod mapping;
 mod parameters;
 mod sampled;
@@ -168,7 +169,10 @@ impl<'a> Reader<'a> {
             true => self.sampled(&mut spec),
             false => self.not_sampled(),
         }
-        self.representable(&spec);
+        // A plant that is refused leaves a spec whose clock is not the one asked for.
+        if samples == spec.sampled().is_some() {
+            self.representable(&spec);
+        }
         (n.is_some() && mapping.is_some()).then_some(spec)
     }
 
@@ -185,11 +189,13 @@ impl<'a> Reader<'a> {
 
     /// Bounds and periods that checks hold the design to.
     fn promises(&mut self, n: Option<usize>) -> Promises {
+        // A linear plant has as many sensors as C has rows.
+        let measured = self.rows_measured().or(n);
         Promises {
             sample_time: self.positive("sample_time"),
             error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
-            noise: self.one_or_each("noise", n, not_negative, "finite and >= 0"),
-            sensor_step: self.one_or_each("sensor_step", n, not_negative, "finite and >= 0"),
+            noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
+            sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
             u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             x0_max: self.bounds("x0_max", n),
@@ -314,6 +320,11 @@ impl<'a> Reader<'a> {
 
     fn order(&mut self) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
+            // The matrix of a plant has an order.
+            let rows = self.keys.get("A").map(|node| items(node).len());
+            if let Some(rows) = rows.filter(|rows| (1..=MAX_ORDER).contains(rows)) {
+                return Some(rows);
+            }
             self.missing("n");
             return None;
         };

@@ -7,6 +7,7 @@ use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigInt, BigRational, integer};
 use crate::family::Family;
+use crate::linear;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Observer, Sampled, Spec, What};
 use crate::syntax::{Value, constant, real};
@@ -21,7 +22,10 @@ const MAX_EXPONENT: u32 = 1000;
 const MAX_SAMPLES: u32 = 1 << 31;
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 7] = [
+const OWN: [&str; 11] = [
+    "A",
+    "B",
+    "C",
     "f",
     "deadbeat",
     "measured",
@@ -29,6 +33,7 @@ const OWN: [&str; 7] = [
     "observer_poles",
     "observer_samples",
     "observer_eps",
+    "after_observer",
 ];
 
 impl Reader<'_> {
@@ -60,27 +65,36 @@ impl Reader<'_> {
             let most = MAX_KEPT.min(MAX_ORDER.saturating_sub(spec.n));
             self.wrong("delay", place, message, format!("at most {most} samples of delay here"));
         }
-        let gain = match &spec.input_gain {
-            None => integer(1),
-            Some(gain) => gain.number().cloned().unwrap_or_else(|| {
-                let place = self.keys.get("g").map(|node| node.place);
-                let message = "g is not a number".to_owned();
-                let help = "a clock in samples takes a constant input gain";
-                self.wrong("g", place, message, help.to_owned());
-                integer(1)
-            }),
+        let disturbance = self.disturbed();
+        let linear = self.linear(spec, delay, disturbance);
+        if linear.is_none() && self.keys.contains_key("A") {
+            return;
+        }
+        let (gain, force) = match linear.is_some() {
+            true => (integer(1), BigRational::zero()),
+            false => (self.gain(spec), self.force()),
         };
-        let (measured, disturbance) = (self.measured(spec.n), self.disturbed());
-        let estimates = spec.n + 1 - measured + usize::from(disturbance);
-        let observes = measured < spec.n || disturbance;
+        let (measured, estimates, blocks) = match linear {
+            Some((ref plant, ref blocks)) => {
+                let estimates: usize = blocks.iter().sum();
+                (plant.c.len(), (estimates > 0).then_some(estimates), blocks.clone())
+            }
+            None => {
+                let measured = self.measured(spec.n);
+                let estimates = spec.n + 1 - measured + usize::from(disturbance);
+                let observes = measured < spec.n || disturbance;
+                (measured, observes.then_some(estimates), vec![estimates])
+            }
+        };
         let sampled = Sampled {
             delay,
-            gain: if gain.is_zero() { integer(1) } else { gain },
-            force: self.force(),
+            linear: linear.map(|(plant, _)| plant),
+            gain,
+            force,
             measured,
             disturbance,
             greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
-            observer: self.observer(spec, observes.then_some(estimates), a.as_ref()),
+            observer: self.observer(spec, estimates, &blocks, a.as_ref()),
         };
         let least = sampled.least_samples(spec.n);
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
@@ -94,6 +108,18 @@ impl Reader<'_> {
         }
         spec.clock = Clock::Samples(Box::new(sampled));
         self.deadbeat(spec, spec.n + delay);
+    }
+
+    fn gain(&mut self, spec: &Spec) -> BigRational {
+        let Some(gain) = &spec.input_gain else { return integer(1) };
+        let number = gain.number().cloned().unwrap_or_else(|| {
+            let place = self.keys.get("g").map(|node| node.place);
+            let message = "g is not a number".to_owned();
+            let help = "a clock in samples takes a constant input gain";
+            self.wrong("g", place, message, help.to_owned());
+            integer(1)
+        });
+        if number.is_zero() { integer(1) } else { number }
     }
 
     /// What needs a clock in time.
@@ -252,10 +278,11 @@ impl Reader<'_> {
         &mut self,
         spec: &Spec,
         estimates: Option<usize>,
+        blocks: &[usize],
         a: Option<&BigRational>,
     ) -> Option<Observer> {
         let Some(estimates) = estimates else {
-            for key in ["observer_poles", "observer_samples", "observer_eps"] {
+            for key in ["observer_poles", "observer_samples", "observer_eps", "after_observer"] {
                 if let Some(node) = self.keys.get(key).copied() {
                     let message = format!("`{key}` without an observer");
                     let help = "every state is measured: leave it out, or give `measured`";
@@ -272,7 +299,10 @@ impl Reader<'_> {
             self.found.push("missing-key", "observer_poles", None, message, help);
             return None;
         };
-        let (poles, gains) = self.pole_gains("observer_poles", Some(estimates), node);
+        let (poles, mut gains) = self.pole_gains("observer_poles", Some(estimates), node);
+        if blocks.len() > 1 && poles.len() == estimates {
+            gains = self.gains_of_blocks("observer_poles", &poles, blocks, node);
+        }
         let Some(a) = a else {
             let place = self.keys.get("mu").map(|node| node.place);
             let message = "an observer needs a rate that is fixed".to_owned();
@@ -280,7 +310,39 @@ impl Reader<'_> {
             return None;
         };
         let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
-        Some(Observer { poles, gains, greatest, samples, eps })
+        let after = self.after_observer(spec, blocks);
+        Some(Observer { poles, blocks: blocks.to_vec(), gains, greatest, samples, eps, after })
+    }
+
+    /// The poles of the observer once the estimates are exact.
+    fn after_observer(&mut self, spec: &Spec, blocks: &[usize]) -> Vec<(BigRational, BigRational)> {
+        let key = "after_observer";
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let (poles, _) = self.pole_gains(key, Some(blocks.iter().sum()), node);
+        if poles.is_empty() {
+            return poles;
+        }
+        if blocks.len() > 1 {
+            self.gains_of_blocks(key, &poles, blocks, node);
+        }
+        if let Some((re, _)) = poles.iter().find(|(re, _)| !re.is_negative()) {
+            let message = format!("after_observer: a real part of {}", constant::text(re));
+            let help = "the estimates stay only where all real parts are negative".to_owned();
+            self.wrong(key, Some(node.place), message, help);
+        }
+        let Some(h) = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number) else {
+            let message = "`after_observer` without `sample_time`".to_owned();
+            let help = "poles in 1/s become gains when the code is generated: give the period";
+            self.wrong(key, Some(node.place), message, help.to_owned());
+            return Vec::new();
+        };
+        if linear::sampled_poles(&poles, h).is_none() {
+            let message = "after_observer: a pole is too fast for `sample_time`".to_owned();
+            let help = "an error gone within a sample is as good: take a pole of -10/sample_time";
+            self.wrong(key, Some(node.place), message, help.to_owned());
+            return Vec::new();
+        }
+        poles
     }
 
     fn observer_samples(&mut self, spec: &Spec, estimates: usize) -> Option<u32> {

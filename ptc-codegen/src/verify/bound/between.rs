@@ -1,8 +1,9 @@
 //! How far what a bounded f makes of x and u may be, between two T/tau, from what is linear there.
 
 use super::cell::Loop;
-use super::flow::{Rows, TERMS, dot};
-use super::forced::{ASKED, LITTLE, NODES, Response, mapped};
+use super::flow::{Rows, dot};
+use super::forced::{ASKED, Block, LITTLE, Response, mapped};
+use super::impulse::LAST;
 use super::piece::{along, polynomial, sizes};
 use crate::algebra::BigRational;
 use crate::expression::interval::Interval;
@@ -82,17 +83,13 @@ impl Loop {
         let y = lags - Range::from(place.max(0.0) * step);
         if y.size().high() <= 8.0 * step {
             let impulse = self.flow.impulse(node);
-            let left = self.flow.rest(&impulse, TERMS + 1, y);
-            let count = impulse.terms.len();
-            let one = |(j, terms): (usize, &Vec<Range>)| {
-                polynomial(terms, y) + left[usize::from(j + 1 == count)].both_signs()
-            };
-            return Some(impulse.terms.iter().enumerate().map(one).collect());
+            let left = self.flow.rest(&impulse, LAST + 1, y);
+            let one =
+                |(terms, left): (&Vec<Range>, Range)| polynomial(terms, y) + left.both_signs();
+            return Some(impulse.terms.iter().zip(left).map(one).collect());
         }
-        let node = self.node_before(lags.low());
-        let [all, last] = self.flow.ever_after(node)?;
-        let entry = |j: usize| if j == self.n { last } else { all };
-        Some((0..=self.n).map(|j| entry(j).both_signs()).collect())
+        let bounds = self.flow.ever_after(lags.low())?;
+        Some(bounds.iter().map(|bound| bound.both_signs()).collect())
     }
 
     /// Bounds of the integral of the size of the second derivative by T/tau of each kernel at a fixed
@@ -129,8 +126,7 @@ impl Loop {
         let with = |[_, first, second]: [Range; 3], r: usize| -> Vec<Range> {
             parts[r].iter().map(|[a, b, c]| *a + first * *b + second * *c).collect()
         };
-        let step = self.flow.step();
-        let length = step * f64::from(NODES);
+        let length = self.flow.length();
         let half = Range::from(0.5 * length);
         let mut bent = vec![zero; n + 1];
         let mut piece = 0_u64;
@@ -148,11 +144,11 @@ impl Loop {
                 // A lag is at a time as much later as the cell is long.
                 let passed = (late - early).size().high();
                 let mut left = vec![zero; n + 1];
-                for ([from, to], bounds) in &blocks {
+                for Block { ends: [from, to], bounds } in &blocks {
                     let over = weight.over(*from, to + passed);
                     let time = (Range::from(*to) - Range::from(*from)).size();
                     for (r, left) in left.iter_mut().enumerate() {
-                        *left = *left + sizes(&with(over, r), *bounds) * over[0] * time;
+                        *left = *left + sizes(&with(over, r), bounds) * over[0] * time;
                     }
                 }
                 let is_little = |(left, sum): (&Range, &Range)| left.high() <= LESS * sum.high();
@@ -161,7 +157,7 @@ impl Loop {
                     return Some(bent);
                 }
             }
-            let impulse = self.flow.impulse(piece * u64::from(NODES) + u64::from(NODES / 2));
+            let impulse = self.flow.impulse_of(piece);
             let times = [early - Range::from(lag + length), late - Range::from(lag)];
             let over = weight.over(times[0].low().max(0.0), times[1].high());
             let left = self.flow.rest(&impulse, 4, half);
@@ -171,7 +167,7 @@ impl Loop {
                 let [value, slope, second, third] = [0, 1, 2, 3].map(|l: usize| terms[l].size());
                 let slope = slope * half;
                 let cube = half.power(2) * (Range::from(2.0) * second + half * third);
-                let more = Range::from(2.0) * sizes(&row, left) + cube;
+                let more = Range::from(2.0) * sizes(&row, &left) + cube;
                 *sum = *sum + over[0] * half * (value + value.most(slope) + more);
             }
             piece += 1;

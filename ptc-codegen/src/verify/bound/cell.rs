@@ -129,6 +129,10 @@ impl Loop {
         let at_middle = self.flow.at(&here, &self.start)?;
         let around = Range::from(&during.plus(&here.neg()));
         let of_cell = match self.flow.on(&at_middle, around) {
+            Some(rows) => Some(rows),
+            None => self.flow.during(&during, &self.start),
+        };
+        let of_cell = match of_cell {
             Some(rows) => rows,
             None => {
                 let at_start = self.flow.at(&first, &self.start)?;

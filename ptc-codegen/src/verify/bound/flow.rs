@@ -7,6 +7,7 @@ use std::rc::Rc;
 use num_traits::{One, ToPrimitive};
 
 use super::ball::Ball;
+use super::impulse::{Impulse, Tail};
 use crate::algebra::{BigRational, integer};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
@@ -17,35 +18,30 @@ pub(super) type Rows = Vec<Vec<Range>>;
 /// |A| times the distance of two nodes is at most this.
 const STEP: f64 = 0.25;
 
+/// Nodes in a piece of a long time, and most of these pieces.
+const PIECE: u32 = 4;
+const MANY: f64 = 24.0;
+
 /// The largest e^(At) is looked for at each of the first nodes, and then at every one after as many.
 const FINE: u64 = 256;
 const COARSE: u64 = 512;
-
-/// Order up to which e^(At) e_n is taken around a node.
-pub(super) const TERMS: usize = 8;
-
-/// e^(At) e_n =: phi around a node, for xi_1..xi_n and the last row of A phi after them.
-pub(super) struct Impulse {
-    /// The Taylor coefficients of each.
-    pub(super) terms: Rows,
-    /// The greatest |phi_j| at the node.
-    pub(super) size: Range,
-}
 
 /// The companion matrix A of gains, in units of time in which they are about 1, and e^(At) at the
 /// nodes 2^-grid k.
 pub(super) struct Flow {
     /// Units of time in one second of stretched time.
     pub(super) rate: BigRational,
-    gains: Vec<Range>,
-    norm: Range,
+    pub(super) gains: Vec<Range>,
+    pub(super) norm: Range,
     grid: u32,
     doubled: Vec<Ball>,
     nodes: BTreeMap<u64, Ball>,
     /// The same, in doubles.
     rounded: BTreeMap<u64, Rows>,
     largest: Option<Range>,
-    impulses: BTreeMap<u64, Rc<Impulse>>,
+    pub(super) impulses: BTreeMap<u64, Rc<Impulse>>,
+    /// Bounds of them at all later times, once these are asked for; none where they fall too slowly.
+    pub(super) tail: Option<Option<Rc<Tail>>>,
 }
 
 /// sum_j a_j b_j.
@@ -77,14 +73,15 @@ impl Flow {
         let doubled = vec![a.exponential(grid)];
         let gains = (0..n).map(|j| Range::from(&Interval::exact(&scaled(j)))).collect();
         let (nodes, rounded, largest) = (BTreeMap::new(), BTreeMap::new(), None);
-        let impulses = BTreeMap::new();
-        let mut flow = Self { rate, gains, norm, grid, doubled, nodes, rounded, largest, impulses };
+        let (impulses, tail) = (BTreeMap::new(), None);
+        let mut flow =
+            Self { rate, gains, norm, grid, doubled, nodes, rounded, largest, impulses, tail };
         flow.largest = flow.largest();
         Some(flow)
     }
 
     /// e^(A t) at t = 2^-grid k, k > 0.
-    fn node(&mut self, k: u64) -> Ball {
+    pub(super) fn node(&mut self, k: u64) -> Ball {
         if let Some(node) = self.nodes.get(&k) {
             return node.clone();
         }
@@ -158,54 +155,6 @@ impl Flow {
         2f64.powi(-i32::try_from(self.grid).unwrap_or(0))
     }
 
-    /// e^(At) e_n around the node k.
-    pub(super) fn impulse(&mut self, k: u64) -> Rc<Impulse> {
-        if let Some(known) = self.impulses.get(&k) {
-            return known.clone();
-        }
-        let n = self.gains.len();
-        let mut chain: Vec<Range> = match k {
-            0 => (1..=n).map(|j| Range::from(f64::from(u8::from(j == n)))).collect(),
-            k => {
-                let node = self.node(k);
-                (0..n).map(|j| node.entry(j, n - 1)).collect()
-            }
-        };
-        let size = chain.iter().map(|entry| entry.size()).fold(Range::from(0.0), Range::most);
-        // Each component is the derivative of the one before.
-        for at in 0..=TERMS {
-            chain.push(-dot(&self.gains, &chain[at..at + n]));
-        }
-        let row = |j: usize| {
-            let mut factorial = 1.0;
-            let term = |(l, entry): (u32, &Range)| {
-                factorial *= f64::from(l.max(1));
-                *entry / Range::from(factorial)
-            };
-            (0..).zip(&chain[j..=j + TERMS]).map(term).collect()
-        };
-        let impulse = Rc::new(Impulse { terms: (0..=n).map(row).collect(), size });
-        self.impulses.insert(k, impulse.clone());
-        impulse
-    }
-
-    /// A bound of the sizes of phi_1..phi_n and of the last row of A phi at all times from a node on.
-    pub(super) fn ever_after(&mut self, k: u64) -> Option<[Range; 2]> {
-        let most = self.impulse(k).size * self.largest?;
-        Some([most, most * self.norm])
-    }
-
-    /// Bounds of the part of order `order` of the Taylor series of the same around a node, over all
-    /// times at most `away` from it: where that is the rest.
-    pub(super) fn rest(&self, impulse: &Impulse, order: usize, away: Range) -> [Range; 2] {
-        let reach = self.norm * away.size();
-        let mut part = impulse.size * grown(reach);
-        for k in 1..=order {
-            part = part * reach / Range::from(f64::from(u32::try_from(k).unwrap_or(u32::MAX)));
-        }
-        [part, part * self.norm]
-    }
-
     /// A times rows.
     fn rate_of(&self, rows: &Rows) -> Rows {
         let mut next = rows[1..].to_vec();
@@ -267,6 +216,34 @@ impl Flow {
         Some(sum)
     }
 
+    /// e^(A t) `start` for all of a time, piece by piece; none where it is long.
+    pub(super) fn during(&mut self, time: &Interval, start: &Rows) -> Option<Rows> {
+        let [first, last] = [Range::from(time).low().max(0.0), Range::from(time).high()];
+        let length = f64::from(PIECE) * self.step();
+        let ends = [first, last].map(|end| (end / length).floor());
+        (ends[1] - ends[0] < MANY && ends[1] < 1e15).then_some(())?;
+        let (mut rows, mut from) = (None::<Rows>, first);
+        let mut place = ends[0];
+        while from < last {
+            place += 1.0;
+            let to = (place * length).min(last);
+            if to <= from {
+                continue;
+            }
+            let here = self.at(&Interval::of_doubles(from, to), start)?;
+            rows = Some(match rows {
+                None => here,
+                Some(mut rows) => {
+                    let pairs = rows.iter_mut().flatten().zip(here.iter().flatten());
+                    pairs.for_each(|(all, own)| *all = all.hull(*own));
+                    rows
+                }
+            });
+            from = to;
+        }
+        rows
+    }
+
     /// e^(A t) `start` for all t >= 0.
     pub(super) fn ever(&self, start: &Rows) -> Option<Rows> {
         let largest = self.largest?;
@@ -277,11 +254,6 @@ impl Flow {
         let row = (0..start.first()?.len()).map(bound).collect::<Option<Vec<_>>>()?;
         Some(vec![row; start.len()])
     }
-}
-
-/// A bound of e^x for small x.
-fn grown(x: Range) -> Range {
-    Range::from(x.high().exp() * (1.0 + 1e-12))
 }
 
 /// A power of two, by which the time of the gains is scaled so that |A| is least.

@@ -11,26 +11,30 @@
 //! them, which is why bounds over a cell are formed there.
 
 use super::cell::Loop;
-use super::flow::{Rows, TERMS};
+use super::flow::Rows;
+use super::impulse::TERMS;
 use super::piece::{Piece, sizes};
 use super::weight::Leaf;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 
-/// Nodes of the flow in a piece.
-pub(super) const NODES: u32 = 4;
-
 /// What is left far back is at most this part of the sum.
 pub(super) const LITTLE: f64 = 1.0 / 4096.0;
 
 /// Pieces after which it is asked whether what is left is little.
-pub(super) const ASKED: u64 = 8;
+pub(super) const ASKED: u64 = 4;
 
 /// Integrals of the kernels of x_1..x_n and g u for an f of 1, and of their sizes.
 #[derive(Clone, Debug)]
 pub(super) struct Response {
     pub(super) signed: Vec<Range>,
     pub(super) size: Vec<Range>,
+}
+
+/// Times that are far back, and bounds of phi_1.. at their lags.
+pub(super) struct Block {
+    pub(super) ends: [f64; 2],
+    pub(super) bounds: Vec<Range>,
 }
 
 /// B_{r,j} of `table`, which has it times w^r.
@@ -45,23 +49,13 @@ pub(super) fn mapped(table: &Rows, n: usize, share: &Interval) -> Rows {
 }
 
 impl Loop {
-    /// The node of the flow that is not after a lag by much less than it, of few.
-    pub(super) fn node_before(&self, lag: f64) -> u64 {
-        let place = (lag / self.flow.step()).floor();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let k = if place > 1.0 && place < 1e15 { place as u64 - 1 } else { 0 };
-        let dropped = (64 - k.leading_zeros()).saturating_sub(4);
-        k >> dropped << dropped
-    }
-
-    /// What is left of all lags from that of the time `to` on, in blocks that double.
-    pub(super) fn blocks(&mut self, now: f64, mut to: f64) -> Option<Vec<([f64; 2], [Range; 2])>> {
+    /// What is left of all lags from that of the time `to` on, in blocks that grow with the lag.
+    pub(super) fn blocks(&mut self, now: f64, mut to: f64) -> Option<Vec<Block>> {
         let mut blocks = Vec::new();
         while to > 0.0 {
             let lag = now - to;
-            let from = (to - lag.max(self.flow.step())).max(0.0);
-            let node = self.node_before(lag);
-            blocks.push(([from, to], self.flow.ever_after(node)?));
+            let from = (to - (0.5 * lag).max(self.flow.length())).max(0.0);
+            blocks.push(Block { ends: [from, to], bounds: self.flow.ever_after(lag)? });
             to = from;
         }
         Some(blocks)
@@ -79,8 +73,7 @@ impl Loop {
         let t = Range::from(here);
         let weight = self.weight.clone()?;
         let now = t.middle();
-        let step = self.flow.step();
-        let length = step * f64::from(NODES);
+        let length = self.flow.length();
         let mut late = until.map_or(t, Range::from);
         let mut leaf = weight.at(late.middle());
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -99,7 +92,7 @@ impl Loop {
                 let middle = t - Range::from(node);
                 let ends = [middle - late, middle - Range::from(early)];
                 own.holds(late.hull(Range::from(early))).then_some(())?;
-                let impulse = self.flow.impulse(piece * u64::from(NODES) + u64::from(NODES / 2));
+                let impulse = self.flow.impulse_of(piece);
                 let away = ends[0].size().most(ends[1].size());
                 let over = Piece {
                     impulse: &impulse,
@@ -127,8 +120,8 @@ impl Loop {
                 asked = piece + ASKED;
                 let Some(blocks) = self.blocks(now, late.middle()) else { continue };
                 let left = |row: &Vec<Range>| {
-                    let of_block = |([from, to], bounds): &([f64; 2], [Range; 2])| {
-                        sizes(row, *bounds) * weight.sum(*from, *to)
+                    let of_block = |Block { ends: [from, to], bounds }: &Block| {
+                        sizes(row, bounds) * weight.sum(*from, *to)
                     };
                     blocks.iter().map(of_block).fold(Range::from(0.0), |sum, block| sum + block)
                 };

@@ -374,7 +374,7 @@ fn norm_about(rows: &[Vec<Range>]) -> f64 {
 impl Why {
     /// In words, with the place.
     pub(super) fn at(&self, share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
-        let digits = |value: f64| crate::check::digits(value);
+        let digits = |value: f64| crate::diagnostic::digits(value);
         let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
         let place = format!("at T/tau = {}, tau = {}", number(&share[0]), number(&tau[0]));
         match self {

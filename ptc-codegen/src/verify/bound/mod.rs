@@ -14,6 +14,7 @@ mod emitted;
 mod flow;
 mod forced;
 mod form;
+mod impulse;
 mod margin;
 mod piece;
 mod root;
@@ -32,7 +33,7 @@ use margin::{Aim, Bounds, Why};
 
 use super::{Campaign, Kind, Objective, Signal};
 use crate::algebra::{BigInt, BigRational, integer};
-use crate::check::digits;
+use crate::diagnostic::digits;
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::range::Range;

@@ -1,6 +1,7 @@
 //! Integrals over a piece of lags, over which the kernel of an f is a polynomial with a small rest.
 
-use super::flow::{Impulse, TERMS, dot};
+use super::flow::dot;
+use super::impulse::{Impulse, TERMS};
 use crate::expression::range::Range;
 
 /// Parts of a piece in which a kernel has no sign.
@@ -16,8 +17,8 @@ pub(super) struct Piece<'a> {
     /// The weight as a polynomial in y, and its rest.
     pub(super) weight: Vec<Range>,
     pub(super) rest: Range,
-    /// What the Taylor series of phi leaves, for all but the last row and for that.
-    pub(super) left: [Range; 2],
+    /// What the Taylor series of phi_1.. leave.
+    pub(super) left: Vec<Range>,
 }
 
 impl Piece<'_> {
@@ -41,7 +42,7 @@ impl Piece<'_> {
     /// The integrals of m times a row over phi, and of its size.
     pub(super) fn of_row(&self, row: &[Range], moments: &[Range], greatest: Range) -> [Range; 2] {
         let terms = along(row, self.impulse, TERMS);
-        let left = sizes(row, self.left);
+        let left = sizes(row, &self.left);
         // The rests of both are beside the sum of the row, of which the terms may cancel.
         let far = polynomial(&of_size(&terms[1..]), self.away) * self.away;
         let most = terms[0].size() + far;
@@ -76,11 +77,10 @@ impl Piece<'_> {
     }
 }
 
-/// sum_j |a_j| b_j, with the first of `bounds` for all but the last column.
-pub(super) fn sizes(row: &[Range], bounds: [Range; 2]) -> Range {
-    let last = row.len() - 1;
-    let sum = row[..last].iter().fold(Range::from(0.0), |sum, entry| sum + entry.size());
-    sum * bounds[0] + row[last].size() * bounds[1]
+/// sum_j |a_j| b_j.
+pub(super) fn sizes(row: &[Range], bounds: &[Range]) -> Range {
+    let terms = row.iter().zip(bounds).map(|(entry, bound)| entry.size() * *bound);
+    terms.fold(Range::from(0.0), |sum, term| sum + term)
 }
 
 /// Taylor coefficients of the sums of a row over phi, up to an order.

@@ -17,6 +17,9 @@ const ORDER: usize = 6;
 /// The rest of a leaf is at most this part of the weight.
 const REST: f64 = 1.0 / 16384.0;
 
+/// The weight varies by at most this factor over a leaf.
+const STEEP: f64 = 2.0;
+
 /// How far beyond its cuts a leaf holds, as a part.
 const BEYOND: f64 = 1.0 / 1_048_576.0;
 
@@ -153,7 +156,7 @@ impl Span {
         let rest = over * terms[ORDER] * far.power(i32::try_from(ORDER).ok()?);
         let rest = rest.both_signs();
         let closely = over.is_positive()
-            && over.high() <= 16.0 * over.low()
+            && over.high() <= STEEP * over.low()
             && rest.high() <= REST * scale.low();
         let series = series[..ORDER].iter().map(|term| scale * *term).collect();
         let over = [over, terms[1], Range::from(2.0) * terms[2]];

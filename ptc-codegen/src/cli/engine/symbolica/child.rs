@@ -95,14 +95,15 @@ impl Wrong {
 pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Result<Value, Wrong> {
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().map_err(Wrong::Start)?;
-    let (waits, waited_for) = channel::<()>();
+    // Holds the pipe once the request is written.
+    let (written, pipe) = channel();
     if let Some(mut input) = child.stdin.take() {
         let request = format!("{request}\n");
         thread::spawn(move || {
             // A child that reads nothing is told of by how it ends.
             let _ = input.write_all(request.as_bytes());
-            // Ends when the other end is dropped, with what is returned below.
-            let _ = waited_for.recv();
+            // Where nobody waits any more, the pipe ends here.
+            let _ = written.send(input);
         });
     }
     let (output, complaint) = (Drain::of(child.stdout.take()), Drain::of(child.stderr.take()));
@@ -119,7 +120,7 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
             }
         }
     };
-    drop(waits);
+    drop(pipe);
     let said = format!("{}\n{}", output.text(), complaint.text());
     if !status.success() {
         return Err(match status.code() {
@@ -209,6 +210,18 @@ mod tests {
     fn a_process_of_the_child_does_not_hold_up_the_answer() {
         let began = Instant::now();
         let answer = shell("sleep 30 & echo 'ptc-answer: [1]'");
+        assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
+        assert!(began.elapsed() < Duration::from_secs(15));
+    }
+
+    #[test]
+    fn a_process_that_holds_the_pipes_and_reads_nothing_holds_up_nothing() {
+        let mut command = Command::new("sh");
+        command.args(["-c", "sleep 30 <&0 & echo 'ptc-answer: [1]'"]);
+        // More than a pipe takes.
+        let request = "x".repeat(1 << 20);
+        let began = Instant::now();
+        let answer = ask(command, &request, Duration::from_secs(20));
         assert_eq!(answer.expect("an answer"), serde_json::json!([1]));
         assert!(began.elapsed() < Duration::from_secs(15));
     }

@@ -238,18 +238,21 @@ impl C<'_> {
     }
 
     /// Statements; what a test guards is inside it, and `then` ends the whole.
-    fn block(&mut self, statements: &[Statement], then: &mut dyn FnMut(&mut Self)) {
-        let Some((first, rest)) = statements.split_first() else { return then(self) };
-        match first {
-            Statement::Require(test, status) => return self.require(test, *status, rest, then),
-            Statement::If(test, yes, no) => {
-                let text = self.test(test);
-                self.out.open(format!("if ({text}) {{"));
-                self.otherwise(yes, no);
+    fn block(&mut self, mut statements: &[Statement], then: &mut dyn FnMut(&mut Self)) {
+        // Tests alone nest: the other statements may be tens of thousands.
+        while let Some((first, rest)) = statements.split_first() {
+            match first {
+                Statement::Require(test, status) => return self.require(test, *status, rest, then),
+                Statement::If(test, yes, no) => {
+                    let text = self.test(test);
+                    self.out.open(format!("if ({text}) {{"));
+                    self.otherwise(yes, no);
+                }
+                other => self.statement(other),
             }
-            other => self.statement(other),
+            statements = rest;
         }
-        self.block(rest, then);
+        then(self);
     }
 
     fn require(

@@ -3,24 +3,26 @@
 
 use num_traits::{One, Zero};
 
+use super::Linear;
+use super::exponential::exponential;
 use super::matrix::Matrix;
 use crate::algebra::BigRational;
 use crate::expansion::bell::factorials;
 
 /// What a held input does to the states from one sample to the next.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Pair {
+pub(crate) struct Pair {
     /// Phi.
-    pub(super) phi: Matrix,
+    pub(crate) phi: Matrix,
     /// Gamma.
-    pub(super) gamma: Vec<BigRational>,
+    pub(crate) gamma: Vec<BigRational>,
     /// The power p of each state: it stands here divided by h^p.
-    pub(super) powers: Vec<i64>,
+    pub(crate) powers: Vec<i64>,
 }
 
 impl Pair {
     /// The chain x_1' = x_2, ..., x_n' = `gain` u. State x_j is counted in units of u h^(n+1-j).
-    pub(super) fn chain(n: usize, gain: &BigRational) -> Self {
+    pub(crate) fn chain(n: usize, gain: &BigRational) -> Self {
         let inverse = |k: usize| BigRational::one() / factorial(k);
         let phi =
             Matrix::new(n, n, |i, j| if j >= i { inverse(j - i) } else { BigRational::zero() });
@@ -32,14 +34,30 @@ impl Pair {
         }
     }
 
+    /// x' = A x + B u, sampled with period `h`; none where the period is too long for its modes.
+    pub(crate) fn linear(plant: &Linear, h: &BigRational) -> Option<Self> {
+        let n = plant.b.len();
+        let entry = |i: usize, j: usize| match (i < n, j < n) {
+            (true, true) => &plant.a[i][j] * h,
+            (true, false) => &plant.b[i] * h,
+            (false, _) => BigRational::zero(),
+        };
+        let whole = exponential(&Matrix::new(n + 1, n + 1, entry))?;
+        Some(Self {
+            phi: Matrix::new(n, n, |i, j| whole.at(i, j).clone()),
+            gamma: (0..n).map(|i| whole.at(i, n).clone()).collect(),
+            powers: vec![0; n],
+        })
+    }
+
     /// Number of states.
-    pub(super) fn order(&self) -> usize {
+    pub(crate) fn order(&self) -> usize {
         self.gamma.len()
     }
 
     /// The same with a constant that is added to u as its last state.
     #[must_use]
-    pub(super) fn with_disturbance(&self) -> Self {
+    pub(crate) fn with_disturbance(&self) -> Self {
         let n = self.order();
         let entry = |i: usize, j: usize| match (i < n, j < n) {
             (true, true) => self.phi.at(i, j).clone(),
@@ -56,7 +74,7 @@ impl Pair {
     /// The same with an input that acts `delay` samples late; its states are x, u_{k-1}, ...,
     /// u_{k-delay}.
     #[must_use]
-    pub(super) fn delayed(&self, delay: usize) -> Self {
+    pub(crate) fn delayed(&self, delay: usize) -> Self {
         let (n, order) = (self.order(), self.order() + delay);
         if delay == 0 {
             return self.clone();
@@ -76,11 +94,15 @@ impl Pair {
         }
     }
 
+    /// D = Phi - 1.
+    pub(crate) fn step(&self) -> Matrix {
+        self.phi.plus(&-BigRational::one(), &Matrix::identity(self.order()))
+    }
+
     /// The rows of S and the drift a with z = S x, Delta z_i = z_{i+1}, Delta z_m = u + sum a_i z_i;
     /// none where the pair is not controllable.
-    pub(super) fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
-        let order = self.order();
-        let step = self.phi.plus(&-BigRational::one(), &Matrix::identity(order));
+    pub(crate) fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
+        let (order, step) = (self.order(), self.step());
         let mut columns = vec![self.gamma.clone()];
         while columns.len() < order {
             let next = step.on(&columns[columns.len() - 1]);
@@ -102,12 +124,24 @@ impl Pair {
     }
 }
 
+/// The rows of Phi and Gamma, x(t + h) = Phi x(t) + Gamma u, of a plant whose input is held; none
+/// where a mode is too fast for `h`.
+pub(crate) fn held(
+    plant: &Linear,
+    h: &BigRational,
+) -> Option<(Vec<Vec<BigRational>>, Vec<BigRational>)> {
+    let pair = Pair::linear(plant, h)?;
+    let n = pair.order();
+    let row = |i: usize| (0..n).map(|j| pair.phi.at(i, j).clone()).collect();
+    Some(((0..n).map(row).collect(), pair.gamma))
+}
+
 /// k!.
-pub(super) fn factorial(k: usize) -> BigRational {
+pub(crate) fn factorial(k: usize) -> BigRational {
     BigRational::from_integer(factorials(k).swap_remove(k))
 }
 
 /// The binomial coefficient of `n` over `k`.
-pub(super) fn binomial(n: usize, k: usize) -> BigRational {
+pub(crate) fn binomial(n: usize, k: usize) -> BigRational {
     if k > n { BigRational::zero() } else { factorial(n) / (factorial(k) * factorial(n - k)) }
 }

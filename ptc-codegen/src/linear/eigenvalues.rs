@@ -9,7 +9,7 @@ const SWEEPS: usize = 2000;
 /// All eigenvalues, in no order; none where the matrix is not finite or the iteration stalls.
 ///
 /// Balanced first, since entries of a chain of integrators differ by powers of its time unit.
-pub(super) fn eigenvalues(mut matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+pub(crate) fn eigenvalues(mut matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return None;
     }

@@ -1,0 +1,132 @@
+//! FMUs of a clock in samples in closed loop, against the program that is emitted.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context as _, Result, bail};
+use ptc_codegen::code::Instance;
+use ptc_codegen::request::Spec;
+use ptc_codegen::samples;
+
+use super::super::command::emit;
+use super::{number, script};
+use crate::context::Context;
+use crate::harness::empty;
+use crate::harness::specs::spec;
+use crate::layer::{Finding, Table};
+
+/// What is left of the state at sample N, as a part of 1, with the fewest digits.
+const ARRIVED: f64 = 1e-6;
+
+/// All parameters open; an observer, delay and an end at 0; an observer in single precision.
+fn designs() -> Vec<Spec> {
+    let clock = [("mu", "exp(a=1)"), ("clock", "samples")];
+    let design = |more: &[(&str, &str)]| spec(&[&clock[..], more].concat());
+    vec![
+        design(&[("n", "3"), ("name", "open")]),
+        design(&[
+            ("n", "2"),
+            ("name", "stage"),
+            ("sample_time", "1e-3"),
+            ("tau", "0.8"),
+            ("delay", "2"),
+            ("poles", "-4,-5,-6,-7"),
+            ("measured", "x1"),
+            ("observer_poles", "-4,-5,-6"),
+            ("disturbance", "constant"),
+            ("after", "zero"),
+        ]),
+        design(&[
+            ("n", "2"),
+            ("name", "single"),
+            ("precision", "f32"),
+            ("sample_time", "0.01"),
+            ("measured", "x1"),
+            ("observer_poles", "-4,-5"),
+        ]),
+    ]
+}
+
+/// Runs the loops, and compares each u with that of the program.
+pub(super) fn run(
+    context: &Context,
+    python: &Path,
+    generator: &Path,
+    finding: &mut Finding,
+) -> Result<()> {
+    let designs = designs();
+    let mut rows = Vec::new();
+    for lang in ["fmu2", "fmu3"] {
+        let home = empty(&context.scratch("fmu_ticks").join(lang));
+        let mut list = String::new();
+        for spec in &designs {
+            emit(generator, &format!("--lang {lang}"), spec, &home)?;
+            let fmu = home.join(format!("{}.fmu", spec.name()));
+            let told = fmu.with_extension("loop");
+            let delay = spec.sampled().map_or(0, |sampled| sampled.delay);
+            writeln!(list, "{}\t{}\t{}\t{delay}", fmu.display(), told.display(), spec.n)?;
+        }
+        let listed = home.join("list");
+        fs::write(&listed, list)?;
+        script(python, &home, &["ticks".as_ref(), &listed])?;
+        for spec in &designs {
+            let told = fs::read_to_string(home.join(format!("{}.loop", spec.name())))?;
+            let (samples, left, faults) = compared(spec, &told)?;
+            let name = format!("{}, {lang}", spec.name());
+            finding.failures.extend(faults.into_iter().map(|fault| format!("{name}: {fault}")));
+            rows.push(vec![name, samples.to_string(), format!("{left:.1e}")]);
+        }
+    }
+    finding.tables.push(Table {
+        title: "Clocks in samples, in closed loop".to_owned(),
+        head: vec!["FMU", "samples", "greatest \\|x_i\\| at sample N"],
+        rows,
+    });
+    Ok(())
+}
+
+/// The samples of a loop, what is left of the state, and what differs from the program.
+fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
+    if let Some(problems) = told.strip_prefix("invalid ") {
+        return Ok((0, f64::NAN, vec![problems.to_owned()]));
+    }
+    let sampled = spec.sampled().context("a clock in samples")?;
+    let code = samples::controller(spec, sampled, Vec::new());
+    let mut lines = told.lines();
+    let values: Vec<_> = lines.next().context("values of parameters")?.split_whitespace().collect();
+    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
+    for (parameter, value) in spec.run_time_parameters().zip(values) {
+        let value = number(value)?;
+        match given.last_mut().filter(|(key, _)| *key == parameter.key()) {
+            Some((_, all)) => all.push(value),
+            None => given.push((parameter.key(), vec![value])),
+        }
+    }
+    let given: Vec<_> = given.iter().map(|(key, all)| (*key, all.as_slice())).collect();
+    let Ok(mut controller) = Instance::new(&code, &given) else { bail!("init refuses") };
+    let (mut faults, mut samples, mut left) = (Vec::new(), 0_usize, f64::NAN);
+    for line in lines {
+        let (status, rest) = line.split_once(' ').context("a status and numbers")?;
+        if status == "error" {
+            faults.push(rest.to_owned());
+            continue;
+        }
+        let numbers: Vec<_> = rest.split(' ').map(number).collect::<Result<_>>()?;
+        let [x @ .., u] = numbers.as_slice() else { bail!("{line}") };
+        let k = u32::try_from(samples)?;
+        let given = [("k", &[f64::from(k)][..]), ("x", x), ("y", &x[..sampled.measured])];
+        let outcome = controller.call("step", &given);
+        let own = outcome.results.get("u").and_then(|u| u.first()).copied().unwrap_or(f64::NAN);
+        let same = own.to_bits() == u.to_bits() && outcome.status.number().to_string() == status;
+        if !same && faults.is_empty() {
+            faults.push(format!("sample {k}: {status}, {u:e} where the program gives {own:e}"));
+        }
+        samples += 1;
+        left = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    }
+    if left.is_nan() || left > ARRIVED {
+        faults.push(format!("|x| = {left:e} at sample N"));
+    }
+    Ok((samples, left, faults))
+}

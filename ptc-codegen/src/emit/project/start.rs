@@ -1,0 +1,133 @@
+//! Where the run of a project starts, so that u stays within its bound.
+
+use num_traits::ToPrimitive;
+
+use super::super::example::Example;
+use crate::algebra::{BigRational, integer};
+use crate::code::Instance;
+use crate::linear::{Linear, held};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Sampled, Spec};
+use crate::samples;
+
+/// Samples that are tried at most.
+const TRIED: u32 = 10_000;
+
+/// Part of `u_max` that the start and the disturbance may take together.
+const PART: f64 = 0.8;
+
+/// x1 at the start, and d, with which the largest |u| is at most [`PART`] of `u_max`: 1 and `force`,
+/// or less.
+pub(super) fn start(spec: &Spec, sampled: &Sampled, example: &Example, force: f64) -> (f64, f64) {
+    let limit = PART * example.value(Parameter::UMax);
+    let Some(run) = Run::of(spec, sampled, example) else { return (1.0, force) };
+    let (state, disturbed) = (run.peak(1.0, 0.0), run.peak(0.0, force));
+    // A known f takes its part of u whatever d is.
+    let force = if disturbed < limit / 2.0 { force } else { 0.0 };
+    let left = limit - run.peak(0.0, force);
+    match left < state {
+        true if left > 0.0 => (rounded(left / state), force),
+        _ => (1.0, force),
+    }
+}
+
+/// The number of one digit below `value`.
+fn rounded(value: f64) -> f64 {
+    let power = 10_f64.powf(value.log10().floor());
+    (value / power).floor().max(1.0) * power
+}
+
+/// The loop of a controller that does not clip.
+struct Run {
+    code: crate::code::Code,
+    given: Vec<(String, Vec<f64>)>,
+    phi: Vec<Vec<f64>>,
+    gamma: Vec<f64>,
+    c: Option<Vec<Vec<f64>>>,
+    /// What acts beside u, in units of u.
+    known: f64,
+    delay: usize,
+    measured: usize,
+    samples: u32,
+}
+
+impl Run {
+    /// None where a number is beyond doubles.
+    fn of(spec: &Spec, sampled: &Sampled, example: &Example) -> Option<Self> {
+        let mut free = spec.clone();
+        free.fixed.insert(Parameter::UMax, Fixed::Infinite);
+        let code = samples::controller(&free, sampled, Vec::new());
+        let mut given: Vec<(String, Vec<f64>)> = Vec::new();
+        for parameter in free.run_time_parameters() {
+            let value = example.value(parameter);
+            match given.last_mut().filter(|(key, _)| key == parameter.key()) {
+                Some((_, all)) => all.push(value),
+                None => given.push((parameter.key().to_owned(), vec![value])),
+            }
+        }
+        let n = spec.n;
+        let h = BigRational::from_float(example.value(Parameter::SampleTime))?;
+        let own = sampled.linear.as_ref();
+        let (phi, gamma) = match own {
+            Some(plant) => held(plant, &h)?,
+            None => held(&chain(n, &sampled.gain), &h)?,
+        };
+        let row = |row: &Vec<BigRational>| -> Option<Vec<f64>> {
+            row.iter().map(ToPrimitive::to_f64).collect()
+        };
+        let rows = |all: &[Vec<BigRational>]| all.iter().map(row).collect::<Option<Vec<_>>>();
+        let c = match own {
+            Some(plant) => Some(rows(&plant.c)?),
+            None => None,
+        };
+        Some(Self {
+            code,
+            given,
+            phi: rows(&phi)?,
+            gamma: row(&gamma)?,
+            c,
+            known: (&sampled.force / &sampled.gain).to_f64()?,
+            delay: sampled.delay,
+            measured: sampled.measured,
+            samples: example.value(Parameter::Samples).to_u32()?.min(TRIED),
+        })
+    }
+
+    /// The largest |u| on the way from x = (`x1`, 0, ...), with `force` added to u; infinite where the
+    /// controller gives none.
+    fn peak(&self, x1: f64, force: f64) -> f64 {
+        let given: Vec<_> =
+            self.given.iter().map(|(key, all)| (key.as_str(), all.as_slice())).collect();
+        let Ok(mut controller) = Instance::new(&self.code, &given) else { return f64::INFINITY };
+        let mut x = vec![0.0; self.phi.len()];
+        x[0] = x1;
+        let mut sent = vec![0.0; self.delay + 1];
+        let mut peak = 0.0_f64;
+        for k in 0..self.samples {
+            let dot = |row: &Vec<f64>| row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>();
+            let shown = match &self.c {
+                Some(c) => c.iter().map(dot).collect(),
+                None => x[..self.measured].to_vec(),
+            };
+            let given = [("k", &[f64::from(k)][..]), ("x", &shown), ("y", &shown)];
+            let outcome = controller.call("step", &given);
+            let Some(u) = outcome.results.get("u").and_then(|u| u.first()) else {
+                return f64::INFINITY;
+            };
+            peak = peak.max(u.abs());
+            sent.rotate_right(1);
+            sent[0] = *u;
+            let acting = sent[self.delay] + force + self.known;
+            x = self.phi.iter().zip(&self.gamma).map(|(row, g)| dot(row) + g * acting).collect();
+        }
+        peak
+    }
+}
+
+/// x1' = x2, ..., xn' = `gain` u.
+fn chain(n: usize, gain: &BigRational) -> Linear {
+    let unit = |j: usize, i: usize| if i == j { integer(1) } else { integer(0) };
+    let row = |i: usize| (0..n).map(|j| unit(j, i + 1)).collect();
+    let b = (0..n).map(|i| if i + 1 == n { gain.clone() } else { integer(0) }).collect();
+    Linear { a: (0..n).map(row).collect(), b, c: Vec::new() }
+}

@@ -1,0 +1,107 @@
+//! The plant of a controller in samples, as a project simulates it.
+
+use super::super::example::Example;
+use super::config::Words;
+use super::start::start;
+use crate::algebra::{BigRational, integer};
+use crate::internal::fault;
+use crate::linear::{Linear, held};
+use crate::parameter::{Fixed, Parameter};
+use crate::program::number;
+use crate::request::{Sampled, Spec};
+
+/// A constant that is added to u, where the controller estimates one.
+const FORCE: f64 = 0.1;
+
+/// What the templates are given of the clock and the plant.
+pub(super) struct Ticks {
+    /// N, and whether it is fixed.
+    pub(super) samples: String,
+    pub(super) samples_fixed: bool,
+    /// The sample period in s, and whether it is fixed.
+    pub(super) period: String,
+    pub(super) period_fixed: bool,
+    /// x1 at the start.
+    pub(super) start: String,
+    /// Values that are measured.
+    pub(super) measured: usize,
+    pub(super) delay: usize,
+    /// What is added to u; none where the controller knows no disturbance.
+    pub(super) force: Option<String>,
+    /// The plant in a line.
+    pub(super) about: String,
+    pub(super) plant: Plant,
+}
+
+/// How the state moves from sample to sample.
+pub(super) enum Plant {
+    /// x_n' = f + g u; where they are not 0 and 1.
+    Chain { gain: Option<String>, force: Option<String> },
+    /// x = Phi x + Gamma u, y = C x, by rows.
+    Linear { phi: Vec<Vec<String>>, gamma: Vec<String>, c: Vec<Vec<String>> },
+}
+
+impl Ticks {
+    pub(super) fn of(spec: &Spec, sampled: &Sampled, example: &Example, words: &Words) -> Self {
+        let fixed = |parameter| words.parameter(spec, example, parameter);
+        let (samples, samples_fixed) = match spec.fixed.get(&Parameter::Samples) {
+            Some(_) => (format!("{}", example.value(Parameter::Samples)), true),
+            None => fixed(Parameter::Samples),
+        };
+        let (period, period_fixed) = fixed(Parameter::SampleTime);
+        let text = |value: &BigRational| words.number(number::round(value, spec.precision));
+        let plant = match &sampled.linear {
+            Some(plant) => linear(spec, plant, &text),
+            None => Plant::Chain {
+                gain: (sampled.gain != integer(1)).then(|| text(&sampled.gain)),
+                force: (sampled.force != integer(0)).then(|| text(&sampled.force)),
+            },
+        };
+        let force = if sampled.disturbance { FORCE } else { 0.0 };
+        let (start, force) = start(spec, sampled, example, force);
+        Self {
+            samples,
+            samples_fixed,
+            period,
+            period_fixed,
+            start: words.number(start),
+            measured: sampled.measured,
+            delay: sampled.delay,
+            force: sampled.disturbance.then(|| words.number(force)),
+            about: about(spec, sampled),
+            plant,
+        }
+    }
+}
+
+fn linear(spec: &Spec, plant: &Linear, text: &dyn Fn(&BigRational) -> String) -> Plant {
+    let period = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
+    let Some((phi, gamma)) = period.and_then(|h| held(plant, h)) else {
+        fault("a linear plant without its sample period")
+    };
+    let row = |row: &Vec<BigRational>| row.iter().map(text).collect();
+    Plant::Linear {
+        phi: phi.iter().map(row).collect(),
+        gamma: row(&gamma),
+        c: plant.c.iter().map(row).collect(),
+    }
+}
+
+fn about(spec: &Spec, sampled: &Sampled) -> String {
+    let input = if sampled.disturbance { "(u + d)" } else { "u" };
+    let n = spec.n;
+    match &sampled.linear {
+        Some(_) if sampled.measures_states() => format!("x' = A x + B {input}"),
+        Some(_) => format!("x' = A x + B {input}, y = C x"),
+        None => {
+            let chain = match n {
+                1 => String::new(),
+                2 => "x1' = x2, ".to_owned(),
+                _ => "x1' = x2, ..., ".to_owned(),
+            };
+            let force = if sampled.force == integer(0) { "" } else { "f + " };
+            let gain = if sampled.gain == integer(1) { "" } else { "g " };
+            format!("{chain}x{n}' = {force}{gain}{input}")
+        }
+    }
+}

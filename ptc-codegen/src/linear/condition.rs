@@ -1,0 +1,256 @@
+//! Whether a linear plant can be controlled and observed in samples, with digits to spare.
+//!
+//! Two numbers decide, and the greater one is reported. Of K = (Gamma, Phi Gamma, ...), or (C; C Phi;
+//! ...), the condition number in the best units of the states: min cond(E K F) over diagonal E and F
+//! is the spectral radius of |K^-1| |K| (Bauer 1963). Rounding grows by that factor in a round of
+//! deadbeat. Of (Gamma, D Gamma, ...), D = Phi - 1, the same where states that act on each other
+//! share a unit: it tells how near the plant is to one with a mode that is not reached, at any period.
+
+// Numbers of states become small numbers here.
+#![allow(clippy::cast_precision_loss)]
+
+use nalgebra::{Complex, DMatrix};
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::Linear;
+use super::eigenvalues::eigenvalues;
+use super::exponential::{balanced, power};
+use super::matrix::Matrix;
+use super::outputs::Outputs;
+use super::pair::Pair;
+use crate::algebra::{BigInt, BigRational};
+use crate::parameter::Precision;
+
+/// Bits of a row that count.
+const DIGITS: i64 = 400;
+
+/// Sweeps of the iteration for a spectral radius.
+const SWEEPS: usize = 200;
+
+/// What is wrong with a plant.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Ill {
+    /// A mode is too fast for the sample period.
+    Fast,
+    /// Rows of C depend on each other.
+    Dependent,
+    /// The input does not reach a mode, or hardly.
+    Uncontrollable { condition: f64, mode: Option<Complex<f64>> },
+    /// What is measured does not show a mode, or hardly.
+    Unobservable { condition: f64, mode: Option<Complex<f64>> },
+}
+
+/// Examines a plant sampled with period `h`, whose input acts `delay` samples late; `disturbed` with
+/// a constant that is added to the input and observed. Gives how many of the states that are
+/// estimated each row of C accounts for; nothing where it shows all of them.
+pub(crate) fn examine(
+    plant: &Linear,
+    h: &BigRational,
+    delay: usize,
+    disturbed: bool,
+    precision: Precision,
+) -> Result<Vec<usize>, Ill> {
+    let limit = match precision {
+        Precision::F64 => 1e8,
+        Precision::F32 => 1e4,
+    };
+    let pair = Pair::linear(plant, h).ok_or(Ill::Fast)?;
+    let late = pair.delayed(delay);
+    let coupled = Coupled::new(plant, h, late.order());
+    let reached = |step: &Matrix| powers(&step.transpose(), &late.gamma, late.order());
+    let condition = condition(reached(&late.phi), &Coupled::none(late.order()))
+        .max(self::condition(reached(&late.step()), &coupled.dual()));
+    if condition > limit || condition.is_nan() {
+        let mode = mode(plant, h, &pair, std::slice::from_ref(&pair.gamma), false);
+        return Err(Ill::Uncontrollable { condition, mode });
+    }
+    if rank(&plant.c) < plant.c.len() {
+        return Err(Ill::Dependent);
+    }
+    if plant.c.len() == plant.b.len() && !disturbed {
+        return Ok(Vec::new());
+    }
+    let unseen = |condition| {
+        // A constant beside the input is one more mode, at 0.
+        let alone = || examine(plant, h, delay, false, precision).is_ok();
+        let mode = match disturbed && alone() {
+            true => Some(Complex::from(0.0)),
+            false => mode(plant, h, &pair, &plant.c, true),
+        };
+        Err(Ill::Unobservable { condition, mode })
+    };
+    let observed = if disturbed { pair.with_disturbance() } else { pair.clone() };
+    let Some(outputs) = Outputs::new(&observed, &plant.c) else { return unseen(f64::INFINITY) };
+    let shown = |step: &Matrix| {
+        let rows = plant.c.iter().zip(&outputs.blocks).flat_map(|(row, size)| {
+            let mut row = row.clone();
+            row.resize(observed.order(), BigRational::zero());
+            powers(step, &row, *size)
+        });
+        rows.collect()
+    };
+    let coupled = Coupled::new(plant, h, observed.order());
+    let condition = self::condition(shown(&observed.phi), &Coupled::none(observed.order()))
+        .max(self::condition(shown(&observed.step()), &coupled));
+    match condition > limit || condition.is_nan() {
+        true => unseen(condition),
+        false => Ok(outputs.blocks),
+    }
+}
+
+/// row, row A, ..., row A^(count-1).
+fn powers(a: &Matrix, row: &[BigRational], count: usize) -> Vec<Vec<BigRational>> {
+    let next = |row: &Vec<BigRational>| Some(rounded(a.after_row(row)));
+    std::iter::successors(Some(row.to_vec()), next).take(count).collect()
+}
+
+/// A row to 2^-400 of its largest entry: without, its digits grow with each power.
+fn rounded(row: Vec<BigRational>) -> Vec<BigRational> {
+    let most = row.iter().map(Signed::abs).max().unwrap_or_default();
+    if most.is_zero() {
+        return row;
+    }
+    let bits = |value: &BigInt| i64::try_from(value.bits()).unwrap_or(i64::MAX);
+    let grid = power(bits(most.numer()) - bits(most.denom()) - DIGITS);
+    row.iter().map(|entry| (entry / &grid).round() * &grid).collect()
+}
+
+/// The units of states that act on each other.
+struct Coupled {
+    /// Of each state a number that those of its group share.
+    groups: Vec<usize>,
+    /// Of each state the power of 2 that is its unit.
+    units: Vec<i64>,
+}
+
+impl Coupled {
+    /// Each state has a unit of its own.
+    fn none(order: usize) -> Self {
+        Self { groups: (0..order).collect(), units: vec![0; order] }
+    }
+
+    /// Those of a plant, with other states behind its own up to `order`.
+    fn new(plant: &Linear, h: &BigRational, order: usize) -> Self {
+        let n = plant.b.len();
+        let mut acts: Vec<Vec<bool>> =
+            plant.a.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
+        for via in 0..n {
+            for i in 0..n {
+                for j in 0..n {
+                    acts[i][j] |= acts[i][via] && acts[via][j];
+                }
+            }
+        }
+        let first = |i: usize| (0..i).find(|j| acts[i][*j] && acts[*j][i]).unwrap_or(i);
+        let mut units = balanced(&Matrix::new(n, n, |i, j| &plant.a[i][j] * h));
+        units.resize(order, 0);
+        Self { groups: (0..order).map(|i| if i < n { first(i) } else { i }).collect(), units }
+    }
+
+    /// The same for what moves the states in place of what shows them.
+    fn dual(self) -> Self {
+        Self { units: self.units.iter().map(|unit| -unit).collect(), ..self }
+    }
+}
+
+/// The spectral radius of |K| |K^-1|, in which the states of a group count together; infinite where K
+/// is singular.
+fn condition(rows: Vec<Vec<BigRational>>, coupled: &Coupled) -> f64 {
+    let (n, rows) = (rows.len(), Matrix::of_rows(rows));
+    let rows = Matrix::new(n, n, |i, j| rows.at(i, j) * power(coupled.units[j]));
+    // Rows of one size: the radius stays, and the numbers stay in range.
+    let size = |i: usize| (0..n).map(|j| rows.at(i, j).abs()).max().unwrap_or_default();
+    let sizes: Vec<_> = (0..n).map(size).collect();
+    if sizes.iter().any(Zero::is_zero) {
+        return f64::INFINITY;
+    }
+    let rows = Matrix::new(n, n, |i, j| rows.at(i, j) / &sizes[i]);
+    let Some(inverse) = rows.inverse() else { return f64::INFINITY };
+    let doubles = |m: &Matrix| {
+        DMatrix::from_fn(n, n, |i, j| m.at(i, j).to_f64().map_or(f64::INFINITY, f64::abs))
+    };
+    let (own, inverse) = (doubles(&rows), doubles(&inverse));
+    let near = |i: usize, j: usize| own[(i, j)];
+    let back = |i: usize, j: usize| inverse[(i, j)];
+    let group = |g: usize| (0..n).filter(move |i| coupled.groups[*i] == g);
+    let entry = |i: usize, j: usize| {
+        let parts = (0..n).map(|g| {
+            let most = group(g).map(|state| near(i, state)).fold(0.0, f64::max);
+            most * group(g).map(|state| back(state, j)).sum::<f64>()
+        });
+        parts.sum()
+    };
+    let product = DMatrix::from_fn(n, n, entry);
+    let mut vector = DMatrix::from_element(n, 1, 1.0);
+    let mut radius = 0.0;
+    for _ in 0..SWEEPS {
+        let next = &product * &vector;
+        radius = next.max();
+        vector = next / radius;
+    }
+    radius
+}
+
+fn rank(rows: &[Vec<BigRational>]) -> usize {
+    let mut kept: Vec<Vec<BigRational>> = rows.to_vec();
+    let mut rank = 0;
+    for column in 0..kept.first().map_or(0, Vec::len) {
+        let Some(pivot) = (rank..kept.len()).find(|i| !kept[*i][column].is_zero()) else {
+            continue;
+        };
+        kept.swap(rank, pivot);
+        let lead = kept[rank].clone();
+        for row in &mut kept[rank + 1..] {
+            let factor = &row[column] / &lead[column];
+            row.iter_mut().zip(&lead).for_each(|(entry, above)| *entry -= &factor * above);
+        }
+        rank += 1;
+    }
+    rank
+}
+
+/// The eigenvalue of A whose mode the input, or what is measured, is furthest from: of the matrices
+/// (D - z, Gamma), z = exp(lambda h) - 1, that with the least singular value.
+fn mode(
+    plant: &Linear,
+    h: &BigRational,
+    pair: &Pair,
+    ports: &[Vec<BigRational>],
+    measured: bool,
+) -> Option<Complex<f64>> {
+    let n = pair.order();
+    let a = Matrix::new(n, n, |i, j| &plant.a[i][j] * h);
+    let units = balanced(&a);
+    let double = |value: BigRational| value.to_f64().unwrap_or(f64::NAN);
+    let scaled = |m: &Matrix, i: usize, j: usize| {
+        let value = double(m.at(i, j) * power(units[j] - units[i]));
+        Complex::from(value)
+    };
+    let own = eigenvalues(DMatrix::from_fn(n, n, |i, j| scaled(&a, i, j).re))?;
+    let step = pair.step();
+    let step = DMatrix::from_fn(n, n, |i, j| match measured {
+        true => scaled(&step, j, i),
+        false => scaled(&step, i, j),
+    });
+    let mut ports = DMatrix::from_fn(n, ports.len(), |i, l| {
+        let unit = power(if measured { units[i] } else { -units[i] });
+        Complex::from(double(&ports[l][i] * unit))
+    });
+    for mut port in ports.column_iter_mut() {
+        let size = port.norm();
+        port /= Complex::from(if size > 0.0 { size } else { 1.0 });
+    }
+    let distance = |value: &Complex<f64>| {
+        let z = value.exp() - 1.0;
+        // All in the size of what the mode itself does in a sample.
+        let size = step.norm().max(f64::MIN_POSITIVE);
+        let whole = DMatrix::from_fn(n, n + ports.ncols(), |i, j| match j < n {
+            true => (step[(i, j)] - if i == j { z } else { Complex::from(0.0) }) / size,
+            false => ports[(i, j - n)],
+        });
+        whole.singular_values().min()
+    };
+    let period = h.to_f64()?;
+    let least = own.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    Some(Complex::new(least.re / period, least.im.abs() / period))
+}

@@ -1,0 +1,41 @@
+//! Linear plants: what a held input makes of them in a sample, and whether they can be controlled and
+//! observed in samples.
+
+mod condition;
+mod eigenvalues;
+mod exponential;
+mod matrix;
+mod outputs;
+mod pair;
+mod poles;
+
+pub(crate) use condition::{Ill, examine};
+pub(crate) use eigenvalues::eigenvalues;
+pub(crate) use matrix::{Matrix, dot};
+pub(crate) use outputs::Outputs;
+pub(crate) use pair::{Pair, binomial, factorial, held};
+pub(crate) use poles::sampled_poles;
+
+use crate::algebra::{BigRational, integer};
+
+/// A linear plant x' = A x + B u, y = C x.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Linear {
+    /// A, by rows.
+    pub a: Vec<Vec<BigRational>>,
+    /// B.
+    pub b: Vec<BigRational>,
+    /// C, by rows.
+    pub c: Vec<Vec<BigRational>>,
+}
+
+impl Linear {
+    /// Whether C is 1.
+    pub fn measures_states(&self) -> bool {
+        let unit = |i: usize, j: usize| if i == j { integer(1) } else { integer(0) };
+        let is_unit = |(i, row): (usize, &Vec<BigRational>)| {
+            row.iter().enumerate().all(|(j, entry)| *entry == unit(i, j))
+        };
+        self.c.len() == self.b.len() && self.c.iter().enumerate().all(is_unit)
+    }
+}

@@ -1,0 +1,137 @@
+//! A linear plant as the controller sees it: its states from y = C x, at once or by an observer.
+//!
+//! The observer is a predictor, xhat_{k+1} = Phi xhat_k + Gamma u_k + G_k (y_k - C xhat_k): corrected
+//! by the current y it would need Phi^-1, and a mode that dies within a sample has none that is of
+//! any use.
+
+use std::ops::{Add, Mul, Sub};
+
+use super::controller::Builder;
+use super::estimates::Named;
+use super::observer::Injection;
+use super::rows::deadbeat_from;
+use crate::algebra::{BigInt, BigRational};
+use crate::code::{Expr, Place, Shape, Statement, Test};
+use crate::internal::fault;
+use crate::linear::{Linear, Matrix, Outputs};
+
+impl Builder<'_> {
+    /// The states from what is measured, where it shows all of them.
+    pub(super) fn states(&self, given: &str) -> Vec<Expr> {
+        let value = |j: usize| Expr::Element(given.to_owned(), j);
+        match &self.sampled.linear {
+            Some(plant) if !self.sampled.measures_states() => {
+                let inverse = Matrix::of_rows(plant.c.clone()).inverse();
+                let inverse = inverse.unwrap_or_else(|| fault("C has no inverse"));
+                (0..self.spec.n).map(|i| combination(&inverse, i, &value)).collect()
+            }
+            _ => (0..self.spec.n).map(value).collect(),
+        }
+    }
+
+    /// The estimates of a linear plant: what was predicted, and the prediction of the next sample.
+    pub(super) fn predicted(&mut self, plant: &Linear, samples: &Expr) -> Vec<Statement> {
+        let real = Shape::Real;
+        let pair = self.sampled_plant(plant);
+        let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
+        let Some(outputs) = Outputs::new(&pair, &plant.c) else {
+            fault("a linear plant is not observable")
+        };
+        let names = self.estimated();
+        self.fields.push(crate::code::Variable::new(
+            "seen",
+            Shape::Count,
+            "1 once y has been measured",
+        ));
+        self.values.push(("seen".to_owned(), Shape::Count, Expr::Count(0)));
+        for name in &names {
+            self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
+            self.remember(&format!("{name}_next"), &format!("prediction of {name} without u"));
+        }
+        let acting = Expr::field(format!("u{}", self.remembered()));
+        let measured = |l: usize| Expr::Element("y".to_owned(), l);
+        let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
+        let mut body = vec![Statement::Note("The estimates; at first what y shows.".to_owned())];
+        body.extend(names.iter().map(|name| Statement::Variable(name.clone(), real)));
+        let shown = shown(&plant.c);
+        let first = names.iter().enumerate().map(|(i, name)| match i < self.spec.n {
+            true => set(name, combination(&shown, i, &measured)),
+            false => set(name, Expr::integer(0)),
+        });
+        let first = first.collect();
+        let mut next = Vec::new();
+        for (i, name) in names.iter().enumerate() {
+            let gamma = Expr::Number(pair.gamma[i].clone());
+            let gamma = self.keep(&format!("gamma{}", i + 1), "prediction from u", gamma);
+            let predicted = Expr::field(format!("{name}_next"));
+            next.push(set(name, predicted.add(gamma.mul(acting.clone()))));
+        }
+        let unseen = Test::CountEqual(Expr::field("seen"), Expr::Count(0));
+        body.push(Statement::If(unseen, first, next));
+        body.push(Statement::Note("Prediction of the next sample.".to_owned()));
+        let state = |j: usize| Expr::local(names[j].clone());
+        let c = Matrix::of_rows(plant.c.clone());
+        let count = plant.c.len();
+        for l in 0..count {
+            let miss = measured(l).sub(combination(&c, l, &state));
+            body.push(Statement::Let(format!("miss{}", l + 1), real, miss));
+        }
+        let miss = |l: usize| Expr::local(format!("miss{}", l + 1));
+        let mixed: Vec<_> = (0..count).map(|i| combination(&outputs.mixing, i, &miss)).collect();
+        let (injections, switch) = self.injections(&outputs);
+        for (mixed, l) in mixed.into_iter().zip(1..) {
+            body.push(Statement::Let(format!("off{l}"), real, mixed));
+        }
+        body.extend(self.gains(&injections, &switch, samples));
+        for (i, name) in names.iter().enumerate() {
+            let mut sum = Expr::integer(0);
+            for j in 0..names.len() {
+                let number = Expr::Number(pair.phi.at(i, j).clone());
+                let about = "prediction from a state";
+                sum = sum.add(
+                    self.keep(&format!("phi{}_{}", i + 1, j + 1), about, number).mul(state(j)),
+                );
+            }
+            for (own, l) in injections.iter().zip(1..) {
+                let gain = Expr::local(format!("l{}{}", own.of, i + 1));
+                sum = sum.add(gain.mul(Expr::local(format!("off{l}"))));
+            }
+            body.push(Statement::Let(format!("{name}_on"), real, sum));
+        }
+        body
+    }
+
+    /// The injections of all blocks, which end together, and where deadbeat takes over.
+    fn injections(&self, outputs: &Outputs) -> (Vec<Named>, BigInt) {
+        let observer = self.observer();
+        let greatest = |size: &usize| deadbeat_from(*size, &observer.greatest);
+        let switch = outputs.blocks.iter().map(greatest).max().unwrap_or_default();
+        let mut first = 0;
+        let mut injections = Vec::new();
+        for (i, size) in outputs.blocks.iter().enumerate() {
+            let recurrence = self.recurrence(first..first + size, &switch);
+            first += size;
+            let injection = Injection::of_block(outputs, i, &recurrence);
+            let of = if outputs.blocks.len() == 1 { String::new() } else { format!("{}_", i + 1) };
+            let units = vec![Expr::integer(1); injection.law.len()];
+            injections.push(Named { of, injection, units });
+        }
+        (injections, switch)
+    }
+}
+
+/// C^T (C C^T)^-1: the least x that shows y.
+fn shown(c: &[Vec<BigRational>]) -> Matrix {
+    let c = Matrix::of_rows(c.to_vec());
+    let back = c.transpose();
+    let inverse = c.times(&back).inverse();
+    back.times(&inverse.unwrap_or_else(|| fault("rows of C depend on each other")))
+}
+
+/// Row `i` of a matrix times values.
+fn combination(matrix: &Matrix, i: usize, value: &dyn Fn(usize) -> Expr) -> Expr {
+    let terms = (0..matrix.transpose().len())
+        .filter(|j| *matrix.at(i, *j) != BigRational::default())
+        .map(|j| Expr::Number(matrix.at(i, j).clone()).mul(value(j)));
+    Expr::sum(terms)
+}

@@ -1,0 +1,72 @@
+//! A linear plant whose input is held: from sample to sample by the matrix exponential.
+
+use num_traits::{FromPrimitive, ToPrimitive};
+
+use super::Failure;
+use super::solver::State;
+use crate::algebra::BigRational;
+use crate::linear::{self, held};
+
+/// Part of a period within which a length counts as the period.
+const SAME: f64 = 1e-9;
+
+/// x' = A x + B u, y = C x.
+#[derive(Clone, Debug)]
+pub(super) struct Linear {
+    plant: linear::Linear,
+    c: Vec<Vec<f64>>,
+    /// A length in s with the rows of (Phi, Gamma).
+    over: Option<(f64, Vec<Vec<f64>>)>,
+}
+
+impl Linear {
+    /// The plant, sampled with period `h`.
+    pub(super) fn new(plant: &linear::Linear, h: Option<&BigRational>) -> Self {
+        let c = plant.c.iter().map(|row| row.iter().map(double).collect()).collect();
+        let mut linear = Self { plant: plant.clone(), c, over: None };
+        if let Some(h) = h {
+            linear.over = linear.rows(h).map(|rows| (double(h), rows));
+        }
+        linear
+    }
+
+    fn rows(&self, h: &BigRational) -> Option<Vec<Vec<f64>>> {
+        let (phi, gamma) = held(&self.plant, h)?;
+        let rows = phi.iter().zip(&gamma);
+        Some(rows.map(|(row, gamma)| row.iter().chain([gamma]).map(double).collect()).collect())
+    }
+
+    /// y.
+    pub(super) fn measured(&self, x: &[f64]) -> Vec<f64> {
+        self.c.iter().map(|row| row.iter().zip(x).map(|(c, x)| c * x).sum()).collect()
+    }
+
+    /// The state after `length` s with u.
+    pub(super) fn after(&mut self, x: State, u: f64, length: f64) -> Result<State, Failure> {
+        let known = self.over.as_ref();
+        let known = known.filter(|(own, _)| (own - length).abs() <= SAME * length);
+        let other = match known {
+            Some(_) => None,
+            None => BigRational::from_f64(length).and_then(|length| self.rows(&length)),
+        };
+        let Some(rows) = known.map(|(_, rows)| rows).or(other.as_ref()) else {
+            return Err(Failure::input(
+                format!("the plant is not sampled with a period of {length} s"),
+                "give a shorter sample_time".to_owned(),
+            ));
+        };
+        let mut next = x;
+        for (i, row) in rows.iter().enumerate() {
+            let states = row.iter().zip(x.as_slice()).take(rows.len());
+            next[i] = states.map(|(factor, x)| factor * x).sum::<f64>() + row[rows.len()] * u;
+            if !next[i].is_finite() {
+                return Err(Failure::range());
+            }
+        }
+        Ok(next)
+    }
+}
+
+fn double(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
