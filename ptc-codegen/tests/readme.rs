@@ -176,12 +176,14 @@ fn pages_show_what_is_printed() {
     }
     for (name, page) in PAGES {
         for block in blocks_of(page, "console") {
-            let (line, shown) = block.split_once('\n').expect("a command and its output");
-            let line = line.strip_prefix("$ ").expect("a command");
-            if line.contains("--engine symbolica") && !cfg!(feature = "symbolica") {
-                continue;
+            let session = block.strip_prefix("$ ").expect("a command").replace("\n$ ", "\n\0");
+            for part in session.split('\0') {
+                let (line, shown) = part.split_once('\n').expect("a command and its output");
+                if line.contains("--engine symbolica") && !cfg!(feature = "symbolica") {
+                    continue;
+                }
+                assert_eq!(printed(line, &folder), shown, "docs/{name}: {line}");
             }
-            assert_eq!(printed(line, &folder), shown, "docs/{name}: {line}");
         }
     }
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
