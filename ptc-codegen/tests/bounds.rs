@@ -136,6 +136,10 @@ fn self_tests_end() {
     }
     let output = run(&[&own[..], &["--n=16", "--mu=tan"]].concat());
     assert!(output.status.success());
+    // A parameter that is chosen is looked up in the mapping.
+    let term = |k: usize| format!("p{k}*dt/(q{k}+dt^2)");
+    let kappa = format!("--kappa=dt/(tau-dt)+{}", (0..60).map(term).collect::<Vec<_>>().join("+"));
+    refused(&[&own[..], &["--n=16", &kappa]].concat(), &["steps of work"]);
     // Each trial asks for each of its parameters.
     let term = |k: usize| format!("(p{}*xi{}+p{}*dt)", k % 60, 1 + k % 8, (7 * k) % 60);
     let law = format!("--pi0={}", (0..190).map(term).collect::<Vec<_>>().join("+"));

@@ -1,5 +1,7 @@
 //! A mapping that the user wrote down, in the form in which it is computed.
 
+use std::collections::BTreeSet;
+
 use crate::expression::decaying::decaying;
 use crate::expression::effort::{bounded, completed};
 use crate::expression::leading::{Decay, Limit};
@@ -14,6 +16,8 @@ pub struct Custom {
     pub subject: Subject,
     /// The expression as it was given.
     pub given: Expression,
+    /// The parameters in it.
+    pub parameters: BTreeSet<Parameter>,
     /// The form in which it is computed.
     pub form: Form,
 }
@@ -110,7 +114,7 @@ impl Custom {
             }
         });
         match form.filter(|_| enough) {
-            Some(form) => Ok(Self { subject, given, form }),
+            Some(form) => Ok(Self { subject, parameters: given.parameters(), given, form }),
             None => {
                 let (size, most) = (given.size(), EFFORT.most);
                 let message = format!(

@@ -55,7 +55,8 @@ impl<'a> Interpreter<'a> {
 
     /// The numbers that several values take, each operation done once.
     pub fn values(&mut self, values: &[Value]) -> Vec<f64> {
-        for needed in self.program.needed(values) {
+        let unknown: Vec<_> = values.iter().copied().filter(|value| !self.known[value.0]).collect();
+        for needed in self.program.needed(&unknown) {
             let definition = self.program.get(needed);
             if self.known[needed.0] || definition.looped {
                 continue;

@@ -3,6 +3,8 @@
 //! What the emitted code computes in `init`, `arm`, `tick` and `step` is run stage by stage, without
 //! a search and, but for the loops of [`Op::Rows`], without an allocation.
 
+use std::sync::Arc;
+
 use super::arithmetic::{Arithmetic, way};
 use super::{Input, Op, Program, Root, Stage, Value, number, rows};
 use crate::parameter::Precision;
@@ -14,10 +16,17 @@ pub type UserLaw<'a> = &'a dyn Fn(&[f64]) -> f64;
 #[derive(Clone, Debug)]
 pub struct Machine {
     precision: Precision,
+    /// The same for all copies.
+    plan: Arc<Plan>,
+    slots: Slots,
+}
+
+/// What is computed, and when.
+#[derive(Clone, Debug)]
+struct Plan {
     steps: Vec<Step>,
     /// Of each stage, the values that become known in it, in order of computation.
     due: [Vec<usize>; 5],
-    slots: Slots,
 }
 
 /// What the values are at present.
@@ -65,7 +74,8 @@ impl Machine {
             arrays: vec![Vec::new(); count],
             arguments: Vec::new(),
         };
-        let mut machine = Self { precision: program.precision, steps, due, slots };
+        let plan = Arc::new(Plan { steps, due });
+        let mut machine = Self { precision: program.precision, plan, slots };
         for (index, definition) in program.values.iter().enumerate() {
             if definition.stage == Stage::Generation {
                 machine.compute(index, None, &mut |_, _| {});
@@ -76,15 +86,15 @@ impl Machine {
 
     /// Where `input` is held, if the outputs ask for it.
     pub fn slot(&self, input: Input) -> Option<Slot> {
-        let mut asked = self.due.iter().flatten();
+        let mut asked = self.plan.due.iter().flatten();
         asked
-            .find(|i| matches!(&self.steps[**i], Step::Given(Some(own)) if *own == input))
+            .find(|i| matches!(&self.plan.steps[**i], Step::Given(Some(own)) if *own == input))
             .map(|i| Slot(*i))
     }
 
     /// The inputs that the outputs ask for.
     pub fn inputs(&self) -> impl Iterator<Item = (Input, Slot)> {
-        self.due.iter().flatten().filter_map(|i| match &self.steps[*i] {
+        self.plan.due.iter().flatten().filter_map(|i| match &self.plan.steps[*i] {
             Step::Given(Some(input)) => Some((*input, Slot(*i))),
             _ => None,
         })
@@ -99,13 +109,13 @@ impl Machine {
 
     /// Computes what the inputs of `stage` decide, those of earlier stages being computed.
     pub fn run(&mut self, stage: Stage, law: Option<UserLaw<'_>>) {
-        for index in &self.due[stage as usize] {
+        for index in &self.plan.due[stage as usize] {
             // Nobody watches which way it takes.
-            if let Step::Arithmetic(arithmetic) = &self.steps[*index] {
+            if let Step::Arithmetic(arithmetic) = &self.plan.steps[*index] {
                 let numbers = &mut self.slots.numbers;
                 numbers[*index] = arithmetic.result(|i| numbers[i], self.precision);
             } else {
-                self.slots.compute(&self.steps, *index, self.precision, law, &mut |_, _| {});
+                self.slots.compute(&self.plan.steps, *index, self.precision, law, &mut |_, _| {});
             }
         }
     }
@@ -117,12 +127,12 @@ impl Machine {
 
     /// The values that become known in a stage.
     pub(super) fn due(&self, stage: Stage) -> &[usize] {
-        &self.due[stage as usize]
+        &self.plan.due[stage as usize]
     }
 
     /// How a value comes about, where numbers alone decide it.
     pub(super) fn arithmetic(&self, index: usize) -> Option<Arithmetic> {
-        match &self.steps[index] {
+        match &self.plan.steps[index] {
             Step::Arithmetic(arithmetic) => Some(*arithmetic),
             _ => None,
         }
@@ -130,12 +140,12 @@ impl Machine {
 
     /// Computes a value otherwise from here on.
     pub(super) fn replace(&mut self, index: usize, arithmetic: Arithmetic) {
-        self.steps[index] = Step::Arithmetic(arithmetic);
+        Arc::make_mut(&mut self.plan).steps[index] = Step::Arithmetic(arithmetic);
     }
 
     /// Computes one value from its operands.
     pub(super) fn compute(&mut self, index: usize, law: Option<UserLaw<'_>>, watch: Watch<'_>) {
-        self.slots.compute(&self.steps, index, self.precision, law, watch);
+        self.slots.compute(&self.plan.steps, index, self.precision, law, watch);
     }
 
     /// Sets one value, whatever it is.

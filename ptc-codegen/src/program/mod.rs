@@ -309,16 +309,16 @@ impl Program {
 
     /// The values needed for `roots`, in order of computation.
     pub fn needed(&self, roots: &[Value]) -> Vec<Value> {
-        let mut wanted = vec![false; self.values.len()];
+        let mut wanted = vec![false; roots.iter().map(|root| root.0 + 1).max().unwrap_or(0)];
         for root in roots {
             wanted[root.0] = true;
         }
-        for index in (0..self.values.len()).rev() {
+        for index in (0..wanted.len()).rev() {
             if wanted[index] {
                 self.values[index].op.each_operand(|operand| wanted[operand.0] = true);
             }
         }
-        (0..self.values.len()).filter(|i| wanted[*i]).map(Value).collect()
+        (0..wanted.len()).filter(|i| wanted[*i]).map(Value).collect()
     }
 
     /// The stage at which `op` is known, from its operands.

@@ -301,8 +301,7 @@ impl Spec {
 
     /// Legal values of a parameter of its kind, whatever bounds the user gave.
     fn kind(&self, parameter: Parameter) -> Domain {
-        let maps =
-            self.custom().is_some_and(|custom| custom.given.parameters().contains(&parameter));
+        let maps = self.custom().is_some_and(|custom| custom.parameters.contains(&parameter));
         match parameter {
             Parameter::Named(_) if maps => Domain::Positive,
             parameter => parameter.domain(),

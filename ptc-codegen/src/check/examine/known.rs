@@ -97,7 +97,7 @@ pub(crate) fn decay(spec: &Spec) -> Decay {
                 None => exact(spec, *p),
             };
             let positive = |p: &Parameter| lowest(p).is_none_or(|least| least.is_positive());
-            let found = custom.given.parameters().iter().all(positive);
+            let found = custom.parameters.iter().all(positive);
             let Some(found) = found.then(|| custom.decay(spec.n, &fixed)).flatten() else {
                 return Decay { rate: Rate::NotFound, modes: Modes::Open };
             };

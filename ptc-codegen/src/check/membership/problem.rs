@@ -41,7 +41,7 @@ impl<'a> Problem<'a> {
             }
             _ => None,
         };
-        let parameters = custom.given.parameters();
+        let parameters = &custom.parameters;
         let positive =
             parameters.iter().all(|p| ranges(*p).is_none_or(|(low, _)| low.is_positive()));
         let w = Variable::TimeToGo;
