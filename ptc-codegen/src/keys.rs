@@ -1,5 +1,7 @@
 //! The keys of a design: tables that feed the reader, the help, the docs and the diagnostics.
 
+pub mod verify;
+
 /// A key of a spec.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyInfo {

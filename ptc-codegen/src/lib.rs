@@ -28,19 +28,19 @@ pub mod lower;
 pub mod mapping;
 pub mod parameter;
 pub mod plant;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 pub mod plot;
 pub mod program;
 pub mod reference;
 pub mod request;
 pub mod samples;
 pub mod selftest;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 pub mod simulate;
 pub mod syntax;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub mod synthesis;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub mod verify;
 
 use check::examine::{Report, examine};

@@ -282,7 +282,7 @@ fn the_template_tells_every_key_and_is_a_design() {
     }
 }
 
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 #[test]
 fn the_template_tells_what_verify_reads() {
     use ptc_codegen::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};

@@ -1,6 +1,6 @@
 //! `design` as it is run: wishes that exact solutions say can be met, wishes that cannot, what is
 //! given and kept, and bad input.
-#![cfg(all(feature = "cli", feature = "campaign"))]
+#![cfg(feature = "lab")]
 
 mod support;
 

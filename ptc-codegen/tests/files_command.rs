@@ -1,5 +1,5 @@
 //! Any output can be pointed at anything, and nothing is lost that was not the tool's own.
-#![cfg(all(unix, feature = "campaign"))]
+#![cfg(all(unix, feature = "lab"))]
 
 mod support;
 

@@ -1,6 +1,6 @@
 //! The published controllers of examples/reproductions: their numbers, and their figures as they are
 //! drawn. `UPDATE_GOLDEN=1` writes the figures anew.
-#![cfg(all(feature = "cli", feature = "simulation"))]
+#![cfg(feature = "lab")]
 
 mod support;
 
@@ -127,7 +127,7 @@ fn example_4_of_the_letter() {
 }
 
 /// |x| <= phi |x(0)| is a theorem, for initial states of both signs.
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 #[test]
 fn example_4_of_the_letter_with_boxes() {
     let text = fs::read_to_string(home().join("example4_boxes.toml")).expect("a design");

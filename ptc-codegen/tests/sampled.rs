@@ -1,5 +1,5 @@
 //! The sampled loop: the emitted C in it bit for bit, and what an actuator and a sensor add.
-#![cfg(all(feature = "simulation", unix))]
+#![cfg(all(feature = "lab", unix))]
 
 mod support;
 

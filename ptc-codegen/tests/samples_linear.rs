@@ -349,7 +349,7 @@ fn after_observer_places_the_poles() {
 }
 
 /// The worst case of the check is the worst corner of simulated runs.
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 #[test]
 fn the_check_and_the_simulation_judge_one_plant() {
     use ptc_codegen::plant::Plant;

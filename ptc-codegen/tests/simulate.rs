@@ -1,5 +1,5 @@
 //! Simulated trajectories against exact solutions, reference values and each other.
-#![cfg(feature = "simulation")]
+#![cfg(feature = "lab")]
 
 mod support;
 

@@ -1,5 +1,5 @@
 //! `simulate` on the command line: the CSV, and what is told of bad input.
-#![cfg(all(feature = "cli", feature = "simulation"))]
+#![cfg(feature = "lab")]
 
 mod support;
 

@@ -1,5 +1,6 @@
 //! `verify` as it is run: objectives with known answers, parts that merge exactly, runs that are
 //! interrupted, and bad input.
+#![cfg(feature = "lab")]
 
 mod support;
 

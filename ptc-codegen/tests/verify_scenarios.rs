@@ -1,5 +1,6 @@
 //! Scenarios of a verification: draws, corners, what is printed and run again, and the worst signals
 //! that a search finds, against closed solutions.
+#![cfg(feature = "lab")]
 
 mod support;
 

@@ -14,7 +14,9 @@ pub(super) fn generator() -> Result<PathBuf> {
     let own = std::env::current_exe()?;
     let folder = own.parent().context("this program is in a folder")?;
     let mut cargo = Command::new("cargo");
-    cargo.args(["build", "--quiet", "--package", "ptc-codegen"]).current_dir(workspace());
+    cargo
+        .args(["build", "--quiet", "--package", "ptc-codegen", "--features", "lab"])
+        .current_dir(workspace());
     if folder.ends_with("release") {
         cargo.arg("--release");
     }

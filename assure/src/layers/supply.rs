@@ -28,8 +28,7 @@ const CARGO_SBOM: Tool = Tool {
 
 pub(super) const LAYER: Layer = Layer {
     name: "supply",
-    claim: "Every dependency has a permissive licence, but for those of the feature `symbolica`, and \
-            comes from crates.io at the version of the lock file, the bill of materials of a \
+    claim: "Every dependency has a permissive licence and comes from crates.io at the version of the lock file, the bill of materials of a \
             release names all of them, and the generator gives the same bytes in any environment.",
     tools: &[CARGO_DENY, CARGO_SBOM],
     run,

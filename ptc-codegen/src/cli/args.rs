@@ -23,7 +23,9 @@ Examples:
   ptc-codegen simulate roll.toml --x0 0.1,0           its closed loop, as CSV
   ptc-codegen verify roll.toml                        its objectives, over scenarios
   ptc-codegen design wish.toml -o roll.toml           chooses mapping and poles for them
-  ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4";
+  ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
+
+simulate, verify and design need a build with `--features lab`.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -50,37 +52,30 @@ pub(crate) enum Command {
     )]
     Show(super::show::Show),
     /// Run the closed loop of a design with its plant
-    #[cfg(feature = "simulation")]
     #[command(
-        after_help = with_exit_codes(super::simulate::EXAMPLES),
+        after_help = with_exit_codes(super::lab::SIMULATE_EXAMPLES),
         override_usage = "ptc-codegen simulate <DESIGN> --x0 <X1,...,XN> [OPTIONS]\n       \
                           ptc-codegen simulate --n <N> --mu <MU> --plant <NAME=VALUE> --x0 <X1,...,XN> [OPTIONS]"
     )]
-    Simulate(super::simulate::Simulate),
+    Simulate(super::lab::Simulate),
     /// Verify the closed loop against its objectives, for all that is uncertain
-    #[cfg(feature = "campaign")]
     #[command(
-        after_help = with_exit_codes(super::verify::EXAMPLES),
+        after_help = with_exit_codes(super::lab::VERIFY_EXAMPLES),
         override_usage = "ptc-codegen verify <DESIGN> [OPTIONS]\n       \
                           ptc-codegen verify <DESIGN> --shard <I/N> --out <FILE> [OPTIONS]\n       \
                           ptc-codegen verify <DESIGN> --merge <FILES>... [OPTIONS]"
     )]
-    Verify(super::verify::Verify),
+    Verify(super::lab::Verify),
     /// Choose the mapping and the poles of a design so that its objectives hold
-    #[cfg(feature = "campaign")]
     #[command(
-        after_help = with_exit_codes(super::design::EXAMPLES),
+        after_help = with_exit_codes(super::lab::DESIGN_EXAMPLES),
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
-    Design(super::design::Request),
+    Design(super::lab::Design),
     /// Write a design file to begin with, which tells every key
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
     /// Print the families of time mappings and their parameters
     #[command(after_help = with_exit_codes(super::list::EXAMPLES))]
     List(super::list::List),
-    /// Answers one request of the engine `symbolica`, in a process of its own
-    #[cfg(feature = "symbolica")]
-    #[command(name = super::engine::symbolica::WORKER, hide = true)]
-    SymbolicaWorker,
 }

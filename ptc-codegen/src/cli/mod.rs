@@ -5,27 +5,32 @@
 pub(crate) mod args;
 mod check;
 mod compare;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 mod design;
 mod emit;
 mod engine;
 mod flags;
 mod fmu;
+#[cfg(feature = "lab")]
+mod lab;
+#[cfg(not(feature = "lab"))]
+#[path = "without_lab.rs"]
+mod lab;
 mod list;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 mod mathml;
 mod new;
 mod output;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 mod page;
 mod project;
 mod read;
 mod report;
 mod show;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 mod simulate;
 mod source;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 mod verify;
 mod write;
 
@@ -42,10 +47,6 @@ use report::Failure;
 /// Runs the command that the process was started with.
 pub(crate) fn run() -> ExitCode {
     let command = CommandLine::try_parse().unwrap_or_else(|wrong| refuse(&wrong)).command;
-    #[cfg(feature = "symbolica")]
-    if let Command::SymbolicaWorker = command {
-        return engine::symbolica::worker::run();
-    }
     // A panic is told as the fault that it is; of the hook's text its place is left.
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!("at {place}:\n"));
@@ -78,15 +79,10 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Emit(request) => emit::emit(&request),
         Command::Check(request) => check::check(&request),
         Command::Show(request) => write::to_stdout(&show::show(&request)?),
-        #[cfg(feature = "simulation")]
-        Command::Simulate(request) => simulate::simulate(&request),
-        #[cfg(feature = "campaign")]
-        Command::Verify(request) => verify::verify(&request),
-        #[cfg(feature = "campaign")]
-        Command::Design(request) => design::design(&request),
+        Command::Simulate(request) => lab::simulate(&request),
+        Command::Verify(request) => lab::verify(&request),
+        Command::Design(request) => lab::design(&request),
         Command::New(request) => new::new(&request),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
-        #[cfg(feature = "symbolica")]
-        Command::SymbolicaWorker => Ok(()),
     }
 }

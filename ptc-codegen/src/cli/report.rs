@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use ptc_codegen::diagnostic::{visible, visible_line};
 use ptc_codegen::internal::{INTERNAL, Internal};
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 use ptc_codegen::simulate::{self, Cause};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -83,7 +83,7 @@ impl Failure {
     }
 }
 
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 impl From<simulate::Failure> for Failure {
     fn from(failure: simulate::Failure) -> Self {
         let notice = Notice { help: Some(failure.help), ..Notice::of(failure.message) };
@@ -148,7 +148,7 @@ pub(crate) struct Quote {
 }
 
 /// Prints a line that nothing has to be done about.
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 pub(crate) fn note(text: &str) {
     // Where the standard error is closed there is nobody left to tell.
     let _ = writeln!(std::io::stderr(), "note: {}", visible(text));

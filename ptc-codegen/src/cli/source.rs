@@ -74,13 +74,13 @@ impl Source {
     }
 
     /// Notes one `--plant NAME=VALUE`.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn give_plant(&mut self, text: &str) {
         self.give_named(plant::TABLE, "--plant", text);
     }
 
     /// Notes a flag of another name than its key's.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn give_key(&mut self, key: &str, name: &str, text: &str) {
         let flag =
             Flag { key: key.to_owned(), name: name.to_owned(), text: text.to_owned(), value: 0 };
@@ -98,25 +98,25 @@ impl Source {
     }
 
     /// The text of the design file, if there is one.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn text(&self) -> Option<&str> {
         self.file.as_ref().map(|(_, text)| text.as_str())
     }
 
     /// The flags with what is written after them, in their order.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn flags(&self) -> impl Iterator<Item = (&str, &str)> {
         self.given.iter().map(|flag| (flag.name.as_str(), flag.text.as_str()))
     }
 
     /// Whether a flag gives `key`.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn gives(&self, key: &str) -> bool {
         self.given.iter().any(|flag| flag.key == key)
     }
 
     /// The same with one of the values that the flag of `key` lists, for each of them.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn each(&self, key: &str) -> Vec<Self> {
         let Some(index) = self.given.iter().position(|flag| flag.key == key) else {
             return vec![self.clone()];

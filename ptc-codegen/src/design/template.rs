@@ -1,6 +1,7 @@
 //! A design file to begin with, made of the table of keys so that it tells them all.
 
 use super::TABLES;
+use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
 use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use crate::plant;
 use crate::syntax::number;
@@ -28,18 +29,14 @@ pub fn template(name: Option<&str>) -> String {
             text.extend(PLANT_KEYS.iter().map(|info| entry(info, None)));
         }
     }
-    #[cfg(feature = "campaign")]
     text.push_str(&of_verify());
     text
 }
 
 /// The tables of `verify`, and of `design`.
-#[cfg(feature = "campaign")]
 fn of_verify() -> String {
-    use crate::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
-
     let mut text = format!("\n[disturbance]\n{}\n[verify]\n", entry(&DISTURBANCE, None));
-    text.extend(std::iter::once(&INITIAL_STATE).chain(&KEYS).map(|info| entry(info, None)));
+    text.extend(std::iter::once(&INITIAL_STATE).chain(&verify::KEYS).map(|info| entry(info, None)));
     text.push_str("\n# What has to hold: a table for each objective.\n# [[objective]]\n");
     text.extend(OBJECTIVE_KEYS.iter().map(|info| entry(info, None)));
     text

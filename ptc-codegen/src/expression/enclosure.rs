@@ -49,26 +49,26 @@ impl Evaluator {
     }
 
     /// The same with all of the work left; the constants of its functions, which take long, are kept.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn again(&mut self) -> &mut Self {
         self.left = MAX_OPERATIONS;
         self
     }
 
     /// A function of an interval.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn call(&mut self, function: Function, x: &Interval) -> Option<Interval> {
         Some(x.call(function, self.cache.as_mut()?))
     }
 
     /// x^exponent of a positive x.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn power(&mut self, x: &Interval, exponent: &Interval) -> Option<Interval> {
         Some(x.power(exponent, self.cache.as_mut()?))
     }
 
     /// The values of an expression that has one for every argument.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn sound(&mut self, expression: &Expression, names: &Names) -> Option<Interval> {
         let value = self.again().value(expression, names)?;
         (value.existence == Existence::Certain).then_some(value.interval)

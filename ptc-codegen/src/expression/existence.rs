@@ -19,7 +19,7 @@ pub(crate) enum Condition {
 
 impl Condition {
     /// Whether a number meets it; NaN and infinities meet none.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn holds(self, value: f64) -> bool {
         value.is_finite()
             && match self {

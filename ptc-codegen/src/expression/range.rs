@@ -33,7 +33,7 @@ impl From<f64> for Range {
 }
 
 // Without campaigns only what encloses the sampled loop is used.
-#[cfg_attr(not(feature = "campaign"), allow(dead_code))]
+#[cfg_attr(not(feature = "lab"), allow(dead_code))]
 impl Range {
     pub(crate) const WHOLE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 

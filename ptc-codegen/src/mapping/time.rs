@@ -36,7 +36,7 @@ impl TimeMapping {
     }
 
     /// The form in which it is computed.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn form(&self) -> Form {
         match self {
             Self::Family { family, .. } => match self.complement() {

@@ -12,7 +12,6 @@ pub mod bound;
 mod corner;
 mod course;
 mod kernel;
-mod keys;
 pub mod objective;
 mod read;
 pub mod record;
@@ -25,9 +24,9 @@ mod tally;
 mod trial;
 mod verdict;
 
+pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use corner::Corners;
 pub use course::{Course, Signal};
-pub use keys::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use objective::{Kind, Level, Objective};
 pub use read::{read, read_with_plant};
 pub use run::{Done, chunks, sample};

@@ -1,6 +1,6 @@
 //! `--report` of `simulate` and `verify`: what the page holds, that it holds it alone, and what is
 //! left where a run fails. `cargo assure report` opens it in a browser.
-#![cfg(all(feature = "cli", feature = "campaign"))]
+#![cfg(feature = "lab")]
 
 mod mathml;
 #[path = "../support/mod.rs"]

@@ -16,7 +16,6 @@ const LONG: &str = "{\"n\":16,\"bell\":true,\"r1\":\"v0 v1 v2 v3 +4 200 ^\",\
 const R2: &str = "r2 = -a^2*T";
 
 /// A lock that is held.
-#[clippy::msrv = "1.89"]
 fn held(path: &Path) -> File {
     fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
     let file = File::create(path).expect("a file");
@@ -39,6 +38,7 @@ fn start() -> Child {
 
 /// Two runs while a third holds the allowance: both wait, then one after the other succeeds.
 #[test]
+#[ignore = "needs the engine"]
 fn runs_take_turns() {
     let turn = held(&shared());
     let mut waiting = [start(), start()];
@@ -59,6 +59,7 @@ fn runs_take_turns() {
 }
 
 #[test]
+#[ignore = "needs the engine"]
 fn a_turn_that_does_not_come_is_told() {
     let path = super::folder("held").join("lock");
     let _turn = held(&path);
@@ -79,10 +80,11 @@ fn a_turn_that_does_not_come_is_told() {
 
 /// An instance that takes no turn, as another program of the user's, lets Symbolica abort.
 #[test]
+#[ignore = "needs the engine"]
 fn an_abort_names_its_cause() {
     let _turn = held(&shared());
-    let mut other = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    other.arg("symbolica-worker").stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut other = Command::new(super::engine());
+    other.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut other = other.spawn().expect("the binary runs");
     let (sender, banner) = channel();
     let lines = BufReader::new(other.stdout.take().expect("a pipe")).lines();
@@ -112,10 +114,11 @@ fn an_abort_names_its_cause() {
 
 /// SIGKILL cannot be caught: a worker sees by the end of its request that nobody waits.
 #[test]
+#[ignore = "needs the engine"]
 fn a_worker_ends_with_the_process_that_asks() {
     let _turn = held(&shared());
-    let mut worker = Command::new(env!("CARGO_BIN_EXE_ptc-codegen"));
-    worker.arg("symbolica-worker").stdin(Stdio::piped()).stdout(Stdio::null());
+    let mut worker = Command::new(super::engine());
+    worker.stdin(Stdio::piped()).stdout(Stdio::null());
     let mut worker = worker.stderr(Stdio::null()).spawn().expect("the binary runs");
     let mut input = worker.stdin.take().expect("a pipe");
     input.write_all(LONG.as_bytes()).expect("a request");

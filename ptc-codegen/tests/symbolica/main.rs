@@ -1,7 +1,9 @@
 //! The engine `symbolica`, through the command line alone: against the published tables, against the
 //! reference vectors of the repository by emitted C, and where it may not run.
 //!
-//! The library's own engine is no party to it: neither is compared with the other.
+//! The library's own engine is no party to it: neither is compared with the other. The tests are run
+//! by whoever may run Symbolica: `PTC_ENGINE_PROGRAM=PATH cargo test --test symbolica -- --ignored`.
+#![cfg(feature = "cli")]
 
 mod allowance;
 mod emitted;
@@ -11,6 +13,11 @@ mod tables;
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
+
+/// The program that is the engine.
+fn engine() -> std::ffi::OsString {
+    std::env::var_os("PTC_ENGINE_PROGRAM").expect("the path of ptc-engine-symbolica")
+}
 
 /// The command with the engine asked for.
 fn command(arguments: &[&str]) -> Command {

@@ -64,6 +64,7 @@ fn terms(terms: Terms) -> Value {
 }
 
 #[test]
+#[ignore = "needs the engine"]
 fn the_published_tables() {
     let shown = super::stdout(&["show", "tables", "--n", "5", "--format", "json"]);
     let shown: Value = serde_json::from_str(&shown).expect("JSON");
@@ -82,6 +83,7 @@ fn the_published_tables() {
 /// The Bell polynomials that every table of them holds, and those of the exponential mapping, which
 /// are the Stirling numbers of the second kind.
 #[test]
+#[ignore = "needs the engine"]
 fn bell_polynomials() {
     let shown = super::stdout(&["show", "bell", "--n", "4"]);
     for line in

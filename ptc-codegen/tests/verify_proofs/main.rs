@@ -1,5 +1,6 @@
 //! What `verify` proves: `drawn`, random loops against dense samples of exact solutions; `spelt`,
 //! expressions, reasons and precisions.
+#![cfg(feature = "lab")]
 
 mod drawn;
 mod loops;

@@ -46,7 +46,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// What stands for a stretch of time-to-go.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn held(&self) -> &[Value] {
         &self.held
     }

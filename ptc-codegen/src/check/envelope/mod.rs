@@ -12,13 +12,13 @@ mod interval;
 mod report;
 
 pub use interval::Interval;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub(crate) use interval::{apply, outward};
 
 use bounds::Bounds;
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub(crate) use report::describe;
-#[cfg(not(feature = "campaign"))]
+#[cfg(not(feature = "lab"))]
 use report::describe;
 use report::input_name;
 

@@ -3,13 +3,8 @@
 //! The library's own engine expands where a form is needed. Another one is asked once, before the
 //! checks, and what it gives goes with the report of the checks to every later stage.
 
-#[cfg(feature = "symbolica")]
-pub(crate) mod symbolica;
-#[cfg(not(feature = "symbolica"))]
-#[path = "absent.rs"]
-mod symbolica;
-
 mod part;
+mod symbolica;
 
 use clap::ValueEnum;
 use ptc_codegen::expansion::{self, ClosedForms, Expanded};
@@ -33,7 +28,7 @@ impl Engine {
     /// The closed forms of `ring` to order `n`; without B_{i,j} where `part` does not ask for them.
     ///
     /// # Errors
-    /// The engine is not built in, may not run, or gives no answer.
+    /// The engine is not installed, may not run, or gives no answer.
     pub(crate) fn expand(
         self,
         n: usize,

@@ -10,10 +10,10 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub(crate) use place::same_file;
 pub(crate) use place::{Kind, Place};
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub(crate) use temporary::watch;
 pub(crate) use temporary::{Folder, Temporary, TemporaryFolder, commit};
 
@@ -42,7 +42,7 @@ impl Outputs {
     }
 
     /// Plans a file, if a flag gives one.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn optional(
         &mut self,
         name: &str,
@@ -55,7 +55,7 @@ impl Outputs {
     ///
     /// # Errors
     /// It cannot be written, is read by the command, or another output goes there.
-    #[cfg(feature = "simulation")]
+    #[cfg(feature = "lab")]
     pub(crate) fn file(&mut self, name: &str, path: &Path) -> Result<Place, Failure> {
         let place = self.claim(name, path)?;
         match place.kind {
@@ -71,13 +71,13 @@ impl Outputs {
     ///
     /// # Errors
     /// Another file goes there, or is there.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn reserve(&mut self, name: &str, path: &Path) -> Result<(), Failure> {
         self.claim(name, path).map(|_| ())
     }
 
     /// Prints the result: to the standard error if a file is written to the standard output.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn tell(&self, text: &str) -> Result<(), Failure> {
         if self.outputs.iter().any(|(_, place)| place.is_standard_output()) {
             // Where it is closed there is nobody left to tell.
@@ -253,7 +253,7 @@ pub(crate) fn holds(path: &Path, there: &Metadata, content: &[u8]) -> bool {
 }
 
 /// Finds before the work what would fail after it.
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     let wrong = |error: &io::Error| unwritable(name, &place.shown, error);
     match &place.kind {
@@ -273,7 +273,7 @@ fn writable(name: &str, place: &Place) -> Result<(), Failure> {
     }
 }
 
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 fn not_a_file(name: &str, path: &Path, what: &str) -> Failure {
     Failure::because(
         format!("{name} {} is {what}", path.display()),
@@ -289,7 +289,7 @@ fn unwritable(name: &str, path: &Path, error: &io::Error) -> Failure {
 }
 
 /// The path of a file beside another, whose name has `suffix` after it.
-#[cfg(feature = "campaign")]
+#[cfg(feature = "lab")]
 pub(crate) fn with_suffix(path: &Path, suffix: &str) -> std::path::PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(suffix);

@@ -5,7 +5,7 @@ mod args;
 mod json;
 mod latex;
 mod law;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 mod mathml;
 mod sheet;
 mod text;
@@ -26,7 +26,7 @@ use args::Format;
 pub(crate) use args::{EXAMPLES, Show, Subject};
 
 use super::engine::{Engine, Part};
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 use super::mathml::Math;
 use super::report::Failure;
 use super::source::Source;
@@ -52,7 +52,7 @@ pub(crate) fn show(request: &Show) -> Result<String, Failure> {
 
 /// The closed forms of a design as formulas. Those of a mapping of which no ring is known are in
 /// the derivatives of an abstract one, and BB_n and b_n in r_k where kappa is found by an iteration.
-#[cfg(feature = "simulation")]
+#[cfg(feature = "lab")]
 pub(crate) fn formulas(subject: Subject, spec: &Spec) -> Result<Vec<Math>, Failure> {
     let engine = Engine::Ptc;
     let sheet = match (spec.family(), spec.ring()) {

@@ -217,7 +217,7 @@ impl Interval {
     }
 
     /// The numbers that both hold, of which there is one at least.
-    #[cfg(feature = "campaign")]
+    #[cfg(feature = "lab")]
     pub(crate) fn common(&self, other: &Self) -> Self {
         Self { low: self.low.max(&other.low), high: self.high.min(&other.high) }
     }

@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::ToPrimitive;
 
-use super::keys::KEYS;
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::expression::Expression;
+use crate::keys::verify::KEYS;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec};

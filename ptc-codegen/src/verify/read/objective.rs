@@ -2,9 +2,9 @@
 
 use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::keys::verify::OBJECTIVE_KEYS;
 use crate::request::known;
 use crate::syntax::Value;
-use crate::verify::keys::OBJECTIVE_KEYS;
 use crate::verify::{Kind, Objective};
 
 impl Reader<'_> {

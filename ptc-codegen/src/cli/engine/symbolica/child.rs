@@ -10,11 +10,7 @@ use std::{fmt, thread};
 
 use serde_json::Value;
 
-/// What stands before an answer in its line: all other lines are what Symbolica tells a user.
-pub(super) const MARK: &str = "ptc-answer: ";
-
-/// What a worker ends with where it does not understand its request.
-pub(super) const REFUSED: u8 = 3;
+use super::words::{MARK, REFUSED};
 
 /// Time between two looks at the child.
 const PAUSE: Duration = Duration::from_millis(5);
@@ -50,6 +46,9 @@ pub(super) enum Wrong {
 impl fmt::Display for Wrong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Start(error) if error.kind() == io::ErrorKind::NotFound => {
+                f.write_str("the engine `symbolica` is a program of its own, `ptc-engine-symbolica`, which is not installed")
+            }
             Self::Start(error) => write!(f, "Symbolica's process cannot be run: {error}"),
             Self::Place(path, error) => write!(f, "cannot lock {}: {error}", path.display()),
             Self::Busy(path, limit) => write!(

@@ -1,13 +1,15 @@
 //! Symbolica as an engine, from the side of the program that asks: one request to one worker.
 //!
 //! Symbolica ends its process where its licence does not let it run, and prints to the standard
-//! output. So it lives in a child process, and one child runs at a time.
+//! output. So it lives in a program of its own, built by whoever may run it, and one runs at a time.
 
 mod child;
 mod postfix;
 mod turn;
-pub(crate) mod worker;
+mod words;
 
+use std::io::ErrorKind;
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
@@ -22,8 +24,11 @@ use crate::cli::report::Failure;
 use child::Wrong;
 use postfix::{Names, Polynomials};
 
-/// The hidden subcommand that is the worker.
-pub(crate) const WORKER: &str = "symbolica-worker";
+/// The program that is the engine: beside this one, or where the system looks for programs.
+const PROGRAM: &str = "ptc-engine-symbolica";
+
+/// The variable of the environment with another path of it.
+const PROGRAM_KEY: &str = "PTC_ENGINE_PROGRAM";
 
 /// How long a run waits for its turn, and then for its worker, unless the environment says otherwise.
 const PATIENCE: Duration = Duration::from_secs(300);
@@ -48,7 +53,7 @@ pub(super) fn of_ring(n: usize, ring: &Mapping, part: Part) -> Result<ClosedForm
         "bell": part == Part::All,
     }))?;
     let poly = |text: &Value| {
-        let poly = postfix::read(text.as_str()?, &Polynomials(&symbols))?;
+        let poly = words::read(text.as_str()?, &Polynomials(&symbols))?;
         Some(ring.canonical(&poly))
     };
     let row = |row: &Value| row.as_array()?.iter().map(poly).collect::<Option<Vec<_>>>();
@@ -72,7 +77,7 @@ pub(super) fn of_custom(n: usize, custom: &Custom) -> Result<Vec<Expression>, Fa
     let text = postfix::of_expression(form, &mut names);
     let answer = ask(&json!({ "n": n, key: text }))?;
     let read = || {
-        let expression = |text: &Value| postfix::read(text.as_str()?, &names);
+        let expression = |text: &Value| words::read(text.as_str()?, &names);
         let r: Option<Vec<_>> = answer["r"].as_array()?.iter().map(expression).collect();
         r.filter(|r| r.len() == n)
     };
@@ -83,12 +88,19 @@ pub(super) fn of_custom(n: usize, custom: &Custom) -> Result<Vec<Expression>, Fa
 fn ask(request: &Value) -> Result<Value, Failure> {
     let patience = patience()?;
     let turn = turn::take(patience).map_err(|wrong| failure(&wrong))?;
-    let program = std::env::current_exe().map_err(|error| failure(&Wrong::Start(error)))?;
-    let mut command = Command::new(program);
-    command.arg(WORKER);
-    let answer = child::ask(command, &request.to_string(), patience);
+    let answer = child::ask(Command::new(program()), &request.to_string(), patience);
     drop(turn);
     answer.map_err(|wrong| failure(&wrong))
+}
+
+/// The path of the engine, or its name.
+fn program() -> PathBuf {
+    if let Some(named) = std::env::var_os(PROGRAM_KEY).filter(|named| !named.is_empty()) {
+        return named.into();
+    }
+    let name = format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX);
+    let beside = std::env::current_exe().map(|own| own.with_file_name(&name));
+    beside.ok().filter(|path| path.is_file()).unwrap_or_else(|| name.into())
 }
 
 fn patience() -> Result<Duration, Failure> {
@@ -106,7 +118,11 @@ fn patience() -> Result<Duration, Failure> {
 fn failure(wrong: &Wrong) -> Failure {
     let leave = "or leave `--engine` out";
     let help = match wrong {
-        Wrong::Start(_) => format!("see that this program's file can be run, {leave}"),
+        Wrong::Start(error) if error.kind() == ErrorKind::NotFound => format!(
+            "build it with `cargo install --path engines/symbolica`, which takes Rust 1.89 or later and what \
+             docs/engines.md tells of Symbolica's licence, or give its path in {PROGRAM_KEY}, {leave}"
+        ),
+        Wrong::Start(_) => format!("see that its file can be run, {leave}"),
         Wrong::Place(..) => {
             format!("give a file that can be locked in {}, {leave}", turn::FILE_KEY)
         }
@@ -119,7 +135,9 @@ fn failure(wrong: &Wrong) -> Failure {
         ),
         Wrong::Ended(..) => format!("try again; where memory is short give a lower n, {leave}"),
         Wrong::Refused(_) | Wrong::Garbled(_) => {
-            format!("this is a mistake in ptc-codegen: report it with the command, {leave}")
+            format!(
+                "the engine may be of another version: build it anew; else report it with the command, {leave}"
+            )
         }
     };
     let mut failure = Failure::because(wrong.to_string(), &help);

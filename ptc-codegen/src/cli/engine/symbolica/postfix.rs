@@ -1,8 +1,4 @@
-//! Expressions on their way to a worker and back: words between spaces, operands before operators.
-//!
-//! A number `3/4`, a symbol `v2` by its place in a list that only the asking side has, a sum `+3` and a
-//! product `*3` of so many operands, a power `^`, and functions of one operand by their names. Flat
-//! text needs no bound on its depth.
+//! Expressions of this program on their way to the engine and back, in its [words](super::words).
 
 use std::fmt::Write;
 
@@ -10,53 +6,7 @@ use num_traits::Signed;
 use ptc_codegen::algebra::{Poly, Symbol};
 use ptc_codegen::expression::{Expression, Function};
 
-/// What expressions are read into.
-pub(super) trait Target {
-    /// The result.
-    type Value;
-    /// An exact number.
-    fn number(&self, text: &str) -> Option<Self::Value>;
-    /// The symbol at a place of the list.
-    fn symbol(&self, place: usize) -> Option<Self::Value>;
-    /// A sum.
-    fn sum(&self, terms: Vec<Self::Value>) -> Option<Self::Value>;
-    /// A product.
-    fn product(&self, factors: Vec<Self::Value>) -> Option<Self::Value>;
-    /// A power.
-    fn power(&self, base: Self::Value, exponent: Self::Value) -> Option<Self::Value>;
-    /// A function of one operand.
-    fn call(&self, name: &str, operand: Self::Value) -> Option<Self::Value>;
-}
-
-/// Reads an expression; `None` for what is none, or has no meaning in the target.
-pub(super) fn read<T: Target>(text: &str, target: &T) -> Option<T::Value> {
-    let mut stack = Vec::new();
-    for word in text.split_ascii_whitespace() {
-        let (head, rest) = word.split_at(1);
-        let value = match head {
-            "v" => target.symbol(rest.parse().ok()?)?,
-            "+" | "*" => {
-                let at = stack.len().checked_sub(rest.parse().ok()?)?;
-                let operands = stack.split_off(at);
-                if head == "+" { target.sum(operands)? } else { target.product(operands)? }
-            }
-            "^" => {
-                let exponent = stack.pop()?;
-                target.power(stack.pop()?, exponent)?
-            }
-            _ if word.starts_with(|c: char| c == '-' || c.is_ascii_digit()) => {
-                target.number(word)?
-            }
-            _ => {
-                let operand = stack.pop()?;
-                target.call(word, operand)?
-            }
-        };
-        stack.push(value);
-    }
-    let result = stack.pop()?;
-    stack.is_empty().then_some(result)
-}
+use super::words::Target;
 
 /// A polynomial, its symbols by their places.
 pub(super) fn of_poly(poly: &Poly, place: &dyn Fn(&Symbol) -> usize) -> String {
@@ -233,6 +183,7 @@ fn plus(a: Expression, b: Expression) -> Expression {
 
 #[cfg(test)]
 mod tests {
+    use super::super::words::read;
     use super::*;
     use ptc_codegen::algebra::{Kind, text};
     use ptc_codegen::expression::Variable;

@@ -1,8 +1,10 @@
 //! One worker at a time for each user, by a lock on a file.
 
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+use fs4::{FileExt, TryLockError};
 
 use super::child::Wrong;
 use crate::cli::report::{self, Notice};
@@ -19,7 +21,6 @@ const PAUSE: Duration = Duration::from_millis(20);
 const SILENCE: Duration = Duration::from_secs(2);
 
 /// The lock, which is given back when it is dropped, also by a process that is killed.
-#[clippy::msrv = "1.89"]
 pub(super) fn take(patience: Duration) -> Result<File, Wrong> {
     let path = path();
     let wrong = |error| Wrong::Place(path.clone(), error);
@@ -30,7 +31,7 @@ pub(super) fn take(patience: Duration) -> Result<File, Wrong> {
     let began = Instant::now();
     let mut told = false;
     loop {
-        match file.try_lock() {
+        match FileExt::try_lock(&file) {
             Ok(()) => return Ok(file),
             Err(TryLockError::Error(error)) => return Err(wrong(error)),
             Err(TryLockError::WouldBlock) if began.elapsed() >= patience => {

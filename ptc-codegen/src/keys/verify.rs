@@ -1,6 +1,6 @@
 //! The keys of what is verified, with what they mean.
 
-use crate::keys::KeyInfo;
+use super::KeyInfo;
 
 /// A key of the table `[disturbance]`: the symbol of the plant that varies.
 pub static DISTURBANCE: KeyInfo = KeyInfo {

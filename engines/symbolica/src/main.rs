@@ -1,6 +1,6 @@
-//! The worker: the only code that calls Symbolica, in a process of its own.
+//! The only code that calls Symbolica: a program of its own, which `ptc-codegen` starts.
 //!
-//! It reads one request and writes one answer, in the words of [`super::postfix`]. D is the
+//! It reads one request and writes one answer, in the words of [`words`]. D is the
 //! stretched-time derivative, the same in every ring: D p = sum over symbols s of dp/ds D s.
 
 use std::io;
@@ -10,11 +10,14 @@ use std::thread;
 use serde_json::{Value, json};
 use symbolica::prelude::*;
 
-use super::child::{MARK, REFUSED};
-use super::postfix::{self, Target};
+use words::{MARK, REFUSED, Target};
+
+// What both sides of the pipe agree on.
+#[path = "../../../ptc-codegen/src/cli/engine/symbolica/words.rs"]
+mod words;
 
 /// Answers the request on the standard input.
-pub(crate) fn run() -> ExitCode {
+fn main() -> ExitCode {
     // Before anything is waited for: where it may not run, it says so at once.
     let symbols = Atoms;
     let _ = symbols.symbol(0);
@@ -38,7 +41,7 @@ pub(crate) fn run() -> ExitCode {
 
 fn answer(request: &Value) -> Option<Value> {
     let n = usize::try_from(request["n"].as_u64()?).ok()?;
-    let read = |key: &str| postfix::read(request[key].as_str()?, &Atoms);
+    let read = |key: &str| words::read(request[key].as_str()?, &Atoms);
     let variable = symbol(0);
     let ring = if let Some(kappa) = read("kappa") {
         // The time-to-go falls as time goes on: kappa' = -d kappa/dT, and D T = -r_1.
@@ -50,7 +53,7 @@ fn answer(request: &Value) -> Option<Value> {
     } else {
         let derivation = |pair: &Value| {
             let place = usize::try_from(pair[0].as_u64()?).ok()?;
-            Some((symbol(place), postfix::read(pair[1].as_str()?, &Atoms)?))
+            Some((symbol(place), words::read(pair[1].as_str()?, &Atoms)?))
         };
         let derivations: Option<_> =
             request["derivations"].as_array()?.iter().map(derivation).collect();
