@@ -23,6 +23,9 @@ EARLY = [1, 3, 7, 10]
 EARLIER = [1, 2, 3, 5]
 # States below it are beyond what a double keeps through 2^-29 of a rational mapping.
 TINY = 1e-60
+# What is left of a state in stretched time that has died out, by the integration: x and u are that
+# times rows that grow like a power of 1/T.
+LEFT = mpmath.mpf("1e-200")
 TOLERANCE = {"modes": 1e-7, "constant": 1e-9, "clipped": 1e-6, "friction": 1e-6}
 
 
@@ -90,14 +93,16 @@ def draw(source):
 
 def by_modes(loop, tau, x0):
     w = np.array([mpmath.mpf(2) ** -k for k in EXACT], dtype=object)
-    rows = loop.free(w)
+    rows, grown = loop.free(w), loop.outputs(w)[2]
     n, tau = loop.n, mpmath.mpf(str(tau))
     out = []
-    for row in rows:
+    for row, left in zip(rows, grown):
         values = []
         for i in range(n + 1):
             terms = [row[i, j] * tau ** (j - (i if i < n else n)) * mpmath.mpf(str(x0[j])) for j in range(n)]
-            values.append((float(sum(terms)), float(sum(abs(term) for term in terms))))
+            size = sum(abs(term) for term in terms)
+            noise = LEFT * sum(abs(left[i, j]) for j in range(n)) * tau ** (-(i if i < n else n))
+            values.append((float(sum(terms)), float(size + noise / mpmath.mpf(TOLERANCE["modes"]))))
         out.append(values)
     return out
 
@@ -129,6 +134,8 @@ def integrated(loop, tau, x0, u_max, f, friction, halvings):
     n, u = loop.n, law(loop, tau)
     # Where mu' falls like a power of stretched time the loop is stiff in -ln w.
     method = "LSODA" if loop.mapping.rho == 0 else "DOP853"
+    # There u = k x grows faster than 1/T^n, and so does what the tolerance leaves of x in it.
+    absolute = 1e-20 if loop.mapping.rho == 0 else 1e-13
     b, c, d = friction
     limit = u_max or np.inf
     stiffness = {"0.1*x1": 0.1, "-0.3*x1": -0.3}.get(f, 0.0)
@@ -164,7 +171,7 @@ def integrated(loop, tau, x0, u_max, f, friction, halvings):
                 events.append(event(lambda s, x: x[-1], -side))
             if c and not side:
                 events.append(event(lambda s, x: abs(drive(s, x)) - c, 1))
-            run = solve_ivp(slope(side), (sigma, end), x, method=method, rtol=1e-11, atol=1e-13, events=events or None)
+            run = solve_ivp(slope(side), (sigma, end), x, method=method, rtol=1e-11, atol=absolute, events=events or None)
             if not run.success or switches > 200:
                 return None
             biggest = np.maximum(biggest, np.abs(run.y).max(axis=1))
