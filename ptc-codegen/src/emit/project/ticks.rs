@@ -1,6 +1,7 @@
 //! The plant of a controller in samples, as a project simulates it.
 
 use super::super::example::Example;
+use super::super::plant;
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
@@ -88,20 +89,9 @@ fn linear(spec: &Spec, plant: &Linear, text: &dyn Fn(&BigRational) -> String) ->
 }
 
 fn about(spec: &Spec, sampled: &Sampled) -> String {
-    let input = if sampled.disturbance { "(u + d)" } else { "u" };
-    let n = spec.n;
+    let plant = plant::in_samples(spec.n, sampled);
     match &sampled.linear {
-        Some(_) if sampled.measures_states() => format!("x' = A x + B {input}"),
-        Some(_) => format!("x' = A x + B {input}, y = C x"),
-        None => {
-            let chain = match n {
-                1 => String::new(),
-                2 => "x1' = x2, ".to_owned(),
-                _ => "x1' = x2, ..., ".to_owned(),
-            };
-            let force = if sampled.force == integer(0) { "" } else { "f + " };
-            let gain = if sampled.gain == integer(1) { "" } else { "g " };
-            format!("{chain}x{n}' = {force}{gain}{input}")
-        }
+        Some(_) if !sampled.measures_states() => format!("{plant}, y = C x"),
+        _ => plant,
     }
 }
