@@ -58,7 +58,7 @@ pub(super) fn run(
     let designs = designs();
     let mut rows = Vec::new();
     for lang in ["fmu2", "fmu3"] {
-        let home = empty(&context.scratch("fmu_ticks").join(lang));
+        let home = empty(&context.scratch("fmu_samples").join(lang));
         let mut list = String::new();
         for spec in &designs {
             emit(generator, &format!("--lang {lang}"), spec, &home)?;
@@ -69,7 +69,7 @@ pub(super) fn run(
         }
         let listed = home.join("list");
         fs::write(&listed, list)?;
-        script(python, &home, &["ticks".as_ref(), &listed])?;
+        script(python, &home, &["samples".as_ref(), &listed])?;
         for spec in &designs {
             let told = fs::read_to_string(home.join(format!("{}.loop", spec.name())))?;
             let (samples, left, faults) = compared(spec, &told)?;

@@ -15,10 +15,10 @@ use crate::request::{Sampled, Spec};
 const FORCE: f64 = 0.1;
 
 /// What the templates are given of the clock and the plant.
-pub(super) struct Ticks {
+pub(super) struct Samples {
     /// N, and whether it is fixed.
-    pub(super) samples: String,
-    pub(super) samples_fixed: bool,
+    pub(super) count: String,
+    pub(super) count_fixed: bool,
     /// The sample period in s, and whether it is fixed.
     pub(super) period: String,
     pub(super) period_fixed: bool,
@@ -42,10 +42,10 @@ pub(super) enum Plant {
     Linear { phi: Vec<Vec<String>>, gamma: Vec<String>, c: Vec<Vec<String>> },
 }
 
-impl Ticks {
+impl Samples {
     pub(super) fn of(spec: &Spec, sampled: &Sampled, example: &Example, words: &Words) -> Self {
         let fixed = |parameter| words.parameter(spec, example, parameter);
-        let (samples, samples_fixed) = match spec.fixed.get(&Parameter::Samples) {
+        let (count, count_fixed) = match spec.fixed.get(&Parameter::Samples) {
             Some(_) => (format!("{}", example.value(Parameter::Samples)), true),
             None => fixed(Parameter::Samples),
         };
@@ -61,8 +61,8 @@ impl Ticks {
         let force = if sampled.disturbance { FORCE } else { 0.0 };
         let (start, force) = start(spec, sampled, example, force);
         Self {
-            samples,
-            samples_fixed,
+            count,
+            count_fixed,
             period,
             period_fixed,
             start: words.number(start),
