@@ -92,15 +92,8 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
 /// What the program of the whole controller gives for a record: the status of `init`, and what `step`
 /// and `axis` give.
 fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i32> {
-    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
-    for (parameter, value) in spec.run_time_parameters().zip(&record.parameters) {
-        match given.last_mut() {
-            Some((key, values)) if *key == parameter.key() => values.push(*value),
-            _ => given.push((parameter.key(), vec![*value])),
-        }
-    }
-    let given: Vec<_> = given.iter().map(|(key, values)| (*key, values.as_slice())).collect();
-    let mut controller = Instance::new(code, &given).map_err(Status::number)?;
+    let given = spec.run_time_parameters().zip(record.parameters.iter().copied());
+    let mut controller = Instance::with_parameters(code, given).map_err(Status::number)?;
     let (t, x) = (("t", [record.t]), ("x", record.x.as_slice()));
     let t = (t.0, t.1.as_slice());
     let outcome = |found: &code::Outcome| {

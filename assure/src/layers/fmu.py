@@ -1,6 +1,6 @@
 """FMUs in fmpy: validation, single calls and closed loops. Called by fmu.rs.
 
-ticks LIST         each line of LIST: FMU of a clock in samples, loop (file names), n, delay
+samples LIST       each line of LIST: FMU of a clock in samples, loop (file names), n, delay
 run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
 pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
 """
@@ -162,7 +162,7 @@ def run(listed):
         instance.close()
 
 
-def ticks(listed):
+def samples(listed):
     """Closed loops of clocks in samples with a chain of integrators; u is read any number of times."""
     for line in pathlib.Path(listed).read_text().splitlines():
         fmu, looped, n, delay = line.split("\t")
@@ -209,4 +209,4 @@ def pack(folder, fmu):
 
 
 if __name__ == "__main__":
-    {"run": run, "pack": pack, "ticks": ticks}[sys.argv[1]](*sys.argv[2:])
+    {"run": run, "pack": pack, "samples": samples}[sys.argv[1]](*sys.argv[2:])

@@ -1,6 +1,6 @@
 //! FMUs in fmpy: validated, called, run in closed loop, and compared with the emitted C.
 
-mod ticks;
+mod samples;
 
 use std::fmt::Write as _;
 use std::fs;
@@ -133,7 +133,7 @@ fn run(context: &Context) -> Result<Finding> {
          compared by its bits, the status by its value."
             .to_owned(),
     );
-    ticks::run(context, &python, &generator, &mut finding)?;
+    samples::run(context, &python, &generator, &mut finding)?;
     seed(context, &python, &mut finding)?;
     Ok(finding)
 }

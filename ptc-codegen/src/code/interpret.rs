@@ -8,7 +8,7 @@ use super::{
     Variable,
 };
 use crate::internal::fault;
-use crate::parameter::Precision;
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Value, apply, number, rows::rows};
 
 /// What a name holds.
@@ -86,6 +86,23 @@ impl<'a> Instance<'a> {
             }
         }
         Ok(built)
+    }
+
+    /// The controller that `init` makes of its run-time parameters; the elements of an array are in
+    /// their order.
+    ///
+    /// # Errors
+    /// The status with which `init` fails.
+    pub fn with_parameters(
+        code: &'a Code,
+        values: impl IntoIterator<Item = (Parameter, f64)>,
+    ) -> Result<Self, Status> {
+        let mut given: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+        for (parameter, value) in values {
+            given.entry(parameter.key()).or_default().push(value);
+        }
+        let given: Vec<_> = given.iter().map(|(key, values)| (*key, values.as_slice())).collect();
+        Self::new(code, &given)
     }
 
     /// The gains that a call gave, for the functions that belong to them.

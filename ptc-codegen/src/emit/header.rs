@@ -1,7 +1,7 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::{Controller, Language, formulas};
+use super::{Controller, Language, formulas, plant};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
@@ -57,11 +57,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
 fn purpose(spec: &Spec) -> Vec<String> {
     let n = spec.n;
     let input = if spec.input_gain.is_some() { "g u" } else { "u" };
-    let chain = match n {
-        1 => String::new(),
-        2 => "x1' = x2, ".to_owned(),
-        _ => "x1' = x2, ..., ".to_owned(),
-    };
+    let chain = plant::chain(n, &format!("f + {input}"));
     let rate = if n == 1 { "s".to_owned() } else { format!("s^{n}") };
     let states = match n {
         1 => String::new(),
@@ -70,7 +66,7 @@ fn purpose(spec: &Spec) -> Vec<String> {
         _ => format!(", x2 in U/s, ..., x{n} in U/s^{}", n - 1),
     };
     vec![
-        format!("Plant: {chain}x{n}' = f + {input}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
+        format!("Plant: {chain}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
         "Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.".to_owned(),
         "f is not part of the law: cancel its known terms before the call.".to_owned(),
     ]

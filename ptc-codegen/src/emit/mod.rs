@@ -17,6 +17,7 @@ mod header;
 mod literal;
 mod matlab;
 mod outline;
+mod plant;
 mod project;
 mod python;
 mod rust;

@@ -1,6 +1,6 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, code, header};
+use super::{Language, code, header, plant};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
@@ -29,11 +29,6 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
     ];
     let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
-    let chain = match n {
-        1 => String::new(),
-        2 => "x1' = x2, ".to_owned(),
-        _ => "x1' = x2, ..., ".to_owned(),
-    };
     let late = match sampled.delay {
         0 => "u held from sample to sample".to_owned(),
         1 => "u held from sample to sample, one sample late".to_owned(),
@@ -43,13 +38,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
         _ => late,
     };
-    let force = if sampled.force == Default::default() { "" } else { "f + " };
-    let gain = if spec.input_gain.is_some() { "g " } else { "" };
-    let input = if sampled.disturbance { "(u + d), d constant and unknown" } else { "u" };
-    rest.push(match &sampled.linear {
-        Some(_) => format!("Plant: x' = A x + B {input} of --A and --B above; {late}."),
-        None => format!("Plant: {chain}x{n}' = {force}{gain}{input}; {late}."),
-    });
+    let plant = plant::in_samples(n, sampled);
+    let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
+    let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
+    rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));
     rest.push("Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned());
     rest.push(match &sampled.linear {
         Some(_) => format!("Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1),

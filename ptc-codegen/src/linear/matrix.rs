@@ -44,6 +44,11 @@ impl Matrix {
         self.0.len()
     }
 
+    /// Number of columns.
+    pub(crate) fn columns(&self) -> usize {
+        self.0.first().map_or(0, Vec::len)
+    }
+
     /// The entry in row `i` and column `j`, from 0.
     pub(crate) fn at(&self, i: usize, j: usize) -> &BigRational {
         &self.0[i][j]
@@ -52,7 +57,7 @@ impl Matrix {
     /// The transpose.
     #[must_use]
     pub(crate) fn transpose(&self) -> Self {
-        Self::new(self.0.first().map_or(0, Vec::len), self.len(), |i, j| self.0[j][i].clone())
+        Self::new(self.columns(), self.len(), |i, j| self.0[j][i].clone())
     }
 
     /// The sum with `factor` times `other`.
@@ -61,16 +66,15 @@ impl Matrix {
         let one = BigRational::one();
         let entry =
             |i: usize, j: usize| dot([(&self.0[i][j], &one), (factor, &other.0[i][j])].into_iter());
-        Self::new(self.len(), self.0[0].len(), entry)
+        Self::new(self.len(), self.columns(), entry)
     }
 
     /// The product.
     #[must_use]
     pub(crate) fn times(&self, other: &Self) -> Self {
-        let columns = other.0.first().map_or(0, Vec::len);
         let entry =
             |i: usize, j: usize| dot(self.0[i].iter().zip(other.0.iter().map(|row| &row[j])));
-        Self::new(self.len(), columns, entry)
+        Self::new(self.len(), other.columns(), entry)
     }
 
     /// `row` times the matrix.

@@ -30,6 +30,14 @@ pub struct Linear {
 }
 
 impl Linear {
+    /// The chain x_1' = x_2, ..., x_n' = `gain` u of which x_1..x_`measured` are measured.
+    pub(crate) fn chain(n: usize, gain: &BigRational, measured: usize) -> Self {
+        let unit = |j: usize| (0..n).map(|i| integer(i64::from(i == j))).collect();
+        let mut b = vec![integer(0); n];
+        b[n - 1] = gain.clone();
+        Self { a: (1..=n).map(unit).collect(), b, c: (0..measured).map(unit).collect() }
+    }
+
     /// Whether C is 1.
     pub fn measures_states(&self) -> bool {
         let unit = |i: usize, j: usize| if i == j { integer(1) } else { integer(0) };

@@ -78,7 +78,8 @@ impl Builder<'_> {
         Expr::field(name)
     }
 
-    fn keep_count(&mut self, name: &str, about: &str, value: Expr) -> Expr {
+    /// A count that `init` sets.
+    pub(super) fn keep_count(&mut self, name: &str, about: &str, value: Expr) -> Expr {
         self.fields.push(Variable::new(name, Shape::Count, about));
         self.values.push((name.to_owned(), Shape::Count, value));
         Expr::field(name)

@@ -42,21 +42,22 @@ impl<'a> Builder<'a> {
 
     /// The estimates from what is measured.
     pub(super) fn observe(&mut self, samples: &Expr) -> Vec<Statement> {
+        let seen = self.keep_count("seen", "1 once y has been measured", Expr::Count(0));
+        let unseen = Test::CountEqual(seen, Expr::Count(0));
         match &self.sampled.linear {
-            Some(plant) => self.predicted(plant, samples),
-            None => self.corrected(samples),
+            Some(plant) => self.predicted(plant, samples, unseen),
+            None => self.corrected(samples, unseen),
         }
     }
 
-    /// The estimates of a chain: predicted, then corrected by what is measured now.
-    fn corrected(&mut self, samples: &Expr) -> Vec<Statement> {
+    /// The estimates of a chain: predicted, then corrected by what is measured now. `unseen`
+    /// holds at the first measurement.
+    fn corrected(&mut self, samples: &Expr, unseen: Test) -> Vec<Statement> {
         let (measured, real) = (self.sampled.measured, Shape::Real);
         let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain);
         let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
         let (order, names) = (pair.order(), self.estimated());
         let mut body = vec![Statement::Note("Predict.".to_owned())];
-        self.fields.push(Variable::new("seen", Shape::Count, "1 once y has been measured"));
-        self.values.push(("seen".to_owned(), Shape::Count, Expr::Count(0)));
         for name in &names {
             self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
         }
@@ -80,7 +81,6 @@ impl<'a> Builder<'a> {
         }
         body.push(Statement::Note("Correct by what is measured.".to_owned()));
         let y = Expr::Element("y".to_owned(), measured - 1);
-        let unseen = Test::CountEqual(Expr::field("seen"), Expr::Count(0));
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         body.push(Statement::Variable("base".to_owned(), real));
         body.push(Statement::Variable("miss".to_owned(), real));

@@ -30,7 +30,13 @@ impl Builder<'_> {
     }
 
     /// The estimates of a linear plant: what was predicted, and the prediction of the next sample.
-    pub(super) fn predicted(&mut self, plant: &Linear, samples: &Expr) -> Vec<Statement> {
+    /// `unseen` holds at the first measurement.
+    pub(super) fn predicted(
+        &mut self,
+        plant: &Linear,
+        samples: &Expr,
+        unseen: Test,
+    ) -> Vec<Statement> {
         let real = Shape::Real;
         let pair = self.sampled_plant(plant);
         let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
@@ -38,12 +44,6 @@ impl Builder<'_> {
             fault("a linear plant is not observable")
         };
         let names = self.estimated();
-        self.fields.push(crate::code::Variable::new(
-            "seen",
-            Shape::Count,
-            "1 once y has been measured",
-        ));
-        self.values.push(("seen".to_owned(), Shape::Count, Expr::Count(0)));
         for name in &names {
             self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
             self.remember(&format!("{name}_next"), &format!("prediction of {name} without u"));
@@ -66,7 +66,6 @@ impl Builder<'_> {
             let predicted = Expr::field(format!("{name}_next"));
             next.push(set(name, predicted.add(gamma.mul(acting.clone()))));
         }
-        let unseen = Test::CountEqual(Expr::field("seen"), Expr::Count(0));
         body.push(Statement::If(unseen, first, next));
         body.push(Statement::Note("Prediction of the next sample.".to_owned()));
         let state = |j: usize| Expr::local(names[j].clone());
@@ -130,7 +129,7 @@ fn shown(c: &[Vec<BigRational>]) -> Matrix {
 
 /// Row `i` of a matrix times values.
 fn combination(matrix: &Matrix, i: usize, value: &dyn Fn(usize) -> Expr) -> Expr {
-    let terms = (0..matrix.transpose().len())
+    let terms = (0..matrix.columns())
         .filter(|j| *matrix.at(i, *j) != BigRational::default())
         .map(|j| Expr::Number(matrix.at(i, j).clone()).mul(value(j)));
     Expr::sum(terms)

@@ -205,19 +205,13 @@ fn started<'a>(
     open: &[Parameter],
     values: &Values,
 ) -> Result<Instance<'a>, Failure> {
-    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
-    for parameter in open {
-        let value = values.get(*parameter);
-        match given.last_mut() {
-            Some((key, all)) if *key == parameter.key() => all.push(value),
-            _ => given.push((parameter.key(), vec![value])),
-        }
-    }
-    let given: Vec<_> = given.iter().map(|(key, all)| (*key, all.as_slice())).collect();
-    Instance::new(code, &given).map_err(|_| {
-        let keys: Vec<_> = given.iter().map(|(key, all)| format!("{key} = {all:?}")).collect();
+    let given = || open.iter().map(|parameter| (*parameter, values.get(*parameter)));
+    Instance::with_parameters(code, given()).map_err(|_| {
+        let given: Vec<_> = given()
+            .map(|(parameter, value)| format!("{} = {value:?}", parameter.spelling()))
+            .collect();
         Failure::input(
-            format!("init refuses {}", keys.join(", ")),
+            format!("init refuses {}", given.join(", ")),
             "give parameters within their domains, and enough samples".to_owned(),
         )
     })

@@ -117,7 +117,7 @@ fn with_token(
         None => parameter.key().to_owned(),
     };
     let is_count = |v: &&Variable| v.parameter == Some(Parameter::Samples);
-    let samples = variables.iter().find(is_count);
+    let count = variables.iter().find(is_count);
     let place = |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
     let constants = variables.iter().filter(|v| !is_count(v)).filter_map(|v| {
         let number = spec.fixed.get(&v.parameter?).and_then(Fixed::number)?;
@@ -131,8 +131,8 @@ fn with_token(
         true => start(p),
         false => format!("state->params.{}", p.key()),
     };
-    let ticks = spec.sampled().map(|_| Ticks {
-        samples: known(Parameter::Samples),
+    let samples = spec.sampled().map(|_| Samples {
+        count: known(Parameter::Samples),
         period: known(Parameter::SampleTime),
     });
     let core = Core {
@@ -159,11 +159,11 @@ fn with_token(
         kept: variables.iter().filter(|v| !is_count(v)).filter_map(place).collect(),
         constants: constants.collect(),
         start_reference,
-        samples_reference: samples.filter(|v| v.place.is_some()).map(|v| v.reference),
-        samples_fixed: samples
+        samples_reference: count.filter(|v| v.place.is_some()).map(|v| v.reference),
+        samples_fixed: count
             .filter(|v| v.place.is_none())
             .map(|v| (v.reference, example.value(Parameter::Samples).to_string())),
-        ticks,
+        samples,
         frame: &frame,
     };
     let core = text_of(core.render());
@@ -317,13 +317,13 @@ struct Core<'a> {
     /// Where the number of samples is set, or its value where it is fixed.
     samples_reference: Option<usize>,
     samples_fixed: Option<(usize, String)>,
-    ticks: Option<Ticks>,
+    samples: Option<Samples>,
     frame: &'a Outline,
 }
 
 /// A clock in samples: N and the period, as expressions.
-struct Ticks {
-    samples: String,
+struct Samples {
+    count: String,
     period: String,
 }
 

@@ -156,12 +156,25 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     });
     let (free, fixed): (Vec<_>, Vec<_>) =
         spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
-    for parameter in free {
-        let domain = spec.domain(parameter);
+    let of_parameter = |parameter: Parameter, range: &str| {
+        let (meaning, unit) = (parameter.meaning(), parameter.unit_for(order));
         let count = parameter == Parameter::Samples;
         let value = example.value(parameter);
         let shown = if count { value.to_string() } else { example.literal(parameter) };
-        let mut attributes = vec![("start", shown)];
+        Variable {
+            name: parameter.spelling(),
+            description: format!("{meaning} [{unit}], {range}"),
+            kind2: if count { "Integer" } else { "Real" },
+            kind3: if count { "Int32" } else { kind3 },
+            attributes: vec![("start", shown)],
+            parameter: Some(parameter),
+            exponent: exponent(parameter, order).filter(|_| !count),
+            ..blank()
+        }
+    };
+    for parameter in free {
+        let mut variable = of_parameter(parameter, &spec.legal(parameter));
+        let attributes = &mut variable.attributes;
         let round = |bound: &Fixed| {
             bound
                 .number()
@@ -170,12 +183,10 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         if let Some((least, greatest)) = spec.bounds.get(&parameter) {
             attributes.extend(round(least).map(|least| ("min", least)));
             attributes.extend(round(greatest).map(|greatest| ("max", greatest)));
-        } else if count {
-            attributes.push(("min", "0".to_owned()));
         } else if let Some((least, greatest)) = spec.ends(parameter) {
             let end = |value| number::literal(value, spec.precision);
             attributes.extend([("min", end(least)), ("max", end(greatest))]);
-        } else if domain != Domain::Finite {
+        } else if spec.domain(parameter) != Domain::Finite {
             attributes.push(("min", "0".to_owned()));
         }
         let place = match parameter.index() {
@@ -183,41 +194,19 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             None => format!("params.{}", parameter.key()),
         };
         all.push(Variable {
-            name: parameter.spelling(),
             causality: "parameter",
             variability: "tunable",
-            description: format!(
-                "{} [{}], {}",
-                parameter.meaning(),
-                parameter.unit_for(order),
-                spec.legal(parameter)
-            ),
-            attributes,
-            kind2: if count { "Integer" } else { "Real" },
-            kind3: if count { "Int32" } else { kind3 },
-            parameter: Some(parameter),
             place: Some(place),
-            exponent: exponent(parameter, order).filter(|_| !count),
-            ..blank()
+            ..variable
         });
     }
     // Infinity, which fixes that u is not bounded, is no value that every importer reads.
     for parameter in fixed.into_iter().filter(|p| example.value(*p).is_finite()) {
-        let count = parameter == Parameter::Samples;
-        let value = example.value(parameter);
-        let shown = if count { value.to_string() } else { example.literal(parameter) };
         all.push(Variable {
-            name: parameter.spelling(),
             causality: "local",
             variability: "constant",
             initial: Some("exact"),
-            description: format!("{} [{}], fixed", parameter.meaning(), parameter.unit_for(order)),
-            attributes: vec![("start", shown)],
-            kind2: if count { "Integer" } else { "Real" },
-            kind3: if count { "Int32" } else { kind3 },
-            parameter: Some(parameter),
-            exponent: exponent(parameter, order).filter(|_| !count),
-            ..blank()
+            ..of_parameter(parameter, "fixed")
         });
     }
     for (index, variable) in all.iter_mut().enumerate() {

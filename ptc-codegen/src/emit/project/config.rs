@@ -3,7 +3,7 @@
 use super::super::example::{Example, SAMPLED, TIMED};
 use super::super::{Language, c, declared, literal, rust};
 use super::constant;
-use super::ticks::Ticks;
+use super::samples::Samples;
 use crate::check::examine::Report;
 use crate::code::{Shape, Variable};
 use crate::parameter::{Parameter, Precision};
@@ -44,7 +44,7 @@ pub(super) struct Config {
 /// What is known of the clock and the plant.
 pub(super) enum Clock {
     Time(Time),
-    Samples(Ticks),
+    Samples(Samples),
 }
 
 /// A clock in time, and a chain of integrators.
@@ -99,7 +99,7 @@ impl Config {
         let (parameters, clock, defaults) = match spec.sampled() {
             Some(sampled) => (
                 samples::controller(spec, sampled, Vec::new()).parameters,
-                Clock::Samples(Ticks::of(spec, sampled, &example, &words)),
+                Clock::Samples(Samples::of(spec, sampled, &example, &words)),
                 &SAMPLED[..],
             ),
             None => (
@@ -110,7 +110,7 @@ impl Config {
         };
         let first = match &clock {
             Clock::Time(_) => words.number(1.0),
-            Clock::Samples(ticks) => ticks.start.clone(),
+            Clock::Samples(samples) => samples.start.clone(),
         };
         let others = (2..=spec.n).map(|_| words.number(0.0));
         Self {

@@ -3,9 +3,9 @@
 //! Each holds the files of the emitted C or Rust as they are, and one file of values.
 
 mod config;
+mod samples;
 mod start;
 mod templates;
-mod ticks;
 
 use askama::Template;
 
@@ -19,8 +19,8 @@ use crate::parameter::Precision;
 use crate::request::Spec;
 use config::{Clock, Config};
 use templates::{
-    Arduino, ArduinoTicks, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, ConfigTicksC,
-    ConfigTicksRust, Linker, MainC, MainRust, MainTicksC, MainTicksRust, Makefile, Memory,
+    Arduino, ArduinoSamples, Build, Cargo, Cmake, CmakeConfig, ConfigC, ConfigRust, ConfigSamplesC,
+    ConfigSamplesRust, Linker, MainC, MainRust, MainSamplesC, MainSamplesRust, Makefile, Memory,
     Properties, Readme, Runner, Startup,
 };
 
@@ -152,14 +152,14 @@ fn placed<'a>(
 fn main_c(name: &str, config: &Config, timer: bool) -> File {
     match &config.clock {
         Clock::Time(time) => file(name, &MainC { config, time }),
-        Clock::Samples(ticks) => file(name, &MainTicksC { config, ticks, timer }),
+        Clock::Samples(samples) => file(name, &MainSamplesC { config, samples, timer }),
     }
 }
 
 fn config_c(name: &str, config: &Config) -> File {
     match &config.clock {
         Clock::Time(time) => file(name, &ConfigC { config, time }),
-        Clock::Samples(ticks) => file(name, &ConfigTicksC { config, ticks }),
+        Clock::Samples(samples) => file(name, &ConfigSamplesC { config, samples }),
     }
 }
 
@@ -198,9 +198,9 @@ fn rust_embedded(config: &Config, emitted: Vec<File>) -> Vec<File> {
             file("src/main.rs", &MainRust { config, time }),
             file("src/config.rs", &ConfigRust { config, time }),
         ),
-        Clock::Samples(ticks) => (
-            file("src/main.rs", &MainTicksRust { config, ticks }),
-            file("src/config.rs", &ConfigTicksRust { config, ticks }),
+        Clock::Samples(samples) => (
+            file("src/main.rs", &MainSamplesRust { config, samples }),
+            file("src/config.rs", &ConfigSamplesRust { config, samples }),
         ),
     };
     let mut files = vec![
@@ -275,7 +275,7 @@ fn arduino(config: &Config, spec: &Spec, emitted: Vec<File>) -> Vec<File> {
         ),
         match &config.clock {
             Clock::Time(time) => file(sketch, &Arduino { config, time }),
-            Clock::Samples(ticks) => file(sketch, &ArduinoTicks { config, ticks }),
+            Clock::Samples(samples) => file(sketch, &ArduinoSamples { config, samples }),
         },
         config_c("examples/run/config.h", config),
         file(

@@ -3,8 +3,8 @@
 use num_traits::ToPrimitive;
 
 use super::super::example::Example;
-use crate::algebra::{BigRational, integer};
-use crate::code::Instance;
+use crate::algebra::BigRational;
+use crate::code::{Code, Instance};
 use crate::linear::{Linear, held};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Sampled, Spec};
@@ -39,15 +39,14 @@ fn rounded(value: f64) -> f64 {
 
 /// The loop of a controller that does not clip.
 struct Run {
-    code: crate::code::Code,
-    given: Vec<(String, Vec<f64>)>,
+    code: Code,
+    given: Vec<(Parameter, f64)>,
     phi: Vec<Vec<f64>>,
     gamma: Vec<f64>,
-    c: Option<Vec<Vec<f64>>>,
+    c: Vec<Vec<f64>>,
     /// What acts beside u, in units of u.
     known: f64,
     delay: usize,
-    measured: usize,
     samples: u32,
 }
 
@@ -57,38 +56,23 @@ impl Run {
         let mut free = spec.clone();
         free.fixed.insert(Parameter::UMax, Fixed::Infinite);
         let code = samples::controller(&free, sampled, Vec::new());
-        let mut given: Vec<(String, Vec<f64>)> = Vec::new();
-        for parameter in free.run_time_parameters() {
-            let value = example.value(parameter);
-            match given.last_mut().filter(|(key, _)| key == parameter.key()) {
-                Some((_, all)) => all.push(value),
-                None => given.push((parameter.key().to_owned(), vec![value])),
-            }
-        }
-        let n = spec.n;
+        let given = free.run_time_parameters().map(|p| (p, example.value(p))).collect();
         let h = BigRational::from_float(example.value(Parameter::SampleTime))?;
-        let own = sampled.linear.as_ref();
-        let (phi, gamma) = match own {
-            Some(plant) => held(plant, &h)?,
-            None => held(&chain(n, &sampled.gain), &h)?,
-        };
+        let chain = || Linear::chain(spec.n, &sampled.gain, sampled.measured);
+        let plant = sampled.linear.clone().unwrap_or_else(chain);
+        let (phi, gamma) = held(&plant, &h)?;
         let row = |row: &Vec<BigRational>| -> Option<Vec<f64>> {
             row.iter().map(ToPrimitive::to_f64).collect()
         };
         let rows = |all: &[Vec<BigRational>]| all.iter().map(row).collect::<Option<Vec<_>>>();
-        let c = match own {
-            Some(plant) => Some(rows(&plant.c)?),
-            None => None,
-        };
         Some(Self {
             code,
             given,
             phi: rows(&phi)?,
             gamma: row(&gamma)?,
-            c,
+            c: rows(&plant.c)?,
             known: (&sampled.force / &sampled.gain).to_f64()?,
             delay: sampled.delay,
-            measured: sampled.measured,
             samples: example.value(Parameter::Samples).to_u32()?.min(TRIED),
         })
     }
@@ -96,19 +80,17 @@ impl Run {
     /// The largest |u| on the way from x = (`x1`, 0, ...), with `force` added to u; infinite where the
     /// controller gives none.
     fn peak(&self, x1: f64, force: f64) -> f64 {
-        let given: Vec<_> =
-            self.given.iter().map(|(key, all)| (key.as_str(), all.as_slice())).collect();
-        let Ok(mut controller) = Instance::new(&self.code, &given) else { return f64::INFINITY };
+        let given = self.given.iter().copied();
+        let Ok(mut controller) = Instance::with_parameters(&self.code, given) else {
+            return f64::INFINITY;
+        };
         let mut x = vec![0.0; self.phi.len()];
         x[0] = x1;
         let mut sent = vec![0.0; self.delay + 1];
         let mut peak = 0.0_f64;
         for k in 0..self.samples {
             let dot = |row: &Vec<f64>| row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>();
-            let shown = match &self.c {
-                Some(c) => c.iter().map(dot).collect(),
-                None => x[..self.measured].to_vec(),
-            };
+            let shown: Vec<_> = self.c.iter().map(dot).collect();
             let given = [("k", &[f64::from(k)][..]), ("x", &shown), ("y", &shown)];
             let outcome = controller.call("step", &given);
             let Some(u) = outcome.results.get("u").and_then(|u| u.first()) else {
@@ -122,12 +104,4 @@ impl Run {
         }
         peak
     }
-}
-
-/// x1' = x2, ..., xn' = `gain` u.
-fn chain(n: usize, gain: &BigRational) -> Linear {
-    let unit = |j: usize, i: usize| if i == j { integer(1) } else { integer(0) };
-    let row = |i: usize| (0..n).map(|j| unit(j, i + 1)).collect();
-    let b = (0..n).map(|i| if i + 1 == n { gain.clone() } else { integer(0) }).collect();
-    Linear { a: (0..n).map(row).collect(), b, c: Vec::new() }
 }

@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::Project;
 use super::config::{Clock, Config, Time};
-use super::ticks::{Plant, Ticks};
+use super::samples::{Plant, Samples};
 
 /// What a project does and how it is built.
 #[derive(Template)]
@@ -57,40 +57,40 @@ pub(super) struct MainRust<'a> {
 }
 
 #[derive(Template)]
-#[template(path = "project/config_ticks.h.txt", escape = "none")]
-pub(super) struct ConfigTicksC<'a> {
+#[template(path = "project/config_samples.h.txt", escape = "none")]
+pub(super) struct ConfigSamplesC<'a> {
     pub(super) config: &'a Config,
-    pub(super) ticks: &'a Ticks,
+    pub(super) samples: &'a Samples,
 }
 
 #[derive(Template)]
-#[template(path = "project/main_ticks.c.txt", escape = "none")]
-pub(super) struct MainTicksC<'a> {
+#[template(path = "project/main_samples.c.txt", escape = "none")]
+pub(super) struct MainSamplesC<'a> {
     pub(super) config: &'a Config,
-    pub(super) ticks: &'a Ticks,
+    pub(super) samples: &'a Samples,
     /// Whether the timer of the core calls it.
     pub(super) timer: bool,
 }
 
 #[derive(Template)]
-#[template(path = "project/run_ticks.ino.txt", escape = "none")]
-pub(super) struct ArduinoTicks<'a> {
+#[template(path = "project/run_samples.ino.txt", escape = "none")]
+pub(super) struct ArduinoSamples<'a> {
     pub(super) config: &'a Config,
-    pub(super) ticks: &'a Ticks,
+    pub(super) samples: &'a Samples,
 }
 
 #[derive(Template)]
-#[template(path = "project/config_ticks.rs.txt", escape = "none")]
-pub(super) struct ConfigTicksRust<'a> {
+#[template(path = "project/config_samples.rs.txt", escape = "none")]
+pub(super) struct ConfigSamplesRust<'a> {
     pub(super) config: &'a Config,
-    pub(super) ticks: &'a Ticks,
+    pub(super) samples: &'a Samples,
 }
 
 #[derive(Template)]
-#[template(path = "project/main_ticks.rs.txt", escape = "none")]
-pub(super) struct MainTicksRust<'a> {
+#[template(path = "project/main_samples.rs.txt", escape = "none")]
+pub(super) struct MainSamplesRust<'a> {
     pub(super) config: &'a Config,
-    pub(super) ticks: &'a Ticks,
+    pub(super) samples: &'a Samples,
 }
 
 #[derive(Template)]

@@ -58,7 +58,7 @@ pub(super) fn run(
     let designs = designs();
     let mut rows = Vec::new();
     for lang in ["fmu2", "fmu3"] {
-        let home = empty(&context.scratch("fmu_ticks").join(lang));
+        let home = empty(&context.scratch("fmu_samples").join(lang));
         let mut list = String::new();
         for spec in &designs {
             emit(generator, &format!("--lang {lang}"), spec, &home)?;
@@ -69,7 +69,7 @@ pub(super) fn run(
         }
         let listed = home.join("list");
         fs::write(&listed, list)?;
-        script(python, &home, &["ticks".as_ref(), &listed])?;
+        script(python, &home, &["samples".as_ref(), &listed])?;
         for spec in &designs {
             let told = fs::read_to_string(home.join(format!("{}.loop", spec.name())))?;
             let (samples, left, faults) = compared(spec, &told)?;
@@ -94,17 +94,11 @@ fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
     let sampled = spec.sampled().context("a clock in samples")?;
     let code = samples::controller(spec, sampled, Vec::new());
     let mut lines = told.lines();
-    let values: Vec<_> = lines.next().context("values of parameters")?.split_whitespace().collect();
-    let mut given: Vec<(&str, Vec<f64>)> = Vec::new();
-    for (parameter, value) in spec.run_time_parameters().zip(values) {
-        let value = number(value)?;
-        match given.last_mut().filter(|(key, _)| *key == parameter.key()) {
-            Some((_, all)) => all.push(value),
-            None => given.push((parameter.key(), vec![value])),
-        }
-    }
-    let given: Vec<_> = given.iter().map(|(key, all)| (*key, all.as_slice())).collect();
-    let Ok(mut controller) = Instance::new(&code, &given) else { bail!("init refuses") };
+    let values = lines.next().context("values of parameters")?.split_whitespace().map(number);
+    let given = spec.run_time_parameters().zip(values.collect::<Result<Vec<_>>>()?);
+    let Ok(mut controller) = Instance::with_parameters(&code, given) else {
+        bail!("init refuses the start values")
+    };
     let (mut faults, mut samples, mut left) = (Vec::new(), 0_usize, f64::NAN);
     for line in lines {
         let (status, rest) = line.split_once(' ').context("a status and numbers")?;

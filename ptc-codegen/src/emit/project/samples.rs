@@ -1,6 +1,7 @@
 //! The plant of a controller in samples, as a project simulates it.
 
 use super::super::example::Example;
+use super::super::plant;
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
@@ -14,10 +15,10 @@ use crate::request::{Sampled, Spec};
 const FORCE: f64 = 0.1;
 
 /// What the templates are given of the clock and the plant.
-pub(super) struct Ticks {
+pub(super) struct Samples {
     /// N, and whether it is fixed.
-    pub(super) samples: String,
-    pub(super) samples_fixed: bool,
+    pub(super) count: String,
+    pub(super) count_fixed: bool,
     /// The sample period in s, and whether it is fixed.
     pub(super) period: String,
     pub(super) period_fixed: bool,
@@ -41,10 +42,10 @@ pub(super) enum Plant {
     Linear { phi: Vec<Vec<String>>, gamma: Vec<String>, c: Vec<Vec<String>> },
 }
 
-impl Ticks {
+impl Samples {
     pub(super) fn of(spec: &Spec, sampled: &Sampled, example: &Example, words: &Words) -> Self {
         let fixed = |parameter| words.parameter(spec, example, parameter);
-        let (samples, samples_fixed) = match spec.fixed.get(&Parameter::Samples) {
+        let (count, count_fixed) = match spec.fixed.get(&Parameter::Samples) {
             Some(_) => (format!("{}", example.value(Parameter::Samples)), true),
             None => fixed(Parameter::Samples),
         };
@@ -60,8 +61,8 @@ impl Ticks {
         let force = if sampled.disturbance { FORCE } else { 0.0 };
         let (start, force) = start(spec, sampled, example, force);
         Self {
-            samples,
-            samples_fixed,
+            count,
+            count_fixed,
             period,
             period_fixed,
             start: words.number(start),
@@ -88,20 +89,9 @@ fn linear(spec: &Spec, plant: &Linear, text: &dyn Fn(&BigRational) -> String) ->
 }
 
 fn about(spec: &Spec, sampled: &Sampled) -> String {
-    let input = if sampled.disturbance { "(u + d)" } else { "u" };
-    let n = spec.n;
+    let plant = plant::in_samples(spec.n, sampled);
     match &sampled.linear {
-        Some(_) if sampled.measures_states() => format!("x' = A x + B {input}"),
-        Some(_) => format!("x' = A x + B {input}, y = C x"),
-        None => {
-            let chain = match n {
-                1 => String::new(),
-                2 => "x1' = x2, ".to_owned(),
-                _ => "x1' = x2, ..., ".to_owned(),
-            };
-            let force = if sampled.force == integer(0) { "" } else { "f + " };
-            let gain = if sampled.gain == integer(1) { "" } else { "g " };
-            format!("{chain}x{n}' = {force}{gain}{input}")
-        }
+        Some(_) if !sampled.measures_states() => format!("{plant}, y = C x"),
+        _ => plant,
     }
 }

@@ -1,0 +1,86 @@
+//! What is asked of a controller whose clock is in samples.
+
+use crate::algebra::BigRational;
+use crate::linear::Linear;
+use crate::parameter::{Fixed, Parameter};
+
+/// What a controller in samples knows beside the law.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sampled {
+    /// Samples between a measurement and the input that follows from it.
+    pub delay: usize,
+    /// The plant where it is not a chain.
+    pub linear: Option<Linear>,
+    /// Constant input gain g of a chain.
+    pub gain: BigRational,
+    /// Constant f of a chain.
+    pub force: BigRational,
+    /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
+    pub measured: usize,
+    /// Whether a constant that is added to u is estimated and cancelled.
+    pub disturbance: bool,
+    /// The greatest exponent p = -Re(pole)/a of the controller; none at generation.
+    pub greatest: Option<BigRational>,
+    /// The observer; none where every state is measured.
+    pub observer: Option<Observer>,
+}
+
+impl Sampled {
+    /// Every parameter of the controller of a plant of order `n`, in the order in which it is emitted.
+    pub(super) fn parameters(&self, n: usize) -> Vec<Parameter> {
+        use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax};
+        let mut all = vec![Samples, SampleTime, Eps, UMax, A];
+        all.extend((1..=n + self.delay).map(Gain));
+        // The exponents of known poles give it.
+        all.extend(self.greatest.is_none().then_some(Deadbeat));
+        all
+    }
+
+    /// Whether there is an observer.
+    pub fn observes(&self) -> bool {
+        self.observer.is_some()
+    }
+
+    /// Whether what is measured is the state itself.
+    pub fn measures_states(&self) -> bool {
+        !self.observes() && self.linear.as_ref().is_none_or(Linear::measures_states)
+    }
+
+    /// The least N with which the loop of a plant of order `n` can end at rest.
+    pub fn least_samples(&self, n: usize) -> u32 {
+        let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        let order = count(n + self.delay);
+        match &self.observer {
+            None => order,
+            Some(observer) => match observer.samples {
+                Some(samples) => samples.saturating_add(order),
+                None => 2 * order.max(count(observer.poles.len())),
+            },
+        }
+    }
+
+    /// Samples after which the estimates are exact, where they are given.
+    pub fn observer_samples(&self) -> Option<u32> {
+        self.observer.as_ref().and_then(|observer| observer.samples)
+    }
+}
+
+/// The observer of a controller in samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Observer {
+    /// Its poles in stretched time.
+    pub poles: Vec<(BigRational, BigRational)>,
+    /// How many of them belong to each measured value.
+    pub blocks: Vec<usize>,
+    /// The gains that its poles give; of a linear plant those of each row of C, one after the other.
+    pub gains: Vec<BigRational>,
+    /// The greatest exponent p = -Re(pole)/a.
+    pub greatest: BigRational,
+    /// Samples after which the estimates are exact; the default where none.
+    pub samples: Option<u32>,
+    /// Time-to-go at which its gains are held; none ends in deadbeat.
+    pub eps: Option<Fixed>,
+    /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
+    /// its last gains stay.
+    pub after: Vec<(BigRational, BigRational)>,
+}
