@@ -2,17 +2,20 @@
 //! place.
 //!
 //! Two enclosures of each are intersected: that of its normal form, which is the same for every
-//! spelling and in which parts that are linear in x and u are taken along the trajectory as a whole,
-//! and that of what was given, with dt = tau s for its own s. Both hold the value wherever it exists;
-//! where it does is decided by the conditions that `existence` lists, never by a normal form.
+//! spelling, and that of what was given, with dt = tau s for its own s. In both, parts that are linear
+//! in x and u are taken along the trajectory as a whole. Both hold the value wherever it exists; where
+//! it does is decided by the conditions that `existence` lists, never by a normal form. Where the sign
+//! is known by which abs, sign, min or max is decided, they are replaced by what they are there.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::slice::Iter;
 
 use crate::algebra::BigRational;
 use crate::expression::existence::{self, Condition};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Variable};
+use crate::expression::{Expression, Function, Variable};
 use crate::parameter::Parameter;
 
 /// The values of what is fixed.
@@ -24,6 +27,11 @@ pub(super) struct Form {
     pub(super) value: Part,
     /// What each part has to be, and its spelling.
     pub(super) needs: Vec<(Part, Condition, String)>,
+    /// By the sign of what each abs, sign, min and max is decided.
+    pub(super) kinks: Vec<Part>,
+    values: Values,
+    /// The value with these decided, by the signs that are known.
+    decided: RefCell<BTreeMap<Vec<Option<bool>>, Rc<Part>>>,
 }
 
 /// An expression, in two forms that are equal wherever it exists.
@@ -32,8 +40,10 @@ pub(super) struct Part {
     /// In T/tau, for which `T` stands, with xi_k in place of `linear[k]`.
     pub(super) normal: Expression,
     pub(super) linear: Vec<Linear>,
-    /// In T/tau and dt/tau, for which `T` and `dt` stand.
+    /// In T/tau and dt/tau, for which `T` and `dt` stand, with xi_k likewise.
     pub(super) given: Expression,
+    /// As the user wrote it.
+    pub(super) spelt: Expression,
 }
 
 /// sum_v slope_v v + rest, where neither the slopes nor the rest depend on x or u.
@@ -50,7 +60,80 @@ impl Form {
             let spelt = format!("{expression}");
             (Part::new(&part, values), condition, spelt)
         };
-        Self { value: Part::new(expression, values), needs: needs.map(need).collect() }
+        let mut kinks = Vec::new();
+        collect(expression, &mut kinks);
+        Self {
+            value: Part::new(expression, values),
+            needs: needs.map(need).collect(),
+            kinks: kinks.iter().map(|of| Part::new(of, values)).collect(),
+            values: values.clone(),
+            decided: RefCell::default(),
+        }
+    }
+
+    /// The value where what decides the kinks is positive or negative as `signs` says, in their order;
+    /// none where no sign is known.
+    pub(super) fn decided(&self, signs: Vec<Option<bool>>) -> Option<Rc<Part>> {
+        signs.iter().any(Option::is_some).then(|| {
+            let mut decided = self.decided.borrow_mut();
+            let part = decided.entry(signs).or_insert_with_key(|signs| {
+                let smooth = smooth(&self.value.spelt, &mut signs.iter());
+                Rc::new(Part::new(&smooth, &self.values))
+            });
+            Rc::clone(part)
+        })
+    }
+}
+
+/// What decides each kink of an expression, from the outside in and from left to right.
+fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
+    use Expression as E;
+    match expression {
+        E::Call(Function::Abs | Function::Sign, a) => kinks.push((**a).clone()),
+        E::Min(a, b) | E::Max(a, b) => kinks.push((**a).clone().sub((**b).clone())),
+        _ => {}
+    }
+    expression.operands().for_each(|operand| collect(operand, kinks));
+}
+
+/// The expression with its kinks replaced where their signs, in the order of [`collect`], are known.
+fn smooth(expression: &Expression, signs: &mut Iter<'_, Option<bool>>) -> Expression {
+    use Expression as E;
+    let kink =
+        matches!(expression, E::Call(Function::Abs | Function::Sign, _) | E::Min(..) | E::Max(..));
+    let sign = if kink { signs.next().copied().flatten() } else { None };
+    let mut inner = |a: &Expression| smooth(a, signs);
+    match (expression, sign) {
+        (E::Number(_) | E::Pi | E::Parameter(_) | E::Variable(_), _) => expression.clone(),
+        (E::Neg(a), _) => inner(a).neg(),
+        (E::Call(Function::Abs, a), Some(true)) => inner(a),
+        (E::Call(Function::Abs, a), Some(false)) => inner(a).neg(),
+        (E::Call(Function::Sign, a), Some(positive)) => {
+            inner(a);
+            Expression::integer(if positive { 1 } else { -1 })
+        }
+        (E::Call(function, a), _) => Expression::call(*function, inner(a)),
+        (E::Add(a, b), _) => inner(a).add(inner(b)),
+        (E::Sub(a, b), _) => inner(a).sub(inner(b)),
+        (E::Mul(a, b), _) => inner(a).mul(inner(b)),
+        (E::Div(a, b), _) => inner(a).div(inner(b)),
+        (E::Power(a, b), _) => inner(a).power(inner(b)),
+        (E::Min(a, b), sign) => {
+            let (a, b) = (inner(a), inner(b));
+            match sign {
+                Some(true) => b,
+                Some(false) => a,
+                None => E::Min(Box::new(a), Box::new(b)),
+            }
+        }
+        (E::Max(a, b), sign) => {
+            let (a, b) = (inner(a), inner(b));
+            match sign {
+                Some(true) => a,
+                Some(false) => b,
+                None => E::Max(Box::new(a), Box::new(b)),
+            }
+        }
     }
 }
 
@@ -72,14 +155,15 @@ impl Part {
                 _ => None,
             })
         };
-        let given = with(&|| tau().mul(Variable::Elapsed.into()));
         let linear = RefCell::new(Vec::new());
-        let normal = normal(&with(&|| tau().sub(share()))).substitute(&|e| {
+        let along = |e: &Expression| {
             let part = if moves(e) { Linear::of(e)? } else { return None };
             linear.borrow_mut().push(part);
             Some(Variable::Xi(linear.borrow().len() - 1).into())
-        });
-        Self { normal, linear: linear.into_inner(), given }
+        };
+        let given = with(&|| tau().mul(Variable::Elapsed.into())).substitute(&along);
+        let normal = normal(&with(&|| tau().sub(share()))).substitute(&along);
+        Self { normal, linear: linear.into_inner(), given, spelt: expression.clone() }
     }
 }
 

@@ -261,7 +261,19 @@ impl Bounds {
                 return Err(Why::MayNotExist(spelt.clone()));
             }
         }
-        let value = Range::from(&self.part(&form.value, point)?);
+        let sign = |kink: Interval| match () {
+            () if kink.is_positive() => Some(true),
+            () if kink.is_negative() => Some(false),
+            () => None,
+        };
+        let signs = form.kinks.iter().map(|kink| self.part(kink, point).ok().and_then(sign));
+        let decided = form.decided(signs.collect());
+        let value = self.part(&form.value, point);
+        let value = match decided.map(|part| self.part(&part, point)) {
+            Some(Ok(decided)) => value.map_or(decided.clone(), |value| value.common(&decided)),
+            _ => value?,
+        };
+        let value = Range::from(&value);
         if value.is_bounded() { Ok(value) } else { Err(unknown(&form.value)) }
     }
 
@@ -338,7 +350,7 @@ impl Bounds {
 }
 
 fn unknown(part: &Part) -> Why {
-    Why::Unknown(format!("no bound is found of {}", part.given))
+    Why::Unknown(format!("no bound is found of {}", part.spelt))
 }
 
 fn below(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
