@@ -1,7 +1,8 @@
 //! Measures the generated code and the generator. Without a sub-command everything but the cost
-//! of the macro is measured, and docs/BENCHMARKS.md and docs/benchmarks.svg are written.
+//! of builds is measured, and docs/BENCHMARKS.md and docs/benchmarks.svg are written.
 
 mod accuracy;
+mod builds;
 mod c;
 mod callgrind;
 mod calls;
@@ -13,7 +14,6 @@ mod extract;
 mod failure;
 mod gate;
 mod generator;
-mod macro_cost;
 mod peers;
 mod report;
 mod rewrites;
@@ -39,9 +39,9 @@ struct CommandLine {
     /// without it the one that bench/peers/generate.py writes
     #[arg(long, global = true, value_name = "DIR")]
     contestants: Option<PathBuf>,
-    /// Measure also what the macro costs; takes minutes
-    #[arg(long = "macro", global = true)]
-    macro_cost: bool,
+    /// Measure also what builds cost; takes minutes
+    #[arg(long, global = true)]
+    builds: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -52,7 +52,7 @@ enum Command {
     Accuracy,
     /// The C of other generators beside ours
     Peers,
-    /// Instructions and time of generating; with --macro also the builds of a crate with the macro
+    /// Instructions and time of generating; with --builds also those of the command and of a crate with the macro
     Generator,
     /// What equality saturation finds beyond the passes, for small kernels
     Egg,
@@ -110,8 +110,8 @@ fn peers(line: &CommandLine) -> Result<()> {
 fn generator(line: &CommandLine) -> Result<()> {
     report::keep("generator", &generator::measure()?)?;
     report::keep("bell", &generator::bells()?)?;
-    if line.macro_cost {
-        report::keep("macro", &macro_cost::measure()?)?;
+    if line.builds {
+        report::keep("builds", &builds::measure()?)?;
     }
     Ok(())
 }

@@ -9,11 +9,11 @@ use std::fmt::Write as _;
 use serde::de::DeserializeOwned;
 
 use crate::accuracy::Accuracy;
+use crate::builds::Builds;
 use crate::counts::Count;
 use crate::equality::Found;
 use crate::failure::Result;
 use crate::generator::{Bell, Speed};
-use crate::macro_cost::MacroCost;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
 
@@ -74,8 +74,8 @@ pub(crate) fn write() -> Result<()> {
     if let Some(found) = kept::<Vec<Found>>("egg")? {
         beside::saturation(&mut text, &found);
     }
-    if let Some(cost) = kept::<MacroCost>("macro")? {
-        tables::macro_cost(&mut text, cost);
+    if let Some(cost) = kept::<Builds>("builds")? {
+        tables::builds(&mut text, cost);
     }
     std::fs::write(docs.join("BENCHMARKS.md"), text)?;
     println!("wrote docs/BENCHMARKS.md and docs/benchmarks.svg");

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use crate::accuracy::Accuracy;
+use crate::builds::Builds;
 use crate::case::{ORDERS, VARIANTS};
 use crate::counts::Count;
 use crate::generator::Speed;
-use crate::macro_cost::MacroCost;
 
 /// A heading with the command that measures what follows.
 pub(super) fn section(text: &mut String, title: &str, command: &str, about: &str) {
@@ -139,18 +139,22 @@ pub(super) fn generator(text: &mut String, speeds: &[Speed]) {
     }
 }
 
-const MACRO: &str = "\
-Seconds of `cargo build` of a crate that uses `ptc_controller!`: cold with its whole dependency tree,
-then after a change of the crate with no, one and twenty controllers of order 2 to 5 (best of 5).";
+const BUILDS: &str = "\
+Processor seconds of `cargo build`, user and system, with all dependencies: from nothing, or after a change of a crate
+with controllers of order 2 to 5 (the least of 5).";
 
-pub(super) fn macro_cost(text: &mut String, cost: MacroCost) {
-    section(text, "The macro", "generator --macro", MACRO);
-    text.push_str("\n| cold | no controller | one | twenty | added by one | added by twenty |\n");
-    text.push_str("| ---: | ---: | ---: | ---: | ---: | ---: |\n");
-    let MacroCost { cold, none, one, twenty } = cost;
-    let (by_one, by_twenty) = (one - none, twenty - none);
-    let _ = writeln!(
-        text,
-        "| {cold:.1} | {none:.2} | {one:.2} | {twenty:.2} | {by_one:.2} | {by_twenty:.2} |"
-    );
+pub(super) fn builds(text: &mut String, builds: Builds) {
+    section(text, "Builds", "generator --builds", BUILDS);
+    text.push_str("\n| build | processor s |\n| --- | ---: |\n");
+    let Builds { command, lab, user, none, one, twenty } = builds;
+    for (what, seconds) in [
+        ("`cargo build --release -p ptc-codegen`, from nothing", command),
+        ("the same with `--features lab`", lab),
+        ("a crate with one controller, `cargo build`, from nothing", user),
+        ("after a change, no controller", none),
+        ("after a change, one controller", one),
+        ("after a change, twenty controllers", twenty),
+    ] {
+        let _ = writeln!(text, "| {what} | {seconds:.1} |");
+    }
 }

@@ -1,0 +1,96 @@
+//! What builds cost, in processor seconds: the command, a crate that uses the macro, and what
+//! controllers add to it.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+use serde::{Deserialize, Serialize};
+
+use crate::failure::{Failure, Result, While};
+use crate::tools::{run, scratch, workspace};
+
+/// Rebuilds of which the cheapest is taken.
+const REBUILDS: usize = 5;
+
+/// Processor seconds.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Builds {
+    /// The command from nothing, as the README's first line builds it.
+    pub(crate) command: f64,
+    /// The same with the feature `lab`.
+    pub(crate) lab: f64,
+    /// A crate with one controller, from nothing.
+    pub(crate) user: f64,
+    /// That crate after a change of it, without a controller.
+    pub(crate) none: f64,
+    /// With one controller.
+    pub(crate) one: f64,
+    /// With twenty controllers.
+    pub(crate) twenty: f64,
+}
+
+/// Builds all of them in folders of their own.
+pub(crate) fn measure() -> Result<Builds> {
+    let command = release(&["--package", "ptc-codegen"])?;
+    let lab = release(&["--package", "ptc-codegen", "--features", "lab"])?;
+    let folder = scratch("user")?;
+    std::fs::create_dir_all(folder.join("src"))?;
+    let manifest = format!(
+        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
+         [dependencies]\nptc = {{ path = {:?} }}\n\n[workspace]\n",
+        workspace()
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest)?;
+    // The versions that the workspace uses, which are here already.
+    std::fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    let user = of_controllers(&folder, 1, 0)?;
+    let least = |controllers| -> Result<f64> {
+        let mut least = f64::INFINITY;
+        for round in 1..=REBUILDS {
+            least = least.min(of_controllers(&folder, controllers, round)?);
+        }
+        Ok(least)
+    };
+    Ok(Builds { command, lab, user, none: least(0)?, one: least(1)?, twenty: least(20)? })
+}
+
+/// A release of the workspace from nothing.
+fn release(words: &[&str]) -> Result<f64> {
+    let target = scratch("release")?;
+    processor_seconds(workspace(), &target, &[&["--release"], words].concat())
+}
+
+/// `cargo build` with that many controllers.
+fn of_controllers(folder: &Path, controllers: usize, round: usize) -> Result<f64> {
+    let families = ["exp", "rational", "tan", "tanh", "algebraic"];
+    let mut source = format!("pub const ROUND: usize = {round};\n");
+    for index in 0..controllers {
+        let (family, n) = (families[index % families.len()], 2 + index / families.len());
+        let gains: Vec<_> = (1..=n).map(|gain| gain.to_string()).collect();
+        let _ = writeln!(
+            source,
+            "ptc::ptc_controller!(n = {n}, mu = {family}(a = 1.5), name = loop{index}, tau = 2, gains = [{}], allow = growth);",
+            gains.join(", ")
+        );
+    }
+    std::fs::write(folder.join("src/lib.rs"), source).while_doing("src/lib.rs")?;
+    processor_seconds(folder, &folder.join("target"), &["--offline"])
+}
+
+/// User and system time of `cargo build` with all that it starts.
+fn processor_seconds(folder: &Path, target: &Path, words: &[&str]) -> Result<f64> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    // `times` prints a line of the shell itself, and one of what it has waited for.
+    let script = "\"$0\" build --quiet \"$@\" || exit 1; times";
+    let mut command = Command::new("sh");
+    command.args(["-c", script]).arg(cargo).args(words).current_dir(folder);
+    let told = run(command.env("CARGO_TARGET_DIR", target))?;
+    let seconds = |text: &str| {
+        let (minutes, seconds) = text.strip_suffix('s')?.split_once('m')?;
+        Some(60.0 * minutes.parse::<f64>().ok()? + seconds.parse::<f64>().ok()?)
+    };
+    let line = told.lines().last().unwrap_or_default();
+    let sum: Option<f64> = line.split_whitespace().map(seconds).sum();
+    sum.ok_or_else(|| Failure::new(&format!("`times` of sh printed `{line}`")))
+}
