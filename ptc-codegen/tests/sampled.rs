@@ -126,7 +126,7 @@ fn the_controller_in_the_loop_is_the_emitted_c() {
     .enumerate()
     {
         let text = format!("{BASE}{own}{PLANT}");
-        let around = Loop { period: 0.004, end: 1.1, ..Loop::default() };
+        let around = Loop { period: 0.004, until: Some(1.1 * 1.5), ..Loop::default() };
         let (spec, plant) = design(&text);
         let mut calls = Vec::new();
         let values = Values::of(&spec, &plant).with(Parameter::StartTime, 0.25);

@@ -34,7 +34,8 @@ const STAGE: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = 
 fn rows(csv: &str) -> Vec<Vec<f64>> {
     csv.lines()
         .skip(1)
-        .map(|line| line.split(',').map(|n| n.parse().expect("a number")).collect())
+        .map(|line| line.split(',').filter(|n| !n.starts_with("PTC_")))
+        .map(|line| line.map(|n| n.parse().expect("a number")).collect())
         .collect()
 }
 
@@ -118,6 +119,43 @@ fn the_sampled_loop_reports_its_samples() {
     assert_eq!((code, found.lines().count()), (Some(0), 102), "{told}");
 }
 
+/// Armed again, either clock gives the run that starts from the state it has come to.
+#[test]
+fn a_loop_goes_on_after_its_deadline_and_starts_again() {
+    let folder = folder("again");
+    for clock in [&["--eps=0.05"][..], &["--clock=samples"]] {
+        let common = [&["stage.toml", "--sample-time=0.01"], clock].concat();
+        let long = ["--x0=0.1,-0.3", "--until=2.5", "--arm-at=1.4999,0.2"];
+        let csv = stdout(&folder, &[&common[..], &long].concat());
+        assert!(csv.starts_with("tau,t,x1,x2,u,y1,y2,status\n"), "{csv}");
+        let seen = rows(&csv);
+        assert_eq!(seen.len(), 251, "{clock:?}");
+        let status = |k: usize| csv.lines().nth(k + 1).and_then(|line| line.rsplit(',').next());
+        assert_eq!(
+            [0, 119, 121, 149, 150, 249].map(status),
+            [
+                Some("PTC_OK"),
+                Some(if clock[0] == "--clock=samples" { "PTC_OK" } else { "PTC_HOLD" }),
+                Some("PTC_HOLD"),
+                Some("PTC_HOLD"),
+                Some("PTC_OK"),
+                Some(if clock[0] == "--clock=samples" { "PTC_OK" } else { "PTC_HOLD" }),
+            ],
+            "{clock:?}"
+        );
+        for (from, length) in [(20, 130), (150, 101)] {
+            let x0 = format!("--x0={:?},{:?}", seen[from][2], seen[from][3]);
+            let fresh = stdout(&folder, &[&common[..], &[&x0, "--until=1.3"]].concat());
+            for (again, fresh) in seen[from..].iter().zip(rows(&fresh)).take(length) {
+                let same = |j: usize| (again[j] - fresh[j]).abs() <= 1e-9;
+                assert!((2..5).all(same), "{clock:?}: {again:?} {fresh:?}");
+            }
+        }
+        // What is measured is the state, without noise.
+        assert!(seen.iter().all(|row| row[2..4] == row[5..7]), "{clock:?}");
+    }
+}
+
 #[test]
 fn bad_input_gets_one_clear_message_and_no_file() {
     let folder = folder("wrong");
@@ -152,6 +190,22 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             &["`delay` is of the sampled loop", "give --sample-time"],
         ),
         (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--until=1e9"],
+            &["more than 1e7 samples in 1000000000 s"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--until=0"],
+            &["--until is not one time > 0", "| --until \"0\""],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--arm-at=1,-1"],
+            &["a time before t0", "| --arm-at \"1,-1\""],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--until=2"],
+            &["--until is of the sampled loop", "give --sample-time"],
+        ),
         (
             &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=1,2,3"],
             &["3 numbers for 2 states"],

@@ -218,6 +218,7 @@ impl Side for Continuous {
             time_to_go,
             stretched: get(self.closed.stretched()),
             x: &self.x,
+            measured: &self.x,
             u: get(self.closed.control()),
             status: if self.clipped() { Status::Saturated } else { Status::Ok },
         });

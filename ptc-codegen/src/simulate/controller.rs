@@ -1,6 +1,7 @@
 //! The emitted controller: its own program with the frame around it, bit for bit what the C computes.
 
 use super::{Failure, Values};
+use crate::controller::plan::Plan;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Domain, Parameter};
@@ -30,6 +31,8 @@ pub struct Controller {
     /// What `init` checks of what it computes, and what computes that.
     checks: Vec<Condition>,
     checked: Machine,
+    /// What `arm` computes.
+    armed: Vec<Value>,
     start: f64,
 }
 
@@ -48,7 +51,11 @@ impl Controller {
         let machine = Machine::new(&program, &outputs);
         let checks = digits::checks(&spec, &program);
         let checked: Vec<_> = checks.iter().flat_map(Condition::values).collect();
+        let needed = program.needed(&outputs);
+        let fields = Plan::new(&program).fields.into_iter().filter(|field| field.armed);
+        let armed = fields.map(|field| field.value).filter(|value| needed.contains(value));
         Ok(Self {
+            armed: armed.collect(),
             checked: Machine::new(&program, &checked),
             checks,
             time: machine.slot(Input::Time),
@@ -108,14 +115,24 @@ impl Controller {
         }
         for machine in [&mut self.machine, &mut self.smooth] {
             machine.run(Stage::Init, None);
+        }
+        let start = values.get(Parameter::StartTime);
+        if self.arm(start, x0) { Ok(()) } else { Err(Failure::not_armed(start)) }
+    }
+
+    /// `arm`: starts again at `start` from `x0`; whether all that it computes is finite.
+    pub fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
+        for machine in [&mut self.machine, &mut self.smooth] {
+            let slot = machine.slot(Input::StartTime);
+            machine.set(slot, start);
             for (j, x) in (1..).zip(x0) {
                 let slot = machine.slot(Input::StateAtStart(j));
                 machine.set(slot, *x);
             }
             machine.run(Stage::Arm, None);
         }
-        self.start = values.get(Parameter::StartTime);
-        Ok(())
+        self.start = start;
+        self.armed.iter().all(|value| self.machine.get(*value).is_finite())
     }
 
     /// u of `step` before the deadline, with the kinks held as chosen.

@@ -59,7 +59,7 @@ impl Side for Direct {
         let x = &x.as_slice()[..self.n];
         let (_, status) = self.controller.step(t, x);
         let u = self.controller.held(t, x);
-        visit(Sample { t, time_to_go, stretched: f64::NAN, x, u, status });
+        visit(Sample { t, time_to_go, stretched: f64::NAN, x, measured: x, u, status });
     }
 
     fn kinks(&self) -> usize {

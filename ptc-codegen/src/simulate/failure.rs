@@ -43,6 +43,16 @@ impl Failure {
         Self::of(Cause::Range, message, "the loop is unstable with these values")
     }
 
+    /// A start at which `arm` computes a number out of range.
+    pub(super) fn not_armed(start: f64) -> Self {
+        Self::input(
+            format!(
+                "the controller cannot be armed at t = {start} s: what it latches leaves its range"
+            ),
+            "start from a state within the range of the precision",
+        )
+    }
+
     fn of(cause: Cause, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { cause, at: None, message: message.into(), help: help.into() }
     }

@@ -46,6 +46,8 @@ pub struct Sample<'a> {
     pub stretched: f64,
     /// State x_1..x_n of the plant.
     pub x: &'a [f64],
+    /// What the controller is given of it; the state itself where nothing is sampled.
+    pub measured: &'a [f64],
     /// Control u, as it acts on the plant.
     pub u: f64,
     /// What the controller says of it.

@@ -34,15 +34,18 @@ pub struct Loop {
     pub seed: u64,
     /// Samples by which u acts late.
     pub delay: usize,
-    /// End of the run as a part of tau; after 1 the controller is past its deadline.
-    pub end: f64,
+    /// Time after t0 at which the run ends, in s; the deadline where it is not given.
+    pub until: Option<f64>,
+    /// Times after t0 from which on the controller is armed again, at the next sample, in s.
+    pub arm_at: Vec<f64>,
 }
 
 impl Default for Loop {
     fn default() -> Self {
         let none = Vec::new;
-        let (noise, sensor_step) = (none(), none());
-        Self { period: f64::NAN, u_step: 0.0, noise, sensor_step, seed: 0, delay: 0, end: 1.0 }
+        let (noise, sensor_step, arm_at) = (none(), none(), none());
+        let period = f64::NAN;
+        Self { period, u_step: 0.0, noise, sensor_step, seed: 0, delay: 0, until: None, arm_at }
     }
 }
 
@@ -76,6 +79,16 @@ enum Running<'a> {
 }
 
 impl Running<'_> {
+    /// Starts again at sample `index`, time `t`, from what is measured; whether the controller can.
+    fn arm(&mut self, index: u32, t: f64, measured: &[f64]) -> bool {
+        match self {
+            Self::Time(controller) => controller.arm(t, measured),
+            Self::Samples(controller) => {
+                controller.call("arm", &[("k", &[f64::from(index)])]).status.number() >= 0
+            }
+        }
+    }
+
     /// u and its status at sample `index` and time `t`.
     fn step(&mut self, index: u32, t: f64, measured: &[f64]) -> (f64, Status) {
         match self {
@@ -89,6 +102,9 @@ impl Running<'_> {
         }
     }
 }
+
+/// Part of a time within which another one counts as the same.
+const SAME: f64 = 1e-12;
 
 /// Accuracy of the motion between two samples, where u is constant.
 const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
@@ -146,11 +162,15 @@ impl Sampled {
         let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
-        let end = around.end * tau;
+        let end = around.until.unwrap_or(tau);
+        let mut armed = around.arm_at.clone();
+        armed.sort_by(f64::total_cmp);
+        let mut armed = armed.into_iter().peekable();
+        let mut deadline = tau;
         let mut walk = Walk::default();
         for index in 0_u32.. {
             let since = f64::from(index) * around.period;
-            let last = since >= end * (1.0 - 1e-12);
+            let last = since >= end * (1.0 - SAME);
             let since = if last { end } else { since };
             let t = t0 + since;
             let state = &x.as_slice()[..self.n];
@@ -163,11 +183,23 @@ impl Sampled {
                 let noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
                 *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
             }
+            let mut again = false;
+            while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
+                again = true;
+            }
+            if again {
+                if !controller.arm(index, t, &measured) {
+                    return Err(Failure::not_armed(t));
+                }
+                deadline = since + tau;
+            }
             let (u, status) = controller.step(index, t, &measured);
             late.push_back(quantised(u, around.u_step));
             let u = late.pop_front().unwrap_or(0.0);
             let state = &x.as_slice()[..self.n];
-            visit(Sample { t, time_to_go: tau - since, stretched: f64::NAN, x: state, u, status });
+            let (time_to_go, stretched, x_now) = (deadline - since, f64::NAN, state);
+            let measured = measured.as_slice();
+            visit(Sample { t, time_to_go, stretched, x: x_now, measured, u, status });
             if last {
                 break;
             }

@@ -20,12 +20,14 @@ design) the emitted controller itself is in the loop, bit for bit, and u is held
 sample is reported. Noise is drawn evenly from within its bounds.
 
 CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers read back as they were.
+Of the sampled loop also what is measured, y1,...,ym, and the status of step; u is what acts.
 
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
   ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
   ptc-codegen simulate stage.toml --x0 0.1,0 --at 0,0.5,0.9,0.999999 --report run.html
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
+  ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
   ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
 
 /// What is asked of a simulation.
@@ -57,4 +59,10 @@ pub(crate) struct Simulate {
     /// Sampled loop: seed of the noise
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
+    /// Sampled loop: time after t0 at which the run ends, in s; tau unless it is given
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) until: Option<String>,
+    /// Sampled loop: times after t0, in s, at whose next sample the controller is armed again
+    #[arg(long, value_name = "TIMES", allow_hyphen_values = true)]
+    pub(crate) arm_at: Option<String>,
 }

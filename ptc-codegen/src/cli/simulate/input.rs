@@ -40,6 +40,13 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
         ));
     }
     let around = around(request, spec)?;
+    for (flag, given) in [("--until", &request.until), ("--arm-at", &request.arm_at)] {
+        if let (None, Some(given)) = (&around, given) {
+            let message = format!("{flag} is of the sampled loop");
+            let help = "give --sample-time, or a clock in samples: the law itself ends at the deadline, where its gains are infinite";
+            return Err(List::new(flag, given)?.wrong(None, message, help));
+        }
+    }
     let at = request.at.as_deref().map(|text| List::new("--at", text)).transpose()?;
     if let (Some(at), Some(_)) = (&at, &around) {
         let message = "--at asks for instants between the samples".to_owned();
@@ -85,14 +92,16 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         ));
     };
     let tau = spec.fixed.get(&ptc_codegen::parameter::Parameter::Tau).and_then(to_f64);
-    if tau.is_some_and(|tau| tau / period > MAX_SAMPLES) {
+    let until = request.until.as_deref().map(end).transpose()?;
+    if let Some(length) = until.or(tau).filter(|length| length / period > MAX_SAMPLES) {
         return Err(Failure::because(
             format!(
-                "a sample period of {period} s makes more than {MAX_SAMPLES:e} samples up to the deadline"
+                "a sample period of {period} s makes more than {MAX_SAMPLES:e} samples in {length} s"
             ),
             "give a longer --sample-time",
         ));
     }
+    let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
     let each = |bounds: &[Fixed]| -> Vec<f64> {
         let one = |j: usize| bounds.get(if bounds.len() == 1 { 0 } else { j }).and_then(to_f64);
         (0..spec.n).filter_map(one).collect()
@@ -104,9 +113,23 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         sensor_step: each(&promises.sensor_step),
         seed: request.seed,
         delay: promises.delay.unwrap_or(0),
-        ..Loop::default()
+        until,
+        arm_at,
     };
     Ok(Some(around))
+}
+
+/// The time at which a run ends.
+fn end(text: &str) -> Result<f64, Failure> {
+    let list = List::new("--until", text)?;
+    match list.doubles()?.as_slice() {
+        [end] if *end > 0.0 => Ok(*end),
+        _ => Err(list.wrong(
+            None,
+            "--until is not one time > 0".to_owned(),
+            "give the time after t0 at which the run ends, in s",
+        )),
+    }
 }
 
 fn to_f64(value: &Fixed) -> Option<f64> {
@@ -139,6 +162,17 @@ impl<'a> List<'a> {
             list.items.push((value, range));
         }
         Ok(list)
+    }
+
+    /// The times of `--arm-at`.
+    fn times(text: &'a str) -> Result<Vec<f64>, Failure> {
+        let list = Self::new("--arm-at", text)?;
+        let negative = list.items.iter().find(|(value, _)| value.is_negative());
+        if let Some((_, range)) = negative {
+            let message = "a time before t0".to_owned();
+            return Err(list.wrong(Some(range), message, "give times after t0, in s"));
+        }
+        list.doubles()
     }
 
     /// The items rounded to doubles.

@@ -73,13 +73,26 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
 
 fn csv(runs: &[Run]) -> String {
     let n = runs.first().map_or(0, |run| run.n);
-    let states: String = (1..=n).map(|j| format!(",x{j}")).collect();
-    let mut text = format!("tau,t{states},u\n");
+    // What a sampled loop has beside the state and u; all runs are of one kind.
+    let sampled = runs.iter().find(|run| run.is_held()).and_then(|run| run.rows.first());
+    let measured = sampled.map_or(0, |row| row.measured.len());
+    let columns =
+        |name: &str, count| (1..=count).map(|j| format!(",{name}{j}")).collect::<String>();
+    let more = sampled.map_or(String::new(), |_| columns("y", measured) + ",status");
+    let mut text = format!("tau,t{},u{more}\n", columns("x", n));
     for run in runs {
         for row in run.rows.iter().filter(|row| row.reported) {
             text.push_str(&format!("{:?},{:?}", run.tau, row.t));
-            row.x.iter().for_each(|x| text.push_str(&format!(",{x:?}")));
-            text.push_str(&format!(",{:?}\n", row.u));
+            let measured = row.measured.iter().take(measured);
+            row.x
+                .iter()
+                .chain([&row.u])
+                .chain(measured)
+                .for_each(|x| text.push_str(&format!(",{x:?}")));
+            if run.is_held() {
+                text.push_str(&format!(",{}", row.status.c_name()));
+            }
+            text.push('\n');
         }
     }
     text

@@ -90,6 +90,8 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
         parts.push(format!("sensor steps: {}", list(&promises.sensor_step)));
     }
     parts.extend(promises.u_step.as_ref().map(|step| format!("actuator step: {step}")));
+    parts.extend(request.until.as_ref().map(|until| format!("until {until} s after t0")));
+    parts.extend(request.arm_at.as_ref().map(|at| format!("armed again at {at} s after t0")));
     parts.extend(promises.delay.map(|delay| format!("delay: {delay} samples")));
     Some(format!("{}.", parts.join(", ")))
 }

@@ -41,6 +41,9 @@ pub(super) struct Row {
     pub(super) t: f64,
     pub(super) stretched: f64,
     pub(super) x: Vec<f64>,
+    /// What the controller is given, and what it says.
+    pub(super) measured: Vec<f64>,
+    pub(super) status: Status,
     pub(super) u: f64,
     /// Whether the CSV holds it.
     pub(super) reported: bool,
@@ -52,6 +55,8 @@ impl Row {
             t: sample.t,
             stretched: sample.stretched,
             x: sample.x.to_vec(),
+            measured: sample.measured.to_vec(),
+            status: sample.status,
             u: sample.u,
             reported,
         }
