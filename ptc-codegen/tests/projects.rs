@@ -405,3 +405,20 @@ int main()
     }
 }
 "#;
+
+#[test]
+fn the_plant_is_told_for_every_order() {
+    let folder = folder("told_plant");
+    for (n, g, plant) in [
+        ("1", None, "with its plant, x1' = u, up to"),
+        ("2", None, "with its plant, x1' = x2, x2' = u, up to"),
+        ("3", Some("2"), "with its plant, x1' = x2, ..., x3' = g u, g = 2, up to"),
+    ] {
+        let out = folder.join(n);
+        let gain = g.map(|g| ["--g", g]);
+        let own = ["--n", n, "--mu", "exp", "--name", "stage"];
+        made("cmake", &[&own[..], gain.as_ref().map_or(&[], |g| &g[..])].concat(), &out);
+        let main = fs::read_to_string(out.join("example/main.c")).expect("a program");
+        assert!(main.contains(plant), "{main}");
+    }
+}

@@ -1,6 +1,7 @@
 //! The values with which a project runs, as text in its language.
 
 use super::super::example::{Example, SAMPLED, TIMED};
+use super::super::plant::chain;
 use super::super::{Language, c, declared, literal, rust};
 use super::constant;
 use super::samples::Samples;
@@ -55,9 +56,10 @@ pub(super) struct Time {
     pub(super) tau: String,
     pub(super) tau_fixed: bool,
     pub(super) period: String,
-    /// A constant input gain of the plant, and how it was written.
+    /// A constant input gain of the plant.
     pub(super) gain: Option<String>,
-    pub(super) gain_text: String,
+    /// The plant in a line.
+    pub(super) about: String,
 }
 
 /// Texts of numbers in a language and a precision.
@@ -147,7 +149,10 @@ impl Time {
             tau_fixed,
             period: words.number(example.period),
             gain: number,
-            gain_text: gain.map(ToString::to_string).unwrap_or_default(),
+            about: match gain {
+                Some(gain) => format!("{}, g = {gain}", chain(spec.n, "g u")),
+                None => chain(spec.n, "u"),
+            },
         }
     }
 }
