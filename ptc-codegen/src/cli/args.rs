@@ -75,6 +75,15 @@ pub(crate) enum Command {
     /// Write a design file to begin with, which tells every key
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
+    /// Print what a shell needs to complete commands and flags
+    #[command(after_help = with_exit_codes(super::manual::COMPLETIONS_EXAMPLES))]
+    Completions(super::manual::Completions),
+    /// Print a page of the manual, in roff
+    #[command(after_help = with_exit_codes(super::manual::MAN_EXAMPLES))]
+    Man(super::manual::Page),
+    /// Print a JSON schema of design files, with which editors complete and explain their keys
+    #[command(after_help = with_exit_codes(super::schema::EXAMPLES))]
+    Schema,
     /// Print the families of time mappings and their parameters
     #[command(after_help = with_exit_codes(super::list::EXAMPLES))]
     List(super::list::List),

@@ -17,6 +17,7 @@ mod lab;
 #[path = "without_lab.rs"]
 mod lab;
 mod list;
+mod manual;
 #[cfg(feature = "lab")]
 mod mathml;
 mod new;
@@ -26,6 +27,7 @@ mod page;
 mod project;
 mod read;
 mod report;
+mod schema;
 mod show;
 #[cfg(feature = "lab")]
 mod simulate;
@@ -37,7 +39,7 @@ mod write;
 use std::borrow::Cow;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 
 use args::{Command, CommandLine};
 use ptc_codegen::diagnostic::visible;
@@ -83,6 +85,11 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         Command::Verify(request) => lab::verify(&request),
         Command::Design(request) => lab::design(&request),
         Command::New(request) => new::new(&request),
+        Command::Completions(request) => {
+            write::to_stdout(&manual::completions(&request, CommandLine::command()))
+        }
+        Command::Man(request) => write::to_stdout(&manual::page(&request, CommandLine::command())?),
+        Command::Schema => write::to_stdout(&schema::schema()),
         Command::List(request) => write::to_stdout(&list::list(request.format)),
     }
 }

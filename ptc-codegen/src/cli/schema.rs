@@ -1,0 +1,108 @@
+//! `schema`: a JSON schema of design files, from the tables of keys.
+
+use ptc_codegen::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};
+use ptc_codegen::keys::{KEYS, KeyInfo, PLANT_KEYS};
+use ptc_codegen::syntax::number;
+use serde_json::{Map, Value, json};
+
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  ptc-codegen schema > ptc-design.schema.json
+  #:schema ./ptc-design.schema.json     as the first line of a design, for editors with Even Better TOML";
+
+/// The schema as text.
+pub(crate) fn schema() -> String {
+    let mut top = table(KEYS.iter().filter(|info| info.table().is_none()), false);
+    let named = |name| KEYS.iter().filter(move |info: &&KeyInfo| info.table() == Some(name));
+    let tables = [
+        ("params", "values of parameters, by their names", table(named("params"), true)),
+        (
+            "envelope",
+            "what the inputs of the controller are within",
+            table(named("envelope"), false),
+        ),
+        ("plant", "the plant; every other name is a symbol of f and g", table(&PLANT_KEYS, true)),
+        ("disturbance", DISTURBANCE.meaning, table([], true)),
+        ("verify", "what is drawn, and how much", verified()),
+    ];
+    let objectives = json!({
+        "description": "what has to hold",
+        "type": "array",
+        "items": table(&OBJECTIVE_KEYS, false),
+    });
+    let properties = top.get_mut("properties").and_then(Value::as_object_mut);
+    if let Some(properties) = properties {
+        for (name, about, mut table) in tables {
+            table.insert("description".to_owned(), about.into());
+            let table = Value::Object(table);
+            // `disturbance` is a key of a controller, and a table of a campaign.
+            let either = match properties.remove(name) {
+                Some(key) => json!({ "anyOf": [key, table] }),
+                None => table,
+            };
+            properties.insert(name.to_owned(), either);
+        }
+        properties.insert("objective".to_owned(), objectives);
+    }
+    let head = [
+        ("$schema", "https://json-schema.org/draft/2020-12/schema"),
+        ("title", "Design of a prescribed-time controller"),
+    ];
+    let mut schema: Map<_, _> =
+        head.map(|(key, text)| (key.to_owned(), text.into())).into_iter().collect();
+    schema.extend(top);
+    schema.insert("required".to_owned(), json!(["n"]));
+    format!("{:#}\n", Value::Object(schema))
+}
+
+/// A table with these keys, and others where it is `open`.
+fn table<'a>(keys: impl IntoIterator<Item = &'a KeyInfo>, open: bool) -> Map<String, Value> {
+    let own =
+        |info: &KeyInfo| (info.key.rsplit('.').next().unwrap_or(info.key).to_owned(), key(info));
+    let properties: Map<_, _> = keys.into_iter().map(own).collect();
+    let table = json!({ "type": "object", "properties": properties, "additionalProperties": open });
+    table.as_object().cloned().unwrap_or_default()
+}
+
+/// That of `verify`, with the initial states x1, x2, ...
+fn verified() -> Map<String, Value> {
+    let mut table = table(&verify::KEYS, false);
+    let states = json!({ "^x[1-9][0-9]?$": key(&INITIAL_STATE) });
+    table.insert("patternProperties".to_owned(), states);
+    table
+}
+
+/// A key, with its values where they are words.
+fn key(info: &KeyInfo) -> Value {
+    let mut key = json!({
+        "description": format!("{}; legal: {}", info.meaning, info.legal),
+        "examples": [example(info.example)],
+    });
+    if let Some(words) = words(info.legal) {
+        key["enum"] = words.into();
+    }
+    key
+}
+
+/// `a, b or c` as a list of words; none for a text that says more.
+fn words(legal: &str) -> Option<Vec<String>> {
+    let (first, last) = legal.rsplit_once(" or ")?;
+    let words = first.split(", ").chain([last]);
+    let is_word = |word: &str| word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit());
+    words.map(|word| is_word(word).then(|| word.to_owned())).collect()
+}
+
+/// An example of the command line as a value of JSON.
+fn example(text: &str) -> Value {
+    let one = |text: &str| match number(text).and_then(|_| text.parse::<serde_json::Number>().ok())
+    {
+        Some(number) => Value::Number(number),
+        None => Value::String(text.to_owned()),
+    };
+    let items: Vec<_> = text.split(',').map(|item| one(item.trim())).collect();
+    match items.as_slice() {
+        [_] => one(text),
+        all if all.iter().all(Value::is_number) => Value::Array(items),
+        _ => serde_json::from_str(text).unwrap_or_else(|_| Value::String(text.to_owned())),
+    }
+}
