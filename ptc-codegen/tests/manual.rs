@@ -34,6 +34,10 @@ fn the_schema_takes_every_example_and_no_other_key() {
             panic!("{}: {key}", path.display());
         }
     }
+    for text in ["tau = 1\n", "[params]\ntau = 1\n", "[plant]\nA = [[0]]\n"] {
+        assert_eq!(fits(text, &schema), Ok(()), "{text}");
+    }
+    assert!(schema["properties"]["plant"]["properties"]["A"].is_object());
     let wrong = |text: &str, key: &str| assert_eq!(fits(text, &schema), Err(key.to_owned()));
     wrong("n = 2\ngain = [1, 2]\n", "gain");
     wrong("n = 2\nclock = \"sample\"\n", "clock");

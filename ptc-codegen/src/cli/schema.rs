@@ -12,7 +12,9 @@ Examples:
 
 /// The schema as text.
 pub(crate) fn schema() -> String {
-    let mut top = table(KEYS.iter().filter(|info| info.table().is_none()), false);
+    // What every controller has may stand without `params`.
+    let is_top = |info: &&KeyInfo| matches!(info.table(), None | Some("params"));
+    let mut top = table(KEYS.iter().filter(is_top), false);
     let named = |name| KEYS.iter().filter(move |info: &&KeyInfo| info.table() == Some(name));
     let tables = [
         ("params", "values of parameters, by their names", table(named("params"), true)),
@@ -21,7 +23,11 @@ pub(crate) fn schema() -> String {
             "what the inputs of the controller are within",
             table(named("envelope"), false),
         ),
-        ("plant", "the plant; every other name is a symbol of f and g", table(&PLANT_KEYS, true)),
+        (
+            "plant",
+            "the plant; every other name is a symbol of f and g",
+            table(named("plant").chain(&PLANT_KEYS), true),
+        ),
         ("disturbance", DISTURBANCE.meaning, table([], true)),
         ("verify", "what is drawn, and how much", verified()),
     ];
