@@ -54,6 +54,10 @@ use law::Law;
 use program::{Op, Program, number, passes};
 use request::Spec;
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// A design that the checks accept, and its optimised program: what all files are made of.
 #[derive(Clone, Debug)]
 pub struct Accepted {
