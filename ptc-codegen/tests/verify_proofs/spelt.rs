@@ -289,3 +289,27 @@ fn a_stretched_time_that_is_iterated_is_bounded_from_t0_on() {
         assert!(found[0].is_proved(), "{found:?}\n{text}");
     }
 }
+
+/// Where the sign that decides it is known a kink is what it is there; parts that cancel then do.
+#[test]
+fn kinks_whose_sign_is_known_are_no_obstacle() {
+    let holds = |h: &str, bounds: &str| {
+        let design = format!(
+            "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n[plant]\nf = 0\n\
+             [verify]\nx1 = [-1, 1]\nx2 = [-1, 1]\ntau = [0.9, 1]\n\
+             [[objective]]\nbound = \"within\"\nh = \"{h}\"\n{bounds}\n"
+        );
+        proved(&design)[0]
+    };
+    // |x1| < 1.2 along every run.
+    assert!(holds("abs(x1 - 1.3) + x1 - 1.3", "high = 1e-9"));
+    assert!(holds("abs(1.3 - x1)/(1.3 - x1)", "low = 0.5"));
+    assert!(holds("sign(x1 - 1.3)*abs(x1 - 1.3)", "high = 0"));
+    assert!(holds("(x1 - 1.3)^3", "high = 0"));
+    assert!(holds("max(x1, 1.3) - 1.3", "high = 1e-9"));
+    assert!(holds("min(x1, 1.3) - x1 + abs(max(x1, -1.3) - 1.3) + x1 - 1.3", "high = 1e-9"));
+    // x1 = 1 is in the box.
+    assert!(!holds("abs(x1 - 0.99) + x1 - 0.99", "high = 1e-9"));
+    assert!(!holds("(x1 - 0.99)^3", "high = 0"));
+    assert!(!holds("min(x1, 0.99) - x1", "low = -1e-3"));
+}

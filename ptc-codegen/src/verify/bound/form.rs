@@ -18,6 +18,9 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Variable};
 use crate::parameter::Parameter;
 
+/// Patterns of signs for which an expression is brought to its normal form.
+const PATTERNS: usize = 64;
+
 /// The values of what is fixed.
 pub(super) type Values = BTreeMap<Parameter, BigRational>;
 
@@ -74,8 +77,9 @@ impl Form {
     /// The value where what decides the kinks is positive or negative as `signs` says, in their order;
     /// none where no sign is known.
     pub(super) fn decided(&self, signs: Vec<Option<bool>>) -> Option<Rc<Part>> {
-        signs.iter().any(Option::is_some).then(|| {
-            let mut decided = self.decided.borrow_mut();
+        let mut decided = self.decided.borrow_mut();
+        let is_new = decided.len() < PATTERNS || decided.contains_key(&signs);
+        (is_new && signs.iter().any(Option::is_some)).then(|| {
             let part = decided.entry(signs).or_insert_with_key(|signs| {
                 let smooth = smooth(&self.value.spelt, &mut signs.iter());
                 Rc::new(Part::new(&smooth, &self.values))
