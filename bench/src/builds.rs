@@ -92,5 +92,5 @@ fn processor_seconds(folder: &Path, target: &Path, words: &[&str]) -> Result<f64
     };
     let line = told.lines().last().unwrap_or_default();
     let sum: Option<f64> = line.split_whitespace().map(seconds).sum();
-    sum.ok_or_else(|| Failure::new(&format!("`times` of sh printed `{line}`")))
+    sum.ok_or_else(|| Failure::new(format!("`times` of sh printed `{line}`")))
 }

@@ -19,7 +19,7 @@ pub enum TimeMapping {
         rates: usize,
     },
     /// A mapping that the user wrote down.
-    Custom(Custom),
+    Custom(Box<Custom>),
 }
 
 impl TimeMapping {

@@ -277,7 +277,7 @@ mod tests {
         ] {
             let custom = Custom::new(Subject::Mu, mu(text)).expect(text);
             for precision in [Precision::F32, Precision::F64] {
-                let time_mapping = TimeMapping::Custom(custom.clone());
+                let time_mapping = TimeMapping::Custom(Box::new(custom.clone()));
                 let spec = Spec { precision, time_mapping, ..Spec::new(2, Family::Exp) };
                 let law = Law::of(&spec);
                 let program = passes::optimise(lower::lower(&spec, &law), &mut |_, _| {});

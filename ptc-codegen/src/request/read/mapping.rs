@@ -58,7 +58,7 @@ impl Reader<'_> {
             return None;
         }
         match Custom::new(subject, given) {
-            Ok(custom) => Some((TimeMapping::Custom(custom), Vec::new())),
+            Ok(custom) => Some((TimeMapping::Custom(Box::new(custom)), Vec::new())),
             Err((message, help)) => {
                 self.found.push("bad-expression", subject.key(), Some(node.place), message, help);
                 None
