@@ -141,7 +141,7 @@ pub(super) fn generator(text: &mut String, speeds: &[Speed]) {
 
 const BUILDS: &str = "\
 Processor seconds of `cargo build`, user and system, with all dependencies: from nothing, or after a change of a crate
-with controllers of order 2 to 5 (the least of 5).";
+with controllers of order 2 to 5 (the least of 5). From nothing they vary by a fifth from run to run.";
 
 pub(super) fn builds(text: &mut String, builds: Builds) {
     section(text, "Builds", "generator --builds", BUILDS);
