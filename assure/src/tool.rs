@@ -171,10 +171,14 @@ pub const CHROMIUM: Tool = Tool {
     source: Source::Apt(&["chromium", "fonts-dejavu-extra"]),
 };
 
-/// The C++ compiler for Arm.
+/// The C++ compiler for Arm. The package of the C compiler has it too, without a library.
 pub const ARM_GXX: Tool = Tool {
     name: "arm-none-eabi-g++",
-    shown_by: ShownBy::Command(&["arm-none-eabi-g++", "--version"]),
+    shown_by: ShownBy::Command(&[
+        "sh",
+        "-c",
+        "echo '#include <array>' | arm-none-eabi-g++ -x c++ -fsyntax-only - && arm-none-eabi-g++ --version",
+    ]),
     source: Source::Apt(&["gcc-arm-none-eabi", "libstdc++-arm-none-eabi-newlib"]),
 };
 
