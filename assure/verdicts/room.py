@@ -1,6 +1,7 @@
 """What `verify` proves with 5 % of room: each family and order, without and with a bounded force.
 
-Every design bounds |x_1|, |x_n| and |u| by 1.05 times what the loop attains, and without a force |x|/|x0|.
+Every design bounds |x_1|, |x_n|, |u|, a sum of the three with constant factors and one with T in them by
+1.05 times what the loop attains, and without a force |x|/|x0|.
 """
 
 import argparse
@@ -19,6 +20,14 @@ from verify import ask
 
 ROOM = 1.05
 FORCES = ["none", "constant", "any"]
+
+
+def greatest(setting, row):
+    """The greatest size of a row."""
+    signs = [row, negated(row)]
+    most, _ = supremum(setting, lambda s, tau, rows: max(
+        setting.linear(signed, s, tau, rows)[0] for signed in signs))
+    return most
 
 
 class Case:
@@ -43,19 +52,28 @@ class Case:
 
     def objectives(self, setting):
         """Names of what is bounded, and lines of a design file for each."""
-        out = []
+        out, factors = [], {}
         for name, index in [("x1", 0), ("xn", self.n - 1), ("u", self.n)]:
             row = [0] * (self.n + 1)
             row[index] = 1
-            signs = [row, negated(row)]
-            most, _ = supremum(setting, lambda s, tau, rows: max(
-                setting.linear(signed, s, tau, rows)[0] for signed in signs))
+            most = greatest(setting, row)
+            factors[index] = float(f"{1 / most:.2g}")
             bound = text(ROOM * most)
             if name == "u":
                 out.append((name, ['bound = "input"', f'upsilon = "{bound}"']))
             else:
                 state = f"x{index + 1}"
                 out.append((name, ['bound = "within"', f'h = "abs({state})"', f"high = {bound}"]))
+        names = [f"x{i + 1}" for i in range(self.n)] + ["u"]
+        for name, time_to_go in [("sum", ""), ("sum(T)", "*T")]:
+            row = [0] * (self.n + 1)
+            for index, factor in factors.items():
+                row[index] = factor
+            # The last of them, with T where that is asked for.
+            if time_to_go:
+                row[self.n] = lambda left: left * factors[self.n]
+            h = " + ".join(f"{factors[i]}*{names[i]}" for i in factors) + time_to_go
+            out.append((name, ['bound = "within"', f'h = "{h}"', f"high = {text(ROOM * greatest(setting, row))}"]))
         if self.force == "none":
             most, _ = supremum(setting, lambda s, tau, rows: gain_at(setting, s, tau, rows))
             out.append(("norm", ['bound = "state"', f"sigma = {text(ROOM * most)}"]))

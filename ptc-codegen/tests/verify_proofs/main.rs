@@ -1,10 +1,11 @@
 //! What `verify` proves: `drawn`, random loops against dense samples of exact solutions; `spelt`,
-//! expressions, reasons and precisions.
+//! expressions, reasons and precisions; `sums`, x and u together under a force.
 #![cfg(feature = "lab")]
 
 mod drawn;
 mod loops;
 mod spelt;
+mod sums;
 #[path = "../support/mod.rs"]
 mod support;
 

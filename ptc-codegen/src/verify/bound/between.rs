@@ -2,7 +2,7 @@
 
 use super::cell::Loop;
 use super::flow::{Rows, dot};
-use super::forced::{ASKED, Block, LITTLE, Response, mapped};
+use super::forced::{ASKED, Block, LITTLE, Response, chosen, mapped};
 use super::impulse::LAST;
 use super::piece::{along, polynomial, sizes};
 use crate::algebra::BigRational;
@@ -26,19 +26,19 @@ impl Loop {
         half: Range,
         table: &Rows,
         last: &Response,
+        sum: Option<&[Range]>,
     ) -> Option<Vec<Range>> {
-        let n = self.n;
         if half == Range::from(0.0) {
-            return Some(vec![half; n + 1]);
+            return Some(vec![half; last.size.len()]);
         }
         let share = Interval::between(low, Some(high));
         let [first_at, last_at] = [self.clock.stretched(high)?, self.clock.stretched(low)?];
         let during = first_at.hull(&last_at);
         let kappa = self.clock.derivatives(&share, &during)?;
         let inverse = Range::from(1.0) / Range::from(&share);
-        let rows = mapped(table, n, &share);
+        let rows = chosen(mapped(table, self.n, &share), sum);
         let (early, late) = (Range::from(&first_at), Range::from(&last_at));
-        let bent = self.bent(table, [early, late], &kappa, inverse)?;
+        let bent = self.bent(table, [early, late], &kappa, inverse, sum)?;
         // The range of the kernel at the lags that only the later end knows.
         let passed = (late - early).size();
         let weight = self.weight.clone()?;
@@ -52,7 +52,7 @@ impl Loop {
             true => None,
             false => {
                 let at = Interval::exact(low);
-                Some(self.response(&at, &last_at, Some(passed.middle()))?)
+                Some(self.response(&at, &last_at, Some(passed.middle()), sum)?)
             }
         };
         let moved = (passed - Range::from(passed.middle())).size();
@@ -71,7 +71,7 @@ impl Loop {
             };
             (square * (bent[r] + turn.size() * range.size()) + edge).both_signs()
         };
-        Some((0..=n).map(one).collect())
+        Some((0..rows.len()).map(one).collect())
     }
 
     /// What phi_1.. are within over a time.
@@ -100,6 +100,7 @@ impl Loop {
         [early, late]: [Range; 2],
         kappa: &[Range],
         inverse: Range,
+        sum: Option<&[Range]>,
     ) -> Option<Vec<Range>> {
         let n = self.n;
         let weight = self.weight.clone()?;
@@ -121,14 +122,19 @@ impl Loop {
             let slopes = Range::from(2.0) * one * first + two * own;
             [second, slopes, one.square() * own].map(|part| part * power)
         };
-        let parts: Vec<Vec<[Range; 3]>> =
-            (0..=n).map(|r| (0..=n).map(|j| of(r, j)).collect()).collect();
+        let part = |k: usize| {
+            let rows = (0..=n).map(|r| (0..=n).map(|j| of(r, j)[k]).collect()).collect();
+            chosen(rows, sum)
+        };
+        let parts = [0, 1, 2].map(part);
+        let count = parts[0].len();
         let with = |[_, first, second]: [Range; 3], r: usize| -> Vec<Range> {
-            parts[r].iter().map(|[a, b, c]| *a + first * *b + second * *c).collect()
+            let [a, b, c] = [0, 1, 2].map(|k: usize| parts[k][r].iter());
+            a.zip(b).zip(c).map(|((a, b), c)| *a + first * *b + second * *c).collect()
         };
         let length = self.flow.length();
         let half = Range::from(0.5 * length);
-        let mut bent = vec![zero; n + 1];
+        let mut bent = vec![zero; count];
         let mut piece = 0_u64;
         loop {
             #[allow(clippy::cast_precision_loss)]
@@ -143,7 +149,7 @@ impl Loop {
             {
                 // A lag is at a time as much later as the cell is long.
                 let passed = (late - early).size().high();
-                let mut left = vec![zero; n + 1];
+                let mut left = vec![zero; count];
                 for Block { ends: [from, to], bounds } in &blocks {
                     let over = weight.over(*from, to + passed);
                     let time = (Range::from(*to) - Range::from(*from)).size();

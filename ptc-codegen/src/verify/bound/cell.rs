@@ -46,8 +46,10 @@ pub(super) struct Loop {
     left: usize,
     /// What f is within, where it is not 0.
     drift: Option<Drift>,
-    /// How the loop answers f at the T/tau that were asked for.
-    driven: BTreeMap<BigRational, Rc<Response>>,
+    /// How the loop answers f at the T/tau that were looked at, and in the sums by their factors.
+    driven: BTreeMap<(BigRational, Vec<u64>), Rc<Response>>,
+    /// What f adds to sums over cells.
+    sums: BTreeMap<([BigRational; 2], Vec<u64>), Option<[Range; 2]>>,
     pub(super) weight: Option<Rc<Weight>>,
     /// Pieces of lags that may be looked at.
     pub(super) pieces: u64,
@@ -79,7 +81,7 @@ impl Drift {
 }
 
 /// Pieces of lags for all cells.
-const PIECES: u64 = 1_000_000;
+const PIECES: u64 = 3_000_000;
 
 impl Loop {
     /// The loop of a flow and a mapping, of which at most so many cells may be looked at.
@@ -96,8 +98,20 @@ impl Loop {
             start.push(row);
         }
         let (drift, driven, weight, pieces) = (None, BTreeMap::new(), None, PIECES);
-        let (known, left) = (BTreeMap::new(), cells);
-        Some(Self { n, flow, clock, start, cells: known, left, drift, driven, weight, pieces })
+        let (known, sums, left) = (BTreeMap::new(), BTreeMap::new(), cells);
+        Some(Self {
+            n,
+            flow,
+            clock,
+            start,
+            cells: known,
+            left,
+            drift,
+            driven,
+            sums,
+            weight,
+            pieces,
+        })
     }
 
     /// The same with an f between two bounds, in a run to `until`.
@@ -147,28 +161,18 @@ impl Loop {
         let moved = Range::from(&point.plus(&wide.neg()));
         let rows = by_series(&centre, rows, moved);
         let n = self.n;
-        let half = match low == high {
-            true => Range::from(0.0),
-            false => Range::from(&Interval::exact(&((high - low) / integer(2)))),
-        };
+        let half = half_of(share);
         let mut about = vec![Range::from(0.0); n + 1];
         let added = match self.drift {
             None => None,
             Some(drift) => {
-                let [last, first] = [self.answer(low)?, self.answer(high)?];
-                let rest = self.beyond(share, half, &over_cell, &last)?;
+                let (ends, added) = self.added(drift, share, &over_cell, None)?;
                 for (i, about) in about.iter_mut().enumerate() {
-                    let at = |end: &Response| drift.of(end.signed[i], end.size[i]);
-                    *about = at(&last).hull(at(&first));
+                    let [last, first] =
+                        ends.each_ref().map(|end| drift.of(end.signed[i], end.size[i]));
+                    *about = last.hull(first);
                 }
-                let with = |end: &Response| {
-                    let row = |i: usize| {
-                        let rest = drift.most() * rest[i];
-                        drift.of(end.signed[i], end.size[i]) + rest.both_signs()
-                    };
-                    (0..=n).map(row).collect()
-                };
-                Some([with(&last), with(&first)])
+                Some(added)
             }
         };
         let from = |rows: &Rows, first: usize| rows[first..=n + first].to_vec();
@@ -182,14 +186,68 @@ impl Loop {
         })
     }
 
-    /// How x_1..x_n and g u answer f at one T/tau.
-    fn answer(&mut self, share: &BigRational) -> Option<Rc<Response>> {
-        if let Some(known) = self.driven.get(share) {
+    /// What f adds to the sum of x_1..x_n and g u with these factors over a cell, as in
+    /// [`Cell::added`]: less than the sum of what it adds to each, as no one signal is worst for all.
+    pub(super) fn of_sum(
+        &mut self,
+        share: &[BigRational; 2],
+        factors: &[Range],
+    ) -> Option<[Range; 2]> {
+        let drift = self.drift?;
+        let key = (share.clone(), bits(factors));
+        if let Some(known) = self.sums.get(&key) {
+            return *known;
+        }
+        let sum = self.added_to(drift, share, factors);
+        self.sums.insert(key, sum);
+        sum
+    }
+
+    fn added_to(
+        &mut self,
+        drift: Drift,
+        share: &[BigRational; 2],
+        factors: &[Range],
+    ) -> Option<[Range; 2]> {
+        let [low, high] = share;
+        let during = self.clock.stretched(high)?.hull(&self.clock.stretched(low)?);
+        let table = self.table(&Interval::between(low, Some(high)), &during)?;
+        let (_, [last, first]) = self.added(drift, share, &table, Some(factors))?;
+        Some([last[0], first[0]])
+    }
+
+    /// How the loop answers f at the least T/tau of a cell and at the greatest, and what f adds at
+    /// both, with what it may add beyond that between them.
+    fn added(
+        &mut self,
+        drift: Drift,
+        share: &[BigRational; 2],
+        table: &Rows,
+        sum: Option<&[Range]>,
+    ) -> Option<([Rc<Response>; 2], [Vec<Range>; 2])> {
+        let [low, high] = share;
+        let half = half_of(share);
+        let ends = [self.answer(low, sum)?, self.answer(high, sum)?];
+        let rest = self.beyond(share, half, table, &ends[0], sum)?;
+        let with = |end: &Rc<Response>| {
+            let row = |(i, rest): (usize, &Range)| {
+                drift.of(end.signed[i], end.size[i]) + (drift.most() * *rest).both_signs()
+            };
+            rest.iter().enumerate().map(row).collect()
+        };
+        let added = ends.each_ref().map(with);
+        Some((ends, added))
+    }
+
+    /// How x_1..x_n and g u, or a sum of them, answer f at one T/tau.
+    fn answer(&mut self, share: &BigRational, sum: Option<&[Range]>) -> Option<Rc<Response>> {
+        let key = (share.clone(), sum.map(bits).unwrap_or_default());
+        if let Some(known) = self.driven.get(&key) {
             return Some(known.clone());
         }
         let here = self.clock.stretched(share)?;
-        let answer = Rc::new(self.response(&Interval::exact(share), &here, None)?);
-        self.driven.insert(share.clone(), answer.clone());
+        let answer = Rc::new(self.response(&Interval::exact(share), &here, None, sum)?);
+        self.driven.insert(key, answer.clone());
         Some(answer)
     }
 
@@ -197,6 +255,19 @@ impl Loop {
     fn table(&mut self, share: &Interval, stretched: &Interval) -> Option<Rows> {
         self.clock.bell(share, stretched)
     }
+}
+
+/// Half the width of a cell.
+pub(super) fn half_of([low, high]: &[BigRational; 2]) -> Range {
+    match low == high {
+        true => Range::from(0.0),
+        false => Range::from(&Interval::exact(&((high - low) / integer(2)))),
+    }
+}
+
+/// Factors that are doubles, for a key.
+fn bits(factors: &[Range]) -> Vec<u64> {
+    factors.iter().map(|factor| factor.low().to_bits()).collect()
 }
 
 /// x_1 and its derivatives all over a cell, by the Taylor series of each around the middle, the last

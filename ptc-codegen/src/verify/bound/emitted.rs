@@ -30,7 +30,7 @@ const NARROW: i64 = 256;
 const CLOSE: f64 = 4.0;
 
 /// Cells after which twice as much may be, again and again: a close bound is of less use than one.
-const PATIENCE: f64 = 1000.0;
+const PATIENCE: f64 = 400.0;
 
 /// What it may be of the greatest of these, however far from that of its own cell.
 const SMALL: f64 = 1.0 / 1024.0;
@@ -62,6 +62,7 @@ impl Emitted {
             let least = BigRational::new(1.into(), NARROW.into());
             let narrow = of_share <= least && of_tau <= least;
             let what = match prover.states(&share, &tau) {
+                None if prover.closed.pieces == 0 => break,
                 None => Some("x, which is not bounded,".to_owned()),
                 Some([states, middle]) => match over(&program, &spec, (&share, &tau), &states) {
                     Ok(error) => {

@@ -11,7 +11,7 @@
 //! them, which is why bounds over a cell are formed there.
 
 use super::cell::Loop;
-use super::flow::Rows;
+use super::flow::{Rows, dot};
 use super::impulse::TERMS;
 use super::piece::{Piece, sizes};
 use super::weight::Leaf;
@@ -24,7 +24,7 @@ pub(super) const LITTLE: f64 = 1.0 / 4096.0;
 /// Pieces after which it is asked whether what is left is little.
 pub(super) const ASKED: u64 = 4;
 
-/// Integrals of the kernels of x_1..x_n and g u for an f of 1, and of their sizes.
+/// Integrals of the kernels of x_1..x_n and g u, or of a sum of them, for an f of 1, and of their sizes.
 #[derive(Clone, Debug)]
 pub(super) struct Response {
     pub(super) signed: Vec<Range>,
@@ -48,28 +48,40 @@ pub(super) fn mapped(table: &Rows, n: usize, share: &Interval) -> Rows {
     table.iter().take(n + 1).enumerate().map(full).collect()
 }
 
+/// One row for each of x_1..x_n and g u, or that of their sum with given factors.
+pub(super) fn chosen(rows: Rows, sum: Option<&[Range]>) -> Rows {
+    let Some(factors) = sum else { return rows };
+    let column = |j: usize| dot(rows.iter().map(|row| &row[j]), factors);
+    vec![(0..rows[0].len()).map(column).collect()]
+}
+
 impl Loop {
-    /// What is left of all lags from that of the time `to` on, in blocks that grow with the lag.
+    /// What is left of all lags from that of the time `to` on, in blocks that grow with the lag and,
+    /// as the weight may fall like a power of time, at most halve the time.
     pub(super) fn blocks(&mut self, now: f64, mut to: f64) -> Option<Vec<Block>> {
         let mut blocks = Vec::new();
         while to > 0.0 {
             let lag = now - to;
-            let from = (to - (0.5 * lag).max(self.flow.length())).max(0.0);
+            let length = self.flow.length();
+            let from =
+                if to <= length { 0.0 } else { (to - (0.5 * lag).max(length)).max(0.5 * to) };
             blocks.push(Block { ends: [from, to], bounds: self.flow.ever_after(lag)? });
             to = from;
         }
         Some(blocks)
     }
 
-    /// The response at one T/tau, to what acts until a stretched time.
+    /// The response at one T/tau, to what acts until a stretched time: of x_1..x_n and g u, or of a
+    /// sum of them.
     pub(super) fn response(
         &mut self,
         share: &Interval,
         here: &Interval,
         until: Option<f64>,
+        sum: Option<&[Range]>,
     ) -> Option<Response> {
         let table = self.clock.bell(share, here)?;
-        let rows = mapped(&table, self.n, share);
+        let rows = chosen(mapped(&table, self.n, share), sum);
         let t = Range::from(here);
         let weight = self.weight.clone()?;
         let now = t.middle();
@@ -78,7 +90,7 @@ impl Loop {
         let mut leaf = weight.at(late.middle());
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let mut piece = ((now - late.middle()) / length).floor().clamp(0.0, 1e15) as u64;
-        let zero = vec![Range::from(0.0); self.n + 1];
+        let zero = vec![Range::from(0.0); rows.len()];
         let mut response = Response { signed: zero.clone(), size: zero };
         let mut asked = piece + ASKED;
         while late.low() > 0.0 {

@@ -25,6 +25,12 @@ pub(super) const LAST: usize = 24;
 /// Most pieces over which phi is looked at.
 const LONGEST: usize = 8192;
 
+/// Powers of 2 by which phi has to fall in a period of its bounds, if it can.
+const STEEP: f64 = 16.0;
+
+/// Powers of 2 beyond which it is not said to fall.
+const FALLEN: f64 = 900.0;
+
 /// phi is looked at until all of it is at most this part of its greatest.
 const FADED: f64 = 1.0 / (1_u64 << 60) as f64;
 
@@ -40,8 +46,9 @@ pub(super) struct Impulse {
 pub(super) struct Tail {
     /// At all times from the start of each piece on, and at last from the end of them.
     from: Rows,
-    /// Pieces in which what is left after all of these halves.
+    /// In as many pieces what is left after all of these falls by as many powers of 2.
     period: usize,
+    octaves: f64,
 }
 
 impl Flow {
@@ -124,16 +131,18 @@ impl Flow {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let piece = if place < 1e12 { place as usize } else { 0 };
         let end = tail.from.len() - 1;
-        let halves = piece.saturating_sub(end) / tail.period;
-        let part = Range::from(0.5).power(i32::try_from(halves.min(1000)).unwrap_or(0));
+        #[allow(clippy::cast_precision_loss)]
+        let periods = (piece.saturating_sub(end) / tail.period) as f64;
+        let part = Range::from((-periods * tail.octaves).max(-FALLEN).exp2());
         Some(tail.from[piece.min(end)].iter().map(|bound| *bound * part).collect())
     }
 
     /// The bounds over pieces until phi has faded.
     ///
-    /// Let |phi| <= u for each component over a time as long as `period`, and |E| u <= u/2 with
-    /// E = e^(A period). As phi(t + period) = E phi(t), |phi| <= u/2 over the next such time, u/4 over
+    /// Let |phi| <= u for each component over a time as long as `period`, and |E| u <= q u with
+    /// E = e^(A period). As phi(t + period) = E phi(t), |phi| <= q u over the next such time, q^2 u over
     /// that after it, and so on; the same holds of c u for any c > 0, and of phi', which has the same A.
+    /// q is a power of 2: a small one, if there is one, as what is lost of it counts in each period.
     fn tail(&mut self) -> Option<Tail> {
         let n = self.gains.len();
         let half = Range::from(0.5 * self.length());
@@ -148,25 +157,31 @@ impl Flow {
                 |j: usize| over.iter().map(|row| row[j]).fold(Range::from(0.0), Range::most);
             (0..=n).map(column).collect()
         };
-        let mut period = 8;
-        let most = loop {
+        let (mut period, mut best) = (8, None);
+        while period < LONGEST {
             period *= 2;
-            (period <= LONGEST).then_some(())?;
             while over.len() < period {
                 look(self, &mut over);
             }
             let most = greatest(&over);
             let node = self.node(u64::try_from(period).ok()? * u64::from(self.nodes()));
             let falls = |of: &[Range]| {
-                (0..n).all(|j| {
+                let part = |j: usize| {
                     let row: Vec<_> = (0..n).map(|i| node.entry(j, i).size()).collect();
-                    (dot(&row, of) * Range::from(2.0)).is_below(Range::from(of[j].low()))
-                })
+                    dot(&row, of) / of[j]
+                };
+                (0..n).map(part).fold(Range::from(0.0), Range::most).high()
             };
-            if falls(&most[..n]) && falls(&most[1..]) {
-                break most;
+            // What the logarithm is rounded by is less than what is cut off, or the bound is not used.
+            let octaves = (-falls(&most[..n]).max(falls(&most[1..])).log2() - 1e-9).floor();
+            if octaves >= 1.0 {
+                best = Some((period, octaves, most));
             }
-        };
+            if octaves >= STEEP {
+                break;
+            }
+        }
+        let (period, octaves, most) = best?;
         // The greatest part of u that phi has over the last period.
         let left = |over: &Rows| {
             let late = greatest(&over[over.len() - period..]);
@@ -178,7 +193,7 @@ impl Flow {
                 look(self, &mut over);
             }
         }
-        let part = left(&over) * Range::from(0.5);
+        let part = left(&over) * Range::from((-octaves).exp2());
         let mut after: Vec<Range> = most.iter().map(|most| *most * part).collect();
         let mut from = vec![after.clone()];
         for row in over.iter().rev() {
@@ -186,7 +201,7 @@ impl Flow {
             from.push(after.clone());
         }
         from.reverse();
-        Some(Tail { from, period })
+        Some(Tail { from, period, octaves })
     }
 }
 

@@ -4,7 +4,7 @@ use std::ops::Add;
 
 use num_traits::ToPrimitive;
 
-use super::cell::Cell;
+use super::cell::{Cell, Loop, half_of};
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
 use super::{Campaign, Kind};
@@ -68,6 +68,11 @@ pub(super) enum Why {
 /// Order from which on the corners of a box are too many.
 const MANY: usize = 9;
 
+/// The end of a cell of T/tau to which a step of time leads: 0 for the least.
+fn end_of(moved: Range) -> usize {
+    usize::from(!moved.is_positive())
+}
+
 fn sum(terms: impl Iterator<Item = Range>) -> Range {
     terms.fold(Range::from(0.0), Range::add)
 }
@@ -78,9 +83,19 @@ fn sum(terms: impl Iterator<Item = Range>) -> Range {
 /// each holds the rest of second order. What is convex in them, as a norm or a sum is, is greatest at
 /// one of the corners.
 struct Point {
-    /// x_1..x_n and u, each by its slope along x_1..x_n at t0, and what f adds.
-    corners: Vec<Rows>,
+    corners: Vec<Corner>,
     names: Names,
+    share: [BigRational; 2],
+    /// tau, and its middle.
+    tau: [Range; 2],
+}
+
+/// One of the corners of a cell of T/tau and one of tau.
+struct Corner {
+    /// x_1..x_n and u, each by its slope along x_1..x_n at t0, and what f adds.
+    rows: Rows,
+    /// 0 at the least T/tau, 1 at the greatest.
+    end: usize,
 }
 
 impl Bounds {
@@ -112,30 +127,36 @@ impl Bounds {
     /// `rounding`; it holds on all of both where nothing does.
     pub(super) fn holds(
         &mut self,
+        closed: &mut Loop,
         aim: &Aim,
-        cell: &Cell,
-        tau: &[BigRational; 2],
+        (cell, tau): (&Cell, &[BigRational; 2]),
         rounding: f64,
     ) -> Result<(), Why> {
         let point = self.point(cell, tau);
+        let mut value = |form| self.value(closed, form, &point);
         match aim {
-            Aim::State { sigma, zeta } => self.state(&point, *sigma, zeta),
+            Aim::State { sigma, zeta } => {
+                let zeta = value(zeta)?;
+                self.state(&point, *sigma, zeta)
+            }
             Aim::Input { upsilon } => {
-                let most = self.value(upsilon, &point)?;
+                let most = value(upsilon)?;
                 let u = self.of_row(&point, self.n).both_signs() + Range::from(rounding);
                 below("|u|", u, most)
             }
-            Aim::Attractive { error } => point.corners.iter().try_for_each(|rows| {
-                let size = self.greatest(&rows[..self.n]);
-                squares("|x|", size, Range::from(*error).square())
-            }),
+            Aim::Attractive { error } => {
+                point.corners.iter().try_for_each(|Corner { rows, .. }| {
+                    let size = self.greatest(&rows[..self.n]);
+                    squares("|x|", size, Range::from(*error).square())
+                })
+            }
             Aim::Within { h, low, high } => {
-                let h = self.value(h, &point)?;
+                let h = value(h)?;
                 if let Some(low) = low {
-                    below("-h", -h, -self.value(low, &point)?)?;
+                    below("-h", -h, -value(low)?)?;
                 }
                 match high {
-                    Some(high) => below("h", h, self.value(high, &point)?),
+                    Some(high) => below("h", h, value(high)?),
                     None => Ok(()),
                 }
             }
@@ -151,8 +172,11 @@ impl Bounds {
         names.insert(Variable::Elapsed.into(), within(&(&one - high), &(&one - low)));
         let scale = within(&tau[0], &tau[1]);
         names.insert(Parameter::Tau.into(), scale.clone());
-        let corners = self.moved(cell, tau, Range::from(&scale));
-        let mut point = Point { corners, names };
+        let middle = Interval::exact(&((&tau[0] + &tau[1]) / integer(2)));
+        let wide = half_of(tau);
+        let tau = [Range::from(&scale), Range::from(&middle)];
+        let corners = self.moved(cell, tau, wide);
+        let mut point = Point { corners, names, share: cell.share.clone(), tau };
         for j in 1..=self.n + 1 {
             let name = if j > self.n { Variable::Control } else { Variable::State(j) };
             let values = self.of_row(&point, j - 1);
@@ -168,7 +192,7 @@ impl Bounds {
     /// none where they are not bounded.
     pub(super) fn states(&self, cell: &Cell, tau: &[BigRational; 2]) -> Option<[Vec<[f64; 2]>; 2]> {
         let point = self.point(cell, tau);
-        let here = Range::from(&Interval::exact(&((&tau[0] + &tau[1]) / integer(2))));
+        let here = point.tau[1];
         let power = |i: usize| i32::try_from(i).unwrap_or(i32::MAX);
         let middle = |i: usize| {
             let scaled = |c: usize, entry: Range| entry * here.power(power(c) - power(i));
@@ -184,15 +208,9 @@ impl Bounds {
         Some([of(&|i| self.of_row(&point, i))?, of(&middle)?])
     }
 
-    /// The corners of a [`Point`]. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u
+    /// The corners of a [`Point`], from tau, its middle and half its width. With tau = 1 entry c of x_i stands for tau^(i-c) times it, and g u
     /// for tau^n g u. The rest is half the second derivative by both times both widths.
-    fn moved(&self, cell: &Cell, tau: &[BigRational; 2], scale: Range) -> Vec<Rows> {
-        let number = |value: &BigRational| Range::from(&Interval::exact(value));
-        let here = number(&((&tau[0] + &tau[1]) / integer(2)));
-        let wide = match tau[0] == tau[1] {
-            true => Range::from(0.0),
-            false => number(&((&tau[1] - &tau[0]) / integer(2))),
-        };
+    fn moved(&self, cell: &Cell, [scale, here]: [Range; 2], wide: Range) -> Vec<Corner> {
         let half = cell.half;
         let both = |width: Range| match width == Range::from(0.0) {
             true => vec![width],
@@ -202,9 +220,7 @@ impl Bounds {
         let entry = |(i, c): (usize, usize), (first, second): (Range, Range)| {
             // What f adds stands at the end of the cell already.
             let zero = Range::from(0.0);
-            let of_f = |at: &[Vec<Range>; 2]| {
-                (at[usize::from(!first.is_positive())][i], at[0][i].hull(at[1][i]))
-            };
+            let of_f = |at: &[Vec<Range>; 2]| (at[end_of(first)][i], at[0][i].hull(at[1][i]));
             let (middle, slope, [over, slopes, bend]) = match &cell.added {
                 _ if c < self.n => {
                     let [middle, slope] = [0, 1].map(|k| cell.middle[k][i][c]);
@@ -229,16 +245,19 @@ impl Bounds {
         let row = |i: usize, moved: (Range, Range)| {
             (0..=self.n).map(|c| entry((i, c), moved)).collect::<Vec<_>>()
         };
-        let rows = |moved| (0..=self.n).map(|i| row(i, moved)).collect();
+        let corner = |moved: (Range, Range)| {
+            let rows = (0..=self.n).map(|i| row(i, moved)).collect();
+            Corner { rows, end: end_of(moved.0) }
+        };
         let moves = both(half)
             .into_iter()
             .flat_map(|first| both(wide).into_iter().map(move |second| (first, second)));
-        moves.map(rows).collect()
+        moves.map(corner).collect()
     }
 
     /// What row i of a point is over the box of initial states.
     fn of_row(&self, point: &Point, i: usize) -> Range {
-        let values = point.corners.iter().map(|rows| self.along(&rows[i]));
+        let values = point.corners.iter().map(|corner| self.along(&corner.rows[i]));
         values.reduce(Range::hull).unwrap_or(Range::WHOLE)
     }
 
@@ -255,9 +274,10 @@ impl Bounds {
     }
 
     /// The values of an expression that certainly has one for all of a point's.
-    fn value(&mut self, form: &Form, point: &Point) -> Result<Range, Why> {
+    fn value(&mut self, closed: &mut Loop, form: &Form, point: &Point) -> Result<Range, Why> {
+        let mut of_part = |part: &Part| self.part(closed, part, point);
         for (part, condition, spelt) in &form.needs {
-            if !condition.is_certain(&self.part(part, point)?) {
+            if !condition.is_certain(&of_part(part)?) {
                 return Err(Why::MayNotExist(spelt.clone()));
             }
         }
@@ -266,10 +286,10 @@ impl Bounds {
             () if kink.is_negative() => Some(false),
             () => None,
         };
-        let signs = form.kinks.iter().map(|kink| self.part(kink, point).ok().and_then(sign));
+        let signs = form.kinks.iter().map(|kink| of_part(kink).ok().and_then(sign));
         let decided = form.decided(signs.collect());
-        let value = self.part(&form.value, point);
-        let value = match decided.map(|part| self.part(&part, point)) {
+        let value = of_part(&form.value);
+        let value = match decided.map(|part| of_part(&part)) {
             Some(Ok(decided)) => value.map_or(decided.clone(), |value| value.common(&decided)),
             _ => value?,
         };
@@ -278,10 +298,10 @@ impl Bounds {
     }
 
     /// What holds the values of a part wherever they exist.
-    fn part(&mut self, part: &Part, point: &Point) -> Result<Interval, Why> {
+    fn part(&mut self, closed: &mut Loop, part: &Part, point: &Point) -> Result<Interval, Why> {
         let mut names = point.names.clone();
         for (k, linear) in part.linear.iter().enumerate() {
-            let values = self.linear(linear, point).ok_or_else(|| unknown(part))?;
+            let values = self.linear(closed, linear, point).ok_or_else(|| unknown(part))?;
             names.insert(Variable::Xi(k).into(), values.into());
         }
         let mut value = |e: &Expression| Some(self.evaluator.again().value(e, &names)?.interval);
@@ -293,14 +313,15 @@ impl Bounds {
     }
 
     /// A sum along which states and control move together.
-    fn linear(&mut self, linear: &Linear, point: &Point) -> Option<Range> {
+    fn linear(&mut self, closed: &mut Loop, linear: &Linear, point: &Point) -> Option<Range> {
         let mut number =
             |e| Some(Range::from(&self.evaluator.again().value(e, &point.names)?.interval));
         let slopes =
             linear.slopes.iter().map(|(variable, slope)| Some((*variable, number(slope)?)));
         let slopes = slopes.collect::<Option<Vec<_>>>()?;
         let rest = number(&linear.rest)?;
-        let of_corner = |rows: &Rows| {
+        let added = self.added(closed, &slopes, point);
+        let of_corner = |Corner { rows, end }: &Corner| {
             let mut row = vec![Range::from(0.0); self.n + 1];
             for (variable, slope) in &slopes {
                 let own = match variable {
@@ -314,20 +335,58 @@ impl Bounds {
                 };
                 row.iter_mut().zip(own).for_each(|(sum, x)| *sum = *sum + *slope * *x);
             }
+            if let Some(added) = added {
+                row[self.n] = row[self.n].common(added[*end]);
+            }
             Some(self.along(&row))
         };
         let values = point.corners.iter().map(of_corner).collect::<Option<Vec<_>>>()?;
         Some(rest + values.into_iter().reduce(Range::hull)?)
     }
 
+    /// What f adds at both ends of a cell to a sum of several of x_1..x_n and u, taken as one: with
+    /// factors c_r about in the middle, where tau = 1, it adds what it does to sum c_r x_r, and to each
+    /// x_r as much as its factor is beside c_r.
+    fn added(
+        &self,
+        closed: &mut Loop,
+        slopes: &[(Variable, Range)],
+        point: &Point,
+    ) -> Option<[Range; 2]> {
+        let mut factors = vec![[Range::from(0.0); 2]; self.n + 1];
+        for (variable, slope) in slopes {
+            let (r, slope) = match variable {
+                Variable::State(j) => (j - 1, *slope),
+                Variable::Control => (self.n, *slope / self.gain),
+                _ => continue,
+            };
+            let power = i32::try_from(self.n - r).ok()?;
+            let [whole, middle] = point.tau.map(|tau| slope * tau.power(power));
+            factors[r] = [Range::from(middle.middle()), whole];
+        }
+        let zero = Range::from(0.0);
+        let moved =
+            factors.iter().filter(|[about, whole]| *about != zero || *whole != zero).count();
+        let middles: Vec<_> = factors.iter().map(|[about, _]| *about).collect();
+        let cell = closed.cell(&point.share)??;
+        let each = cell.added.as_ref().filter(|_| moved > 1)?;
+        let sum = closed.of_sum(&point.share, &middles)?;
+        let of_end = |end: usize| {
+            let beside =
+                |(r, [about, whole]): (usize, &[Range; 2])| (*whole - *about) * each[end][r];
+            factors.iter().enumerate().map(beside).fold(sum[end], Range::add)
+        };
+        Some([0, 1].map(of_end))
+    }
+
     /// |x| < sigma |x0| zeta: for the x0 of the box, or for all.
-    fn state(&mut self, point: &Point, sigma: f64, zeta: &Form) -> Result<(), Why> {
-        let zeta = self.value(zeta, point)?;
+    fn state(&self, point: &Point, sigma: f64, zeta: Range) -> Result<(), Why> {
         let bound = Range::from(sigma) * zeta;
         if !zeta.is_positive() {
             return Err(Why::Exceeded("|x|/|x0|", 0.0, bound.low()));
         }
-        point.corners.iter().try_for_each(|rows| self.state_at(&rows[..self.n], bound))
+        let mut corners = point.corners.iter();
+        corners.try_for_each(|corner| self.state_at(&corner.rows[..self.n], bound))
     }
 
     fn state_at(&self, rows: &[Vec<Range>], bound: Range) -> Result<(), Why> {

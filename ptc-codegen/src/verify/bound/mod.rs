@@ -213,11 +213,15 @@ impl Prover {
         tau: &[BigRational; 2],
     ) -> Result<Result<(), Why>, String> {
         let cell = self.closed.cell(share).ok_or_else(|| spent(share, tau))?;
+        if cell.is_none() && self.closed.pieces == 0 {
+            return Err(spent(share, tau));
+        }
         // Where the rounding is not bounded the scope of a proof says so.
         let rounding = self.emitted.as_ref().and_then(|emitted| emitted.error(share));
         let rounding = rounding.unwrap_or(0.0);
         let cell = cell.ok_or(Why::NotEnclosed);
-        Ok(cell.and_then(|cell| self.bounds.holds(aim, &cell, tau, rounding)))
+        let Self { closed, bounds, .. } = self;
+        Ok(cell.and_then(|cell| bounds.holds(closed, aim, (&cell, tau), rounding)))
     }
 
     /// What x_1..x_n are within over a cell, and about in its middle; none where they are not bounded.
