@@ -27,7 +27,7 @@ where
 {
     let end = 0.999 * tau;
     let x0 = SVector::from(x0);
-    // The solver's defaults, but for two: the steps themselves are kept, for the dense output
+    // The solver's defaults, except two: the steps themselves are kept, for the dense output
     // between them is less exact, and it does not give up where the loop gets stiff towards the
     // deadline.
     let (safety, beta, shrink, grow) = (0.9, 0.04, 0.2, 10.0);

@@ -108,7 +108,7 @@ fn after_the_deadline_u_is_0_where_that_is_asked() {
 fn checks_may_be_allowed_to_fail_and_set_the_guard() {
     let allowed = made!(Allowed, AllowedParams);
     assert!(allowed.step(1.0, &[1.0, 0.0]).is_ok());
-    // eps is twice what the period bears: 8 ms.
+    // eps is twice the minimum for the period: 8 ms.
     let period = ByPeriod::new(ByPeriodParams { t0: 0.0, u_max: 1e9 }).expect("parameters");
     let status = |t| period.step(t, &[1.0, 0.0]).map(|control| control.status);
     assert_eq!((status(0.9915), status(0.9925)), (Ok(Status::Ok), Ok(Status::Hold)));

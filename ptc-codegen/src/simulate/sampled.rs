@@ -64,7 +64,7 @@ pub struct Sampled {
     moved: Moved,
 }
 
-/// What moves between samples.
+/// The plant between samples.
 #[derive(Clone, Debug)]
 enum Moved {
     /// A chain with f and g.
@@ -86,7 +86,7 @@ enum Running<'a> {
 }
 
 impl Running<'_> {
-    /// Starts again at sample `index`, time `t`, from what is measured; whether the controller can.
+    /// Arms the controller at sample `index`, time `t`, from a measurement; whether it succeeded.
     fn arm(&mut self, index: u32, t: f64, measured: &[f64]) -> bool {
         match self {
             Self::Time(controller) => controller.arm(t, measured),
@@ -110,7 +110,7 @@ impl Running<'_> {
     }
 }
 
-/// Part of a time within which another one counts as the same.
+/// Relative tolerance within which two times count as the same.
 const SAME: f64 = 1e-12;
 
 /// Accuracy of the motion between two samples, where u is constant.

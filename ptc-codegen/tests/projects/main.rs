@@ -20,7 +20,7 @@ fn emit(kind: &str, arguments: &[&str], out: Option<&Path>, from: &Path) -> Outp
     command.output().expect("the binary runs")
 }
 
-/// Makes a project that nothing is complained of; what is told of it.
+/// Makes a project without a warning; what is printed.
 fn made(kind: &str, arguments: &[&str], out: &Path) -> String {
     let output = emit(kind, arguments, Some(out), Path::new("/"));
     let told = String::from_utf8_lossy(&output.stderr);

@@ -11,7 +11,7 @@ use super::{DESIGN, KINDS, emit, told};
 fn what_a_project_cannot_do_is_refused() {
     let folder = folder("projects_refused");
     for (flags, parts) in [
-        (&["--n=2", "--mu=exp", "--pi0=extern"][..], &["pi0", "function of yours"][..]),
+        (&["--n=2", "--mu=exp", "--pi0=extern"][..], &["pi0", "user-defined pi0"][..]),
         (&["--n=2", "--mu=exp", "--after=extern"], &["after the deadline"]),
         (&["--n=2", "--mu=exp", "--what=associated"], &["infinite-time system"]),
         (&["--n=2", "--mu=exp", "--g=1+x1^2"], &["with a number for g"]),

@@ -54,7 +54,7 @@ impl Chain {
             sum += value * &share;
             share *= &self.h / BigInt::from(power);
         }
-        // 1e-120 is nothing beside what is asked for.
+        // 1e-120 is far below any tolerance here.
         let grid = BigRational::from_integer(BigInt::one() << 400);
         (sum * &grid).round() / grid
     }

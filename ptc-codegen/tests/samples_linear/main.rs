@@ -17,7 +17,7 @@ use ptc_codegen::request::{self, Spec};
 use ptc_codegen::samples;
 use support::entries;
 
-/// What stands above the table [plant].
+/// The keys above the table [plant].
 const ABOVE: &str = "mu = \"exp(a=1)\"\nclock = \"samples\"\nu_max = inf\n";
 
 fn read(text: &str) -> Result<Spec, Vec<Diagnostic>> {

@@ -27,7 +27,7 @@ fn rows(text: &str) -> Rows {
     text.split(';').map(row).collect()
 }
 
-/// Numbers of the exact plant are multiples of 2^-BITS: nothing beside what is asked for.
+/// Numbers of the exact plant are multiples of 2^-BITS, far below any tolerance here.
 const BITS: usize = 400;
 
 type Fixed = Vec<Vec<BigInt>>;

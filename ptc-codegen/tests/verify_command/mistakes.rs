@@ -44,7 +44,7 @@ fn all_mistakes_of_the_tables_are_told_at_once() {
     for part in [
         "f uses `dampng`, which has no value, and nothing uses `damping`",
         "7 | f = \"gust - dampng*x2\"",
-        "plant.gust is no pair of bounds",
+        "plant.gust is not a pair of bounds",
         "the interval of x1 is empty",
         "verify.seed is not legal",
         "sigma of objective 1 is no number > 0",
@@ -70,7 +70,11 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (with("x2 = 0", "x2 = 0\nx3 = 0"), &[], &["unknown key `verify.x3`", "x3 = 0"]),
         (with("x2 = 0", "x2 = [1, -1]"), &[], &["x2 is empty: 1 > -1", "x2 = [1, -1]", "^"]),
         (with("x2 = 0", "x2 = \"wide\""), &[], &["verify.x2 is no interval"]),
-        (with("f = 0", "f = \"d\"\nd = [1, -1]"), &[], &["plant.d is no pair", "least < greatest"]),
+        (
+            with("f = 0", "f = \"d\"\nd = [1, -1]"),
+            &[],
+            &["plant.d is not a pair", "least < greatest"],
+        ),
         (
             with("f = 0", "f = \"d\"\nd = [-1, 1]\n[disturbance]\ne = \"sine\""),
             &[],
@@ -116,7 +120,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         ),
         (with("", ""), &["--scenarios=0"], &["scenarios is not legal", "--scenarios \"0\""]),
         (with("", ""), &["--seed=-1"], &["seed is not legal", "| --seed \"-1\""]),
-        (with("", ""), &["--shard=3/2", "--out=a"], &["--shard 3/2 is no part", "I/N"]),
+        (with("", ""), &["--shard=3/2", "--out=a"], &["--shard 3/2 is not a part", "I/N"]),
         (with("", ""), &["--shard=1/2"], &["--out"]),
         (with("", ""), &["--merge", "stage.toml"], &["cannot use stage.toml"]),
         (with("", ""), &["--merge", "none.parquet"], &["cannot use none.parquet", "No such file"]),

@@ -41,7 +41,7 @@ pub(super) struct Row {
     pub(super) t: f64,
     pub(super) stretched: f64,
     pub(super) x: Vec<f64>,
-    /// What the controller is given, and what it says.
+    /// The measurement and the status of `step`.
     pub(super) measured: Vec<f64>,
     pub(super) status: Status,
     pub(super) u: f64,

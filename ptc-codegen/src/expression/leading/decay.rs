@@ -143,7 +143,7 @@ fn inverse_decay(kappa: &Series) -> Option<Decay> {
     })
 }
 
-/// The leading term as `v` grows without bound; none where it is not found.
+/// The leading term as `v` grows without bound; `None` if it is not found.
 fn leading(expression: &Expression, v: Variable) -> Option<Term> {
     search(expression, v, &|series| series.terms.into_iter().next())
 }

@@ -80,7 +80,7 @@ impl Builder<'_> {
         let partner_value = self.push(Op::Call(partner, at));
         let mut own = vec![Coefficient::Value(value)];
         let mut other = vec![Coefficient::Value(partner_value)];
-        // sin' = cos and cos' = -sin: the sign stands where the cosine is derived.
+        // sin' = cos and cos' = -sin: the sign belongs to the derivative of the cosine.
         let (own_sign, other_sign) = match function {
             Function::Cos => (sign, 1),
             _ => (1, sign),

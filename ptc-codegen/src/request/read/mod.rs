@@ -115,7 +115,7 @@ impl<'a> Reader<'a> {
 
     fn spec(&mut self) -> Option<Spec> {
         let n = self.order();
-        // With the order unknown, all else is still read, so that all mistakes are told at once.
+        // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let mapping = self.time_mapping(order);
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
@@ -167,7 +167,7 @@ impl<'a> Reader<'a> {
             true => self.sampled(&mut spec),
             false => self.not_sampled(),
         }
-        // A plant that is refused leaves a spec whose clock is not the one asked for.
+        // A plant that is refused leaves a spec with another clock than requested.
         if samples == spec.sampled().is_some() {
             self.representable(&spec);
         }
@@ -207,7 +207,8 @@ impl<'a> Reader<'a> {
         };
         let n = count(node, MAX_ORDER);
         if n.is_none() {
-            let message = format!("n = {} is no order that can be generated", shown(&node.value));
+            let message =
+                format!("n = {} is not an order that can be generated", shown(&node.value));
             let help = format!("n is an integer 1..={MAX_ORDER}");
             self.wrong("n", Some(node.place), message, help);
         }
@@ -269,7 +270,7 @@ impl<'a> Reader<'a> {
 /// Stands in for a mapping that could not be read while the rest of the spec is.
 const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
 
-/// The items of a list, or the one value that stands alone.
+/// The items of a list, or the value itself.
 fn items(node: &Node) -> &[Node] {
     match &node.value {
         Value::List(items) => items,

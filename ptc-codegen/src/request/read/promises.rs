@@ -34,7 +34,7 @@ impl Reader<'_> {
         let node = self.keys.get(key).copied()?;
         let value = finite_positive(node);
         if value.is_none() {
-            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
+            let message = format!("{key} = {} is not a finite number > 0", shown(&node.value));
             let legal = KeyInfo::find(key).map_or("", |info| info.legal);
             self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
         }
@@ -44,7 +44,7 @@ impl Reader<'_> {
     fn u_step(&mut self, node: &Node) -> Option<Fixed> {
         let value = not_negative(node);
         if value.is_none() {
-            let message = format!("u_step = {} is no finite number >= 0", shown(&node.value));
+            let message = format!("u_step = {} is not a finite number >= 0", shown(&node.value));
             let help = "give the step of the actuator, 0 for none".to_owned();
             self.wrong("u_step", Some(node.place), message, help);
         }
@@ -54,7 +54,7 @@ impl Reader<'_> {
     fn delay(&mut self, node: &Node) -> Option<usize> {
         let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
         if value.is_none() {
-            let message = format!("delay = {} is no number of samples", shown(&node.value));
+            let message = format!("delay = {} is not a number of samples", shown(&node.value));
             let help = format!("delay is an integer 0..={MAX_DELAY}");
             self.wrong("delay", Some(node.place), message, help);
         }
@@ -107,7 +107,7 @@ impl Reader<'_> {
             match finite_positive(item) {
                 Some(value) => bounds.push(value),
                 None => {
-                    let message = format!("{key}[{index}] = {} is no bound", shown(&item.value));
+                    let message = format!("{key}[{index}] = {} is not a bound", shown(&item.value));
                     let help = "a bound is a finite number > 0".to_owned();
                     self.wrong(key, Some(item.place), message, help);
                 }
@@ -124,7 +124,7 @@ impl Reader<'_> {
                 Value::Word(word) if CHECKS.contains(&word.as_str()) => allowed.push(word.clone()),
                 other => {
                     let word = if let Value::Word(word) = other { word } else { "" };
-                    let message = format!("{} is no check", shown(other));
+                    let message = format!("{} is not a check", shown(other));
                     let all = format!("the checks are {}", CHECKS.join(", "));
                     let help = suggestion(near_miss(word, CHECKS), &all);
                     self.wrong("allow", Some(item.place), message, help);

@@ -206,7 +206,7 @@ impl Parser<'_> {
         Ok(Argument { name: None, value: self.sum()? })
     }
 
-    /// What stands one level deeper; the bound keeps the stack flat.
+    /// Parses one level deeper; the bound keeps the stack flat.
     fn nested<T>(&mut self, inner: fn(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
         self.depth += 1;
         if !NESTING.admits(self.depth) {
