@@ -20,7 +20,7 @@ from dask.distributed import Client, LocalCluster, get_worker
 
 
 def shard(command: list[str], design: str, part: int, parts: int, out: str) -> str:
-    """Runs one part and tells which worker did; one that was interrupted goes on where it was."""
+    """Runs one part and returns the worker's name; an interrupted part resumes where it stopped."""
     asked = [*command, "verify", design, "--shard", f"{part}/{parts}", "--out", out]
     # Dask gives a worker one shard at a time for each of its threads.
     done = subprocess.run(

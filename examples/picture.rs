@@ -3,7 +3,7 @@
 //! A triple integrator x''' = u starts at x = 1 and is brought to rest by the emitted controller
 //! (family `exp`, n = 3) 1, 2 and 5 s later. The control is sampled at 1 kHz with a zero-order
 //! hold, for which the motion in between is a polynomial: no solver, and no function of a platform's
-//! library, stands between the controller and the curves.
+//! library, is between the controller and the curves.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! The longest sample period that the held gains bear.
+//! The longest sample period for which the loop is stable with held gains.
 //!
 //! `cargo run --example sampling -- --mu "exp(a=1)" --gains 12,7 --tau 0.8 --eps 0.01`
 //!
@@ -35,7 +35,7 @@ fn main() {
     }
 }
 
-/// The spec that the flags ask for; its order is the number of gains.
+/// The spec of the flags; its order is the number of gains.
 fn spec(arguments: &[String]) -> Result<Spec, String> {
     let mut entries = Vec::new();
     let mut add = |key: &str, text: &str| {

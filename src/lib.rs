@@ -10,8 +10,8 @@
 //! stretched time: u = kappa'^n (pi0 - b_n^T x), pi0 = -k^T BB_n x. Choose the gains k so that the roots of
 //! s^n + k_n s^(n-1) + ... + k_1 lie left of -n rho, where rho is the decay rate of the mapping
 //! (a for `exp`, 2a for `tanh`, the least rate for `exp_sum`, else 0): then u vanishes at the
-//! deadline. The macro refuses gains that are fixed and do not; `docs/checks` of the repository tells
-//! what else is checked, `docs/expressions.md` how mappings and laws of your own are written.
+//! deadline. The macro refuses fixed gains that do not. `docs/checks` in the repository documents the
+//! other checks, `docs/expressions.md` user-defined mappings and laws.
 //!
 //! ```
 //! use ptc::{Controller, Status};

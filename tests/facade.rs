@@ -100,7 +100,7 @@ fn functions_are_those_of_the_field() {
     assert!((math::f32::ln(10.0) - core::f32::consts::LN_10).abs() < 1e-6);
 }
 
-/// The docs of the macro tell every key and every family there is.
+/// The docs of the macro list every key and every family.
 #[test]
 fn the_docs_of_the_macro_are_whole() {
     let docs = include_str!("../src/lib.rs");

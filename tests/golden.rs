@@ -160,7 +160,7 @@ fn possible(spec: &Spec, t: f64) -> [i32; 2] {
 }
 
 /// Each runs, in C and in Rust, over its whole time to the deadline and past it: the statuses
-/// are those of the time, and the two languages agree but for the last digits of a library.
+/// are those of the time, and the two languages agree up to the last digits of a library.
 #[test]
 fn every_golden_runs() {
     let controllers = controllers();

@@ -1,4 +1,4 @@
-//! Controllers with laws and mappings of the user's own: C, Rust and the interpreter give the same
+//! Controllers with user-defined laws and mappings: C, Rust and the interpreter give the same
 //! bits and statuses, for latched states, input gains, functions of the user's, and after the
 //! deadline.
 

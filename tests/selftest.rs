@@ -12,7 +12,7 @@ use ptc_codegen::request::Spec;
 use support::specs::spec;
 use support::{STRICT, c_compiler, folder, in_pairs, run, write};
 
-/// The self-test of `spec` in `folder`, linked with the controller that stands there.
+/// The self-test of `spec` in `folder`, linked with the controller there.
 fn program(folder: &Path, spec: &Spec) -> PathBuf {
     let name = spec.name();
     for file in generate_selftest(spec).expect("a self-test") {

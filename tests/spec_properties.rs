@@ -1,4 +1,4 @@
-//! The reader of specs: it takes any text without a panic, and reads back what it tells.
+//! The reader of specs: it takes any text without a panic, and reads back what it prints.
 
 #[path = "support/command.rs"]
 mod command;
@@ -146,7 +146,7 @@ proptest! {
         prop_assert!(inside, "a place outside {text:?}");
     }
 
-    /// What is read is legal, and what is refused is told.
+    /// What is read is legal, and what is refused has a message.
     #[test]
     fn any_entries_are_read_or_refused(
         texts in prop::collection::vec(

@@ -50,7 +50,7 @@ struct Loop<'a> {
     values: &'a dyn Fn(Parameter) -> f64,
     n: usize,
     controller: Program,
-    /// The same for g = 1, whose gains are told.
+    /// The same for g = 1, whose gains are shown.
     plain: Program,
     /// The same mapping with a law that looks at xi and stretched time.
     observer: Program,
@@ -233,7 +233,7 @@ fn what_is_left_open_may_grow() {
     assert_eq!(trends(&spec, &|_| 1.0), (Trend::Vanishes, Trend::Grows));
 }
 
-/// A rate that is left to run time is told to be good up to 1.99.
+/// A run-time rate is reported as good up to 1.99.
 #[test]
 fn the_largest_rate_is_seen() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/designs/table");

@@ -23,7 +23,7 @@ pub struct Context {
     pub brief: bool,
 }
 
-/// For which the fuzzer draws controllers unless it is told otherwise.
+/// For which the fuzzer draws controllers by default.
 pub const TIME: Duration = Duration::from_secs(20);
 
 /// The root of the workspace.

@@ -51,7 +51,7 @@ impl Finding {
 pub struct Seeded {
     /// What was done to the code.
     pub defect: String,
-    /// What told of it; none where nothing did.
+    /// What reported it; `None` if nothing did.
     pub caught: Option<String>,
 }
 

@@ -16,7 +16,7 @@ use ptc_codegen::request::Spec;
 
 /// Examines emitted code, layer by layer: what each one shows, of which files, by which tool.
 ///
-/// Exit codes: 0 no layer failed (one that cannot run is told as not run), 1 a layer failed, 2 bad
+/// Exit codes: 0 no layer failed (one that cannot run is reported as not run), 1 a layer failed, 2 bad
 /// arguments.
 #[derive(Debug, Parser)]
 #[command(name = "cargo assure")]
@@ -120,7 +120,7 @@ fn execute(line: &CommandLine) -> Result<bool> {
 fn design(file: &Path) -> Result<Spec> {
     let told = |found: &[Diagnostic]| {
         let first = found.first().map_or("", |one| &one.message);
-        anyhow!("{}: {first}; `ptc-codegen check {0}` tells more", file.display())
+        anyhow!("{}: {first}; `ptc-codegen check {0}` shows more", file.display())
     };
     let text = ptc_codegen::design::load(file).map_err(|wrong| told(&[wrong]))?;
     let (entries, found) = ptc_codegen::design::read(&text, &mut |_| Place(0));

@@ -50,7 +50,7 @@ def write(name, mapping, n, path):
 
 
 def attempt(name, mapping, n, folder, seconds):
-    """Makes one file in a process of its own, and tells what became of it."""
+    """Makes one file in a process of its own, and reports the outcome."""
     path = folder / name / f"{mapping}_n{n}.{CONTESTANTS[name][1]}"
     path.unlink(missing_ok=True)
     process = multiprocessing.Process(target=write, args=(name, mapping, n, path))

@@ -1,6 +1,6 @@
 """Other tools' C for the linear law from the mapping alone, as their documentation has one do it.
 
-Each takes kappa and mu as they stand in the paper, its own derivatives for r_k, the textbook
+Each takes kappa and mu as they are in the paper, its own derivatives for r_k, the textbook
 recurrence for the Bell polynomials, and its own elimination of common subexpressions.
 """
 

@@ -15,7 +15,7 @@ pub(crate) struct Accuracy {
     pub(crate) family: String,
     pub(crate) n: usize,
     pub(crate) precision: String,
-    /// Worst |u - reference|/scale; none where a result is not finite.
+    /// Worst |u - reference|/scale; `None` if a result is not finite.
     pub(crate) worst: Option<f64>,
     /// T/tau where it is the worst.
     pub(crate) at: f64,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::failure::{Failure, Result, While};
 use crate::tools::{run, scratch, workspace};
 
-/// Rebuilds of which the cheapest is taken.
+/// Number of rebuilds, of which the cheapest counts.
 const REBUILDS: usize = 5;
 
 /// Processor seconds.

@@ -111,7 +111,7 @@ pub(crate) fn line(which: usize, vector: &Vector) -> String {
 pub(crate) fn evaluate(program: &Path, lines: &str) -> Result<Vec<f64>> {
     let text = run_with(&mut Command::new(program), lines)?;
     let read =
-        |word: &str| word.parse().map_err(|_| Failure::new(format!("`{word}` is no number")));
+        |word: &str| word.parse().map_err(|_| Failure::new(format!("`{word}` is not a number")));
     let values: Vec<f64> = text.lines().map(read).collect::<Result<_>>()?;
     if values.len() == lines.lines().count() {
         return Ok(values);

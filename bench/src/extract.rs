@@ -78,7 +78,7 @@ fn improve(
     }
 }
 
-/// What `root` costs, and the classes it uses; none where the selection is circular.
+/// What `root` costs, and the classes it uses; `None` if the selection is circular.
 fn cost(
     graph: &EGraph<Node, Early>,
     selection: &Selection,
@@ -111,7 +111,7 @@ fn greedy(graph: &EGraph<Node, Early>) -> BTreeMap<Id, Choice> {
     }
 }
 
-/// `node` for `class` on its children's best sets; none where one is not known yet or needs
+/// `node` for `class` on its children's best sets; `None` if one is not known yet or needs
 /// `class` itself.
 fn choose(
     graph: &EGraph<Node, Early>,
@@ -138,7 +138,7 @@ fn choose(
     Some(merged)
 }
 
-/// Appends the class and what it needs; none where the choices are circular.
+/// Appends the class and what it needs; `None` if the choices are circular.
 fn write(
     graph: &EGraph<Node, Early>,
     selection: &Selection,

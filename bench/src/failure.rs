@@ -1,4 +1,4 @@
-//! Why a measurement stopped, and the exit code that tells it.
+//! Why a measurement stopped, and its exit code.
 
 use std::fmt::Display;
 

@@ -42,7 +42,7 @@ pub(crate) struct Entry {
     pub(crate) step: f64,
     /// Bytes of code.
     pub(crate) text: u64,
-    /// Worst scaled error where T/tau is at least 0.01; none where a result is not finite.
+    /// Worst scaled error where T/tau is at least 0.01; `None` if a result is not finite.
     pub(crate) early: Option<f64>,
     /// Worst scaled error up to the deadline, to T/tau = 1e-12.
     pub(crate) deadline: Option<f64>,

@@ -32,7 +32,7 @@ impl Node {
     }
 }
 
-/// Whether a class is known before the time is: leaves are, but for the time and the states.
+/// Whether a class is known before the time is: leaves are, except the time and the states.
 #[derive(Default)]
 pub(crate) struct Early;
 

@@ -60,7 +60,7 @@ pub(crate) fn run_with(command: &mut Command, input: &str) -> Result<String> {
     let output = std::thread::scope(|scope| {
         scope.spawn(|| {
             use std::io::Write;
-            // A program that reads less than it is given is told by its output.
+            // A program that reads less than it is given is detected by its output.
             let _ = stdin.as_mut().map(|pipe| pipe.write_all(input.as_bytes()));
             drop(stdin.take());
         });

@@ -64,7 +64,7 @@ impl Vector {
         // here is 1e-30 of u.
         let exact = |text: &str| {
             let read = number(text).and_then(|fixed| fixed.number().cloned());
-            read.ok_or_else(|| Failure::new(format!("`{text}` is no number")))
+            read.ok_or_else(|| Failure::new(format!("`{text}` is not a number")))
         };
         let difference = exact(&format!("{u:.30e}"))? - exact(&self.u)?;
         let ratio = difference / exact(&self.scale)?;

@@ -1,4 +1,4 @@
-//! Any words on the command line: the parser of the flags refuses them, or the command runs or tells
+//! Any words on the command line: the parser of the flags refuses them, or the command runs or says
 //! what is wrong. Each line of the input is a word. Nothing is read from a file or written to one.
 
 #![no_main]

@@ -1,5 +1,5 @@
 //! Any text as a design file: it is refused, or it is generated, twice with the same bytes, and the
-//! command line in the head of the file asks for the same design.
+//! command line in the head of the file gives the same design.
 
 #![no_main]
 

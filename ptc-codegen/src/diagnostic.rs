@@ -1,4 +1,4 @@
-//! What is told to a user whose input is wrong.
+//! Diagnostics of wrong input.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -160,7 +160,7 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
 /// A number to four significant digits.
 pub(crate) fn digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
-    // + 0 takes the sign off -0.
+    // + 0 turns -0 into 0.
     let size = f64::abs(rounded);
     if size == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
         format!("{}", rounded + 0.0)

@@ -19,7 +19,7 @@ pub enum Family {
     ExpSum,
 }
 
-/// What a user is told about a family.
+/// What help and docs say about a family.
 #[derive(Clone, Copy, Debug)]
 pub struct FamilyInfo {
     /// The family.
@@ -38,7 +38,7 @@ pub struct FamilyInfo {
     pub atoms: &'static str,
     /// Decay rate of mu'.
     pub decay_rate: &'static str,
-    /// Keys of its own parameters; [`Parameter`](crate::parameter::Parameter) tells the rest of them.
+    /// Keys of its own parameters; [`Parameter`](crate::parameter::Parameter) has the others.
     pub parameters: &'static [&'static str],
 }
 

@@ -15,7 +15,7 @@ pub struct KeyInfo {
     pub example: &'static str,
 }
 
-/// All keys, in the order in which they are told.
+/// All keys, in the order of the documentation.
 pub static KEYS: [KeyInfo; 37] = [
     KeyInfo {
         key: "n",
@@ -134,7 +134,7 @@ pub static KEYS: [KeyInfo; 37] = [
     },
     KeyInfo {
         key: "after",
-        meaning: "what follows the deadline: the held gains, u = 0, or a law of yours",
+        meaning: "what follows the deadline: the held gains, u = 0, or a user-defined law",
         legal: "hold, zero or extern",
         example: "zero",
     },

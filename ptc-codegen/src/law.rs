@@ -17,7 +17,7 @@ use crate::request::{Feedback, Spec};
 pub enum Form {
     /// gain_j = base_inverse^(n+1-j) row_j with polynomial rows (see the module's doc).
     Rows {
-        /// The tick quantity 1/base; none where it is part of the rows' coefficients.
+        /// The tick quantity 1/base; `None` if it is part of the rows' coefficients.
         base_inverse: Option<Symbol>,
         /// `rows[j - 1]`, in the scaled gains, the parameters and at most one tick quantity.
         rows: Vec<Poly>,
@@ -45,7 +45,7 @@ pub struct Law {
 }
 
 impl Law {
-    /// The law that a spec asks for.
+    /// The law of a spec.
     pub fn of(spec: &Spec) -> Self {
         Self::from(spec, None)
     }

@@ -62,7 +62,7 @@ struct Readme;
 #[derive(Clone, Debug)]
 pub struct Accepted {
     report: Report,
-    /// The law and its program; none where the clock is in samples.
+    /// The law and its program; `None` if the clock is in samples.
     staged: Option<(Law, Program)>,
 }
 
@@ -124,7 +124,7 @@ impl Accepted {
     /// The files of a small project around it, by their paths in it.
     ///
     /// # Errors
-    /// Everything in the spec that cannot stand alone.
+    /// Everything in the spec that a self-contained file cannot have.
     pub fn project(&self, project: Project) -> Result<Vec<File>, Vec<Diagnostic>> {
         project.accepts(&self.report.spec)?;
         let emitted = self.files(project.language(), &[])?;

@@ -140,7 +140,7 @@ fn self_tests_end() {
     let term = |k: usize| format!("p{k}*dt/(q{k}+dt^2)");
     let kappa = format!("--kappa=dt/(tau-dt)+{}", (0..60).map(term).collect::<Vec<_>>().join("+"));
     refused(&[&own[..], &["--n=16", &kappa]].concat(), &["steps of work"]);
-    // Each trial asks for each of its parameters.
+    // Each trial looks up each of its parameters.
     let term = |k: usize| format!("(p{}*xi{}+p{}*dt)", k % 60, 1 + k % 8, (7 * k) % 60);
     let law = format!("--pi0={}", (0..190).map(term).collect::<Vec<_>>().join("+"));
     run(&[&own[..], &["--n=8", "--mu=exp_sum(2)", &law]].concat());
@@ -179,7 +179,7 @@ fn designs_of_any_size_are_read_in_time_or_refused() {
         ("keys", keys(70_000), &["70002 keys and tables; the limit is 2000"][..]),
         ("few", keys(1500), &["[unknown-key]", "1480 more", "mend these first"]),
         ("long", format!("{} = 1\n", "k".repeat(900_000)), &["unknown key `kkkk"]),
-        ("dots", format!("[{}a]\n", "a.".repeat(400_000)), &["no table of a design"]),
+        ("dots", format!("[{}a]\n", "a.".repeat(400_000)), &["not a table of a design"]),
         ("list", format!("gains = [{}]\n", "true,".repeat(200_000)), &["200000 values in lists"]),
         ("deep", format!("gains = {}", "[".repeat(500_000)), &["[toml]"]),
         ("large", format!("# {}", "x".repeat(2_000_000)), &["more than 1048576 bytes"]),

@@ -1,4 +1,4 @@
-//! The reader of design files: every kind of value, the places, and what is told of mistakes.
+//! The reader of design files: every kind of value, the places, and the messages for mistakes.
 
 use std::ops::Range;
 
@@ -120,9 +120,9 @@ fn a_value_that_is_none_of_a_spec_is_told_with_what_is() {
             "`[params]`",
         ),
         ("envelope = 3", "3", "`envelope` is a number, not a table", "`[envelope]`"),
-        ("tau = nan", "nan", "tau = `nan` is no number that can be used", "a number > 0"),
-        ("tau = -inf", "-inf", "tau = `-inf` is no number that can be used", "a number > 0"),
-        ("tau = 1e999", "1e999", "tau = `1e999` is no number that can be used", "at most 400"),
+        ("tau = nan", "nan", "tau = `nan` is not a number that can be used", "a number > 0"),
+        ("tau = -inf", "-inf", "tau = `-inf` is not a number that can be used", "a number > 0"),
+        ("tau = 1e999", "1e999", "tau = `1e999` is not a number that can be used", "at most 400"),
         ("gains = [1, [2]]", "[2]", "gains[1] = `[2]` is a list", "example [120, 74, 15]"),
         ("gains = [true]", "true", "gains[0] = `true` is a boolean", "n finite numbers"),
         ("[params]\npsi = true", "true", "params.psi = `true` is a boolean", "text in quotes"),
@@ -139,31 +139,36 @@ fn tables_and_keys_that_mean_nothing_are_told() {
         (
             "[param]\ntau = 1",
             "param",
-            "`[param]` is no table of a design",
+            "`[param]` is not a table of a design",
             "did you mean `params`?",
         ),
         (
             "[limits]\nx = 1",
             "limits",
-            "`[limits]` is no table of a design",
+            "`[limits]` is not a table of a design",
             "params, envelope, plant",
         ),
         (
             "[params.a]\nx = 1",
             "params.a",
-            "`[params.a]` is no table of a design",
+            "`[params.a]` is not a table of a design",
             "holds no tables",
         ),
         ("[[params]]\ntau = 1", "params", "`[[params]]` begins a list of tables", "`[params]`"),
         (
             "[[axes]]\ntau = 1",
             "axes",
-            "`[[axes]]` is no table of a design",
+            "`[[axes]]` is not a table of a design",
             "params, envelope, plant",
         ),
-        ("parms.tau = 1", "parms.tau", "`parms` is no table of a design", "`params`?"),
-        ("params.a.b = 1", "params.a.b", "`params.a` is no table of a design", "holds no tables"),
-        ("[params]\na.b = 1", "a.b", "`a` is no table of a design", "params, envelope, plant"),
+        ("parms.tau = 1", "parms.tau", "`parms` is not a table of a design", "`params`?"),
+        (
+            "params.a.b = 1",
+            "params.a.b",
+            "`params.a` is not a table of a design",
+            "holds no tables",
+        ),
+        ("[params]\na.b = 1", "a.b", "`a` is not a table of a design", "params, envelope, plant"),
         (
             "\"params.a\" = 1",
             "\"params.a\"",
@@ -189,13 +194,13 @@ fn what_is_no_toml_is_told_line_by_line() {
         told,
         [
             ("exp(a=1)", "`exp(a=1)` is not in quotes"),
-            ("", "no TOML: key with no value"),
+            ("", "invalid TOML: key with no value"),
             ("none", "`none` is not in quotes"),
-            (".5", "`.5` is no number of TOML: invalid mantissa"),
-            ("", "no TOML: unquoted keys cannot be empty"),
-            ("", "no TOML: invalid basic string"),
-            ("1 2", "`1 2` is no number of TOML: string values must be quoted"),
-            ("", "no TOML: missing comma between array elements"),
+            (".5", "`.5` is not a TOML number: invalid mantissa"),
+            ("", "invalid TOML: unquoted keys cannot be empty"),
+            ("", "invalid TOML: invalid basic string"),
+            ("1 2", "`1 2` is not a TOML number: string values must be quoted"),
+            ("", "invalid TOML: missing comma between array elements"),
         ],
     );
     assert!(found.iter().all(|wrong| wrong.code == "toml" && !wrong.help.is_empty()));
@@ -229,7 +234,7 @@ fn odd_files_are_told_without_a_panic() {
     assert!(read("").0.is_empty() && read("").1.is_empty());
 }
 
-/// The parser tells one mistake where a line has several: what follows may be a value alone.
+/// The parser reports one mistake per line: what follows may be a value alone.
 #[test]
 fn a_value_may_lack_its_key() {
     let text = "mu = \"we#\nes=[0.5, 1 2{es=esm[0.5, 1 2].\nes=[0.5, 0 2]ln5\n= [1, 3]\n";
@@ -274,7 +279,7 @@ fn the_template_tells_every_key_and_is_a_design() {
     let lines: Vec<_> = lines.filter(|line| line.starts_with('[') || is_key(line)).collect();
     let (entries, found, _) = read(&lines.join("\n"));
     assert!(found.is_empty(), "{found:?}");
-    // Without the table that it stands in.
+    // Without its table.
     let keys: Vec<_> = entries.iter().filter_map(|e| e.key.rsplit('.').next()).collect();
     for info in &KEYS {
         let told = keys.iter().any(|key| key.rsplit('.').next() == Some(info.key));

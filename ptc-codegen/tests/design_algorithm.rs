@@ -14,7 +14,7 @@ fn folder(test: &str, wish: &str) -> PathBuf {
     support::folder_with(&format!("algorithm_{test}"), "wish.toml", wish)
 }
 
-/// Designs `wish.toml` into `roll.toml`, which has to succeed, and gives the file and what was told.
+/// Designs `wish.toml` into `roll.toml`, which must succeed, and gives the file and the output.
 fn designed(folder: &Path) -> (String, String) {
     let (code, told, wrong) = run(folder, &["design", "wish.toml", "-o", "roll.toml"]);
     assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
@@ -82,7 +82,7 @@ fn a_state_and_an_input_are_bounded_at_once() {
     assert!(state <= 1.0 && input <= 1.0, "{state}, {input}: {design}");
     // Half as far again left of -n rho, where it begins, u is too large.
     assert!(worst((3.0, 3.75)).1 > 1.0);
-    // The exact solution's worst is what is told, and what stands in the file.
+    // The exact solution's worst is what is printed, and what the file holds.
     let at = format!("|u| <= 12: holds, proved by intervals, at {input:.2}");
     assert!(told.contains(&at) && design.contains(&at), "{at}\n{told}");
     is_taken(&folder);
@@ -98,7 +98,7 @@ fn a_state_and_an_input_are_bounded_at_once() {
         .collect();
     let (size, u) = exact((-p, -q), (1.0, -1.0), 0.5);
     assert!((row[2].hypot(row[3]) - size).abs() < 1e-8 && (row[4].abs() - u).abs() < 1e-8, "{csv}");
-    // What the user wrote stands as it was, in its order.
+    // What the user wrote is unchanged, in its order.
     let mut lines = design.lines();
     for line in STAGE.lines().filter(|line| !line.is_empty()) {
         assert!(lines.any(|own| own == line), "{line} is lost\n{design}");
@@ -226,7 +226,7 @@ fn what_is_given_is_kept() {
 
 #[test]
 fn the_sample_period_bounds_the_poles_and_sets_the_guard() {
-    // n = 1 bears h/T up to 2/p, and half of that is the guard: eps = p h, which is below tau = 1.
+    // n = 1 is stable for h/T up to 2/p, and half of that is the guard: eps = p h, which is below tau = 1.
     let sampled = |h: &str, error: f64| {
         first_order(error, 9.0, &format!("sample_time = {h}\nmu = \"exp(a=1)\"\n"))
     };

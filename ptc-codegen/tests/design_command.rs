@@ -76,7 +76,7 @@ fn all_mistakes_of_file_and_flags_are_told_at_once() {
         "`tan` is not in quotes",
         "guard = `true` is a boolean",
         "tau = `-1`",
-        "`[param]` is no table",
+        "`[param]` is not a table",
         "did you mean `params`?",
         "--gains \"1,b c\"",
         "--param \"zeta\"",

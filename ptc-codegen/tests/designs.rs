@@ -18,7 +18,7 @@ fn check(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     support::told(command.args(arguments).current_dir(folder))
 }
 
-/// How the outcome of each check begins, as text and JSON tell it: name, verdict and summary.
+/// How the outcome of each check begins, as text and JSON give it: name, verdict and summary.
 fn outcomes(found: &Value) -> Vec<String> {
     let word = |value: &Value| value.as_str().expect("text").to_owned();
     let outcome = |check: &Value| {
@@ -51,7 +51,7 @@ fn misses(folder: &Path, file: &str) -> Vec<String> {
         };
         expect(holds, line);
     }
-    expect(wanted.len() > 1 && wanted[0].starts_with("exit "), "an exit code and more is told");
+    expect(wanted.len() > 1 && wanted[0].starts_with("exit "), "an exit code and more is expected");
     expect(code == json_code && stderr == json_stderr, "text and JSON agree");
     // A file that is wrong has no outcomes, and any other one has all of them.
     expect(told.len() == if code == Some(2) { 0 } else { 6 }, "six checks");
@@ -93,7 +93,7 @@ fn odd_files_are_wrong_and_not_fatal() {
         ("empty", Vec::new(), 2, "`n` is missing"),
         ("not_utf8", b"n = 2\nmu = \"\xff\"\n".to_vec(), 2, "no UTF-8 in line 2"),
         ("long", of_mu(&format!("tau*(1 - exp(-t{}))", " - t".repeat(2500))), 2, ""),
-        ("long_name", of_mu(&"a".repeat(10_000)), 2, "is no known mapping"),
+        ("long_name", of_mu(&"a".repeat(10_000)), 2, "unknown mapping"),
         ("long_digits", of_mu(&"9".repeat(10_000)), 2, ""),
         ("deep", of_mu(&nested(5000)), 2, ""),
         ("deep_calls", of_mu(&("exp(".repeat(5000) + "t" + &")".repeat(5000))), 2, ""),

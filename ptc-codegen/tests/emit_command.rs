@@ -186,7 +186,7 @@ fn what_has_no_self_test_is_told_before_anything_is_written() {
     let out = folder.to_str().expect("UTF-8");
     let design = ["--n=1", "--mu=exp", "--selftest", "-o", out];
     let told = stderr(&[&["emit", "--lang=rust"][..], &design].concat(), 2);
-    assert!(told.contains("goes with C") && told.contains("--lang c"), "{told}");
+    assert!(told.contains("needs C") && told.contains("--lang c"), "{told}");
     let told = stderr(&[&["emit", "--lang=c", "--what=associated"][..], &design].concat(), 2);
     assert!(told.contains("the associated system has no self-test"), "{told}");
     assert!(names(&folder).is_empty());

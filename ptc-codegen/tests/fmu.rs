@@ -267,7 +267,7 @@ fn what_an_fmu_cannot_hold_is_refused() {
     let associated = ["--n=2", "--mu=exp", "--what=associated"];
     let taken = ["--n=2", "--mu=exp", "--g=status"];
     for (flags, parts) in [
-        (&extern_law[..], &["pi0", "function of yours", "emit C or Rust"][..]),
+        (&extern_law[..], &["pi0", "user-defined pi0", "emit C or Rust"][..]),
         (&after, &["after the deadline", "emit C or Rust"]),
         (&associated, &["infinite-time system", "leave `what` out"]),
         (&taken, &["status", "another name"]),

@@ -1,4 +1,4 @@
-//! What shells, manuals and editors are given: completions, pages of the manual, the schema of designs.
+//! Shell completions, manual pages and the schema of designs.
 #![cfg(feature = "cli")]
 
 mod support;

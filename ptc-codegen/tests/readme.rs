@@ -1,5 +1,5 @@
-//! The commands and C of the README and of docs/, as they stand there: run, compiled, and compared
-//! with the output that stands beside them. Their Rust is a doctest of the crate `ptc`.
+//! The commands and C of the README and of docs/: run, compiled, and compared
+//! with the output beside them. Their Rust is a doctest of the crate `ptc`.
 
 #![cfg(all(unix, feature = "lab"))]
 
@@ -52,7 +52,7 @@ const PAGES: [(&str, &str); 19] = [
     ("checks/envelope.md", include_str!("../../docs/checks/envelope.md")),
 ];
 
-/// The blocks of a page in `language`, without the indentation of the list they stand in.
+/// The blocks of a page in `language`, without the indentation of the list around them.
 fn blocks_of(page: &str, language: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut open: Option<(bool, usize, String)> = None;

@@ -1,4 +1,4 @@
-//! `simulate` on the command line: the CSV, and what is told of bad input.
+//! `simulate` on the command line: the CSV, and the messages for bad input.
 #![cfg(feature = "lab")]
 
 mod support;
@@ -166,8 +166,8 @@ fn bad_input_gets_one_clear_message_and_no_file() {
     for (arguments, parts) in [
         (&["stage.toml"][..], &["--x0"][..]),
         (&["stage.toml", "--x0=1"], &["1 of the 2 states", "| --x0 \"1\"", "^ not legal"]),
-        (&["stage.toml", "--x0=1,b"], &["`b`, which is no number", "| --x0 \"1,b\""]),
-        (&["stage.toml", "--x0=1,nan"], &["`nan`, which is no number"]),
+        (&["stage.toml", "--x0=1,b"], &["`b`, which is not a number", "| --x0 \"1,b\""]),
+        (&["stage.toml", "--x0=1,nan"], &["`nan`, which is not a number"]),
         (
             &["free.toml", "--x0=1,0"],
             &[
@@ -187,7 +187,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         ),
         (
             &["stage.toml", "--x0=1,0", "--delay=1"],
-            &["`delay` is of the sampled loop", "give --sample-time"],
+            &["`delay` needs the sampled loop", "give --sample-time"],
         ),
         (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
         (
@@ -204,7 +204,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         ),
         (
             &["stage.toml", "--x0=1,0", "--until=2"],
-            &["--until is of the sampled loop", "give --sample-time"],
+            &["--until needs the sampled loop", "give --sample-time"],
         ),
         (
             &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=1,2,3"],
@@ -213,7 +213,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=-1"], &["not finite and >= 0"]),
         (
             &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--u-step=-1"],
-            &["no finite number >= 0"],
+            &["not a finite number >= 0"],
         ),
         (
             &["stage.toml", "--x0=1,0", "--pi0=extern"],
@@ -227,7 +227,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (&["stage.toml", "--x0=1,0", "-o", "."], &["--out . is a folder"]),
         (
             &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
-            &["`run.pdf` says no kind", ".svg or .png"],
+            &["`run.pdf`: unsupported image type", ".svg or .png"],
         ),
         (
             &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],

@@ -1,4 +1,4 @@
-//! What a design is told as reads back as the same design, and what cannot be told is refused.
+//! The spelling of a design reads back as the same design, and what has no spelling is refused.
 
 #[path = "../../tests/support/command.rs"]
 mod command;
@@ -72,7 +72,7 @@ fn many_arguments_stay_in_a_row() {
     }
 }
 
-/// A few characters can ask for numbers and expressions of any size.
+/// A few characters can make numbers and expressions of any size.
 #[test]
 fn what_grows_without_bound_is_refused() {
     let powers = "--n 1 --mu exp --pi0=\"((1e400^64)^64)^64*xi1\"";

@@ -46,7 +46,7 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
     }
 }
 
-/// Where the value of a key stands, for what is wrong with what follows from it.
+/// The place of the value of a key, for errors in what follows from it.
 fn value_of(input: &Input, key: &str) -> Option<Place> {
     let called = |entry: &&Entry| entry.key.rsplit('.').next() == Some(key);
     input.entries.iter().find(called).map(|entry| entry.value.place)
@@ -97,7 +97,7 @@ fn beside_stub(name: &str, errors: TokenStream) -> TokenStream {
     stub.into_iter().map(fill).collect()
 }
 
-/// Name of the controller's type, as far as the entries tell it.
+/// Name of the controller's type, if the entries give it.
 fn type_name(input: &Input) -> Option<String> {
     let value = |key| input.entries.iter().find(|entry| entry.key == key).map(|e| &e.value.value);
     let name = match (value("name"), value("mu"), value("n")) {

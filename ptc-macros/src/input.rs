@@ -56,7 +56,7 @@ pub(crate) fn read(tokens: TokenStream) -> Input {
 }
 
 impl Input {
-    /// What the design file says, but for the keys that are given beside it.
+    /// The keys of the design file, except those that are given beside it.
     fn design(&mut self, name: String, span: Span) {
         let (design, entries, found) = Design::read(name, span, &mut self.places);
         let given: Vec<_> = self.entries.iter().map(|e| e.key.clone()).collect();
@@ -64,7 +64,7 @@ impl Input {
             let key = key.split('[').next().unwrap_or(key);
             given.iter().all(|given| given != key) && self.wrong.iter().all(|own| own.key != key)
         };
-        // What is wrong with the file itself is told whatever stands for its keys.
+        // Errors of the file itself are reported even if keys beside it override its own.
         let kept = |own: &Diagnostic| [SYNTAX, UNREADABLE].contains(&own.code) || stands(&own.key);
         let entries: Vec<_> = entries.into_iter().filter(|entry| stands(&entry.key)).collect();
         let found: Vec<_> = found.into_iter().filter(kept).collect();
@@ -134,7 +134,7 @@ impl Input {
                 .iter()
                 .zip(tokens)
                 .filter(|(r, _)| r.start < range.end && r.end > range.start);
-            // An empty range stands behind the last token.
+            // An empty range is behind the last token.
             let last = tokens.last().unwrap_or(equals).span;
             let first = touched.next().map_or(last, |(_, token)| token.span);
             let last = touched.next_back().map_or(first, |(_, token)| token.span);
@@ -243,7 +243,7 @@ fn plain(token: &str) -> String {
     number.replace('_', "")
 }
 
-/// The text of the tokens, and where each stands in it. A sign, or a leading point, belongs to the
+/// The text of the tokens, and the place of each in it. A sign, or a leading point, belongs to the
 /// number after it.
 fn join(tokens: &[Token]) -> (String, Vec<Range<usize>>) {
     let mut text = String::new();

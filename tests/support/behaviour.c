@@ -1,5 +1,5 @@
 /* Statuses, errors and closed loops of generated controllers; `make` of behaviour.rs says which.
- * Every CHECK that fails is told, and makes the exit code 1. */
+ * Every CHECK that fails is printed, and makes the exit code 1. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

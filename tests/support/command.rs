@@ -43,7 +43,7 @@ pub(crate) fn keys(line: &str) -> Vec<(String, String)> {
     keys
 }
 
-/// The spec that a command line asks for.
+/// The spec of a command line.
 pub(crate) fn spec_of(line: &str) -> Result<Spec, Vec<Diagnostic>> {
     let mut entries = Vec::new();
     for (key, text) in keys(line) {

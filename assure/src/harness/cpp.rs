@@ -35,7 +35,7 @@ pub fn cpp_compiler() -> Command {
     Command::new(std::env::var_os("CXX").unwrap_or_else(|| "g++".into()))
 }
 
-/// The program of the header of `spec` that stands in `folder`.
+/// The program for the header of `spec` in `folder`.
 pub fn in_cpp_from(folder: &Path, spec: &Spec) -> Program {
     let (object, path) = (folder.join("glue.o"), folder.join("program"));
     run(cpp_compiler()

@@ -37,7 +37,7 @@ pub fn controllers() -> Vec<Spec> {
     all
 }
 
-/// Mappings, laws, ends and divisors of one's own, and states that are latched.
+/// User-defined mappings, laws, ends and divisors, and latched states.
 fn features() -> [Spec; 5] {
     [
         spec(&[

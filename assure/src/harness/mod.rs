@@ -1,5 +1,5 @@
 //! Generated controllers compiled and run as programs, on this machine and on others under QEMU:
-//! what the tests and the layers of assurance stand on. A compiler that fails is a fault of the
+//! shared by the tests and the layers of assurance. A compiler that fails is a fault of the
 //! generator, and panics with what it said.
 
 pub mod command;

@@ -1,4 +1,4 @@
-//! Random records for a controller, of every kind that it has to bear.
+//! Random records for a controller, of every kind that it must handle.
 
 use ptc_codegen::parameter::{Domain, Fixed, Parameter, Precision};
 use ptc_codegen::request::{Guard, Spec};

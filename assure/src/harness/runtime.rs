@@ -35,7 +35,7 @@ pub fn homes<'a>(folder: &Path, specs: &'a [Spec], language: Language) -> Result
 ///
 /// A line of the manifest has, between tabs: the folder, in which it finds `records.bin` and leaves
 /// `outcomes.bin`; the name and the type's name; n; `f64` or `f32`; the parameters, as `tau:0,k:3` with
-/// the length of arrays; and whether the controller latches x0, asks for pi0, asks for a law after
+/// the length of arrays; and whether the controller latches x0, calls pi0, calls a law after
 /// the deadline, has tick and axis, and is the infinite-time system.
 pub fn outcomes(
     command: &mut Command,

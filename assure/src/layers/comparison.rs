@@ -180,7 +180,7 @@ impl Reference {
         Self { spec, program }
     }
 
-    /// u, clipped, and the sum of the absolute values of its terms; none where u is not finite, or the
+    /// u, clipped, and the sum of the absolute values of its terms; `None` if u is not finite, or the
     /// law no sum of gains.
     fn at(&self, record: &Record) -> Option<(f64, f64)> {
         let free: Vec<_> = self.spec.run_time_parameters().collect();

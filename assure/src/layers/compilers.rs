@@ -68,7 +68,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// What a pass tells of the files of a controller, where it tells anything.
+/// The output of a pass for the files of a controller, if any.
 fn compile(
     (program, _, flags, header): (&str, &str, &[&str], bool),
     files: &[PathBuf],

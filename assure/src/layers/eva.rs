@@ -169,7 +169,7 @@ fn analyse(
         format!("{declared}int main(void)\n{{\n{called}    return 0;\n}}\n"),
     )?;
     let defines = ["-DPTC_EVA_PART"].into_iter().chain(define).collect::<Vec<_>>().join(" ");
-    // By names without folders, which then stand in alarms: a report is the same on every machine.
+    // By names without folders, as alarms quote them: a report is the same on every machine.
     let sources = files.iter().filter(|file| file.extension().is_some_and(|e| e == "c"));
     let sources = sources.filter_map(|file| file.file_name());
     let output = Command::new("frama-c")
@@ -192,12 +192,12 @@ fn analyse(
     Ok(Log::read(&text, &emitted(names, &sources.collect::<String>())))
 }
 
-/// Eva's options as the head of a harness tells them to users.
+/// Eva's options as the head of a harness shows them.
 fn options(files: &[PathBuf]) -> Result<Vec<String>> {
     let harness = files.iter().find(|file| file.to_string_lossy().ends_with("_eva.c"));
     let text = fs::read_to_string(harness.context("no harness")?)?;
     let line = text.lines().find(|line| line.contains("frama-c -eva"));
-    let words = line.context("the harness tells no command")?.split_whitespace();
+    let words = line.context("the harness shows no command")?.split_whitespace();
     let words = words.skip_while(|word| *word != "-eva");
     Ok(words.take_while(|word| *word != "-warn-special-float").map(str::to_owned).collect())
 }

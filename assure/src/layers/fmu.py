@@ -100,7 +100,7 @@ class Instance:
 
 
 def calls(instance, records, count, n):
-    """One line for each record: what it gives, or what is told of why it gives nothing."""
+    """One line per record: its result, or the error message."""
     lines = []
     for index, record in enumerate(struct.iter_unpack(f"<{count + 1 + n}d", records)):
         instance.messages.clear()

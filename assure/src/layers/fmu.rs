@@ -185,7 +185,7 @@ fn script(python: &Path, home: &Path, arguments: &[&Path]) -> Result<()> {
     succeed(Command::new(python).arg(&path).args(arguments)).map(|_| ())
 }
 
-/// Compares the calls; of equal faults of an FMU the first is told.
+/// Compares the calls; of equal faults of an FMU the first is reported.
 fn calls(trial: &Trial<'_>, told: &str, compared: &mut Compared) -> Result<()> {
     let mut faults = Vec::new();
     let outcomes = trial.program.run(trial.records);
@@ -195,7 +195,7 @@ fn calls(trial: &Trial<'_>, told: &str, compared: &mut Compared) -> Result<()> {
             ("error", message) => {
                 compared.refused += 1;
                 let legal = c.init == 0 && c.step.0 >= 0;
-                // Where a time is not finite, that may be told in place of a parameter.
+                // A time that is not finite may be reported in place of a parameter.
                 let time = message.contains("time ");
                 let names = if c.init == 0 {
                     time || message.contains("input x") || message.contains("u is not finite")

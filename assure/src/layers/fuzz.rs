@@ -149,7 +149,7 @@ fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()>
         let (_, told) = compare(&spec, &records, &c.run(&records), &rust[0].run(&records));
         finding.seed(defect.2, told.map(|difference| difference.kind().to_owned()));
     }
-    // The same defect on both sides, which only the definition tells.
+    // The same defect on both sides, which only the definition reveals.
     let outcomes = rust[0].run(&records);
     let bent: Vec<_> = outcomes
         .iter()

@@ -1,4 +1,4 @@
-//! Emitted Rust, the macro and the facade under Miri, which interprets Rust and tells undefined
+//! Emitted Rust, the macro and the facade under Miri, which interprets Rust and detects undefined
 //! behaviour.
 
 use std::fmt::Write as _;
@@ -60,7 +60,7 @@ fn run(context: &Context) -> Result<Finding> {
 /// Calls of a controller, from before the start to after the deadline.
 const CALLS: usize = 12;
 
-/// Runs the controllers in `home` under Miri; what it tells, where it tells anything.
+/// Runs the controllers in `home` under Miri; its output, if any.
 fn interpret(context: &Context, home: &Path, specs: &[Spec]) -> Result<Option<String>> {
     let facade = workspace().display();
     // A name of its own, for programs of one name in one build folder take each other's place.

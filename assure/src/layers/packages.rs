@@ -145,7 +145,7 @@ fn unpack(package: &Path, folder: &Path) -> Result<PathBuf> {
     let home = empty(&folder.join("unpacked"));
     succeed(Command::new("tar").arg("-xzf").arg(package).arg("-C").arg(&home))?;
     let inner = fs::read_dir(&home)?.next().context("a folder in the crate")??;
-    // A workspace of its own, though it stands below another one.
+    // A separate workspace, though its folder is below another one.
     let manifest = inner.path().join("Cargo.toml");
     let text = fs::read_to_string(&manifest)?;
     fs::write(&manifest, format!("{text}\n[workspace]\n"))?;
@@ -176,7 +176,7 @@ fn wheel(
     Ok((name.unwrap_or_default(), size, environment.join("bin/ptc-codegen")))
 }
 
-/// Has an installed command tell its version and emit what needs each kind of template.
+/// Has an installed command print its version and emit what needs each kind of template.
 fn emits(command: &Path, folder: &Path) -> Result<()> {
     let version = text(Command::new(command).arg("--version"))?;
     ensure!(version.contains(env!("CARGO_PKG_VERSION")), "{version}");

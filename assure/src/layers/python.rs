@@ -48,7 +48,7 @@ fn run(context: &Context) -> Result<Finding> {
     Ok(finding)
 }
 
-/// `examples/python_control.py` with the controller that its head asks for.
+/// `examples/python_control.py` with the controller that its head names.
 fn example(context: &Context, python: &Path, finding: &mut Finding) -> Result<()> {
     let folder = context.scratch("python_example");
     let keys = [
@@ -82,7 +82,7 @@ fn told(python: &Path, arguments: &[&str], folder: &Path) -> Result<Option<Strin
     Ok((!output.status.success()).then_some(text))
 }
 
-/// Types and style of all modules; a module with a wrong type, and one with an unused name, are told.
+/// Types and style of all modules; a module with a wrong type, and one with an unused name, are reported.
 fn types(context: &Context, python: &Path, finding: &mut Finding) -> Result<()> {
     let folder = context.scratch("python_types");
     let all = folder.join("all");

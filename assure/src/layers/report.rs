@@ -17,7 +17,7 @@ use crate::tool::{CHROMIUM, PYTHON};
 
 pub(super) const LAYER: Layer = Layer {
     name: "report",
-    claim: "A report of `simulate` or `verify` opens in Chromium without one request but for itself; \
+    claim: "A report of `simulate` or `verify` opens in Chromium and requests nothing but itself; \
             its formulas and figures are laid out, light, dark and on a narrow page.",
     tools: &[CHROMIUM, PYTHON],
     run,
@@ -144,7 +144,7 @@ fn seeds(page: &Path, folder: &Path) -> Result<Vec<(&'static str, PathBuf)>> {
 /// What is wrong with a page, by what the browser saw.
 fn faults(seen: &Value) -> Vec<String> {
     let mut faults = Vec::new();
-    for (key, told) in [("requests", "asks for"), ("refused", "the browser says")] {
+    for (key, told) in [("requests", "requests"), ("refused", "the browser says")] {
         let texts = seen[key].as_array().into_iter().flatten().filter_map(Value::as_str);
         faults.extend(texts.map(|text| format!("{told} {text}")));
     }

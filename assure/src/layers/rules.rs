@@ -134,7 +134,7 @@ const DEFECTS: [(Defect, &str); 5] = [
     ),
 ];
 
-/// What cppcheck tells of the files of a controller, and of its self-test where it stands there.
+/// What cppcheck reports for the files of a controller, and for its self-test if it is among them.
 fn violations(folder: &Path, spec: &Spec, files: &[PathBuf]) -> Result<String> {
     let caller = folder.join("caller.c");
     let source = files.iter().find(|file| file.extension().is_some_and(|e| e == "c"));

@@ -28,8 +28,9 @@ const CARGO_SBOM: Tool = Tool {
 
 pub(super) const LAYER: Layer = Layer {
     name: "supply",
-    claim: "Every dependency has a permissive licence and comes from crates.io at the version of the lock file, the bill of materials of a \
-            release names all of them, and the generator gives the same bytes in any environment.",
+    claim: "Every dependency has a permissive licence and comes from crates.io at the version of the \
+            lock file, the bill of materials of a release names all of them, and the generator gives \
+            the same bytes in any environment.",
     tools: &[CARGO_DENY, CARGO_SBOM],
     run,
 };
@@ -85,7 +86,7 @@ fn row(check: &str, result: &str) -> Vec<String> {
     vec![check.to_owned(), result.to_owned()]
 }
 
-/// What cargo-deny tells of one check, where it fails.
+/// The output of cargo-deny for a check that fails.
 fn deny(root: &Path, config: &Path, check: &str) -> Result<Option<String>> {
     let output = Command::new("cargo")
         .current_dir(root)

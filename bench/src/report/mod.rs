@@ -57,7 +57,7 @@ pub(crate) fn write() -> Result<()> {
     let docs = workspace().join("docs");
     std::fs::create_dir_all(&docs)?;
     if let Some(counts) = &counts {
-        text.push_str("\n![Instructions a step over the order](benchmarks.svg)\n");
+        text.push_str("\n![Instructions per step over the order](benchmarks.svg)\n");
         tables::counts(&mut text, counts);
         plot::plot(&docs.join("benchmarks.svg"), counts, peers.as_deref().unwrap_or(&[]))?;
     }

@@ -1,4 +1,4 @@
-//! The plot: instructions a step over the order, and ours against the best of the peers.
+//! The plot: instructions per step over the order, and ours against the best of the peers.
 
 use std::fmt::Display;
 use std::path::Path;

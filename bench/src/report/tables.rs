@@ -32,8 +32,8 @@ fn by_order(
 }
 
 const COUNTS: &str = "\
-Instructions a call by callgrind, the mathematical library included: the mean over 64 calls with
-time-to-go spread evenly from tau to 0.03 tau. Every parameter is set at run time, but for
+Instructions per call by callgrind, the mathematical library included: the mean over 64 calls with
+time-to-go spread evenly from tau to 0.03 tau. Every parameter is set at run time, except
 `power_m2`, which is power with m = 2 fixed; `exp_sum` has two rates. C is compiled by
 `gcc -std=c99 -O2`, Rust by `rustc -C opt-level=3`; in Rust each function is inlined into a wrapper
 that is not, so what a call costs is in the count, as it is in C. Guard `none` leaves out u_max;

@@ -233,10 +233,10 @@ impl Poly {
         total
     }
 
-    /// Replaces symbols by polynomials (`None`: left alone). A symbol that stands in a negative
+    /// Replaces symbols by polynomials (`None`: left alone). A symbol in a negative
     /// power must be replaced by a single term.
     pub fn substitute(&self, value: impl Fn(Symbol) -> Option<Poly>) -> Self {
-        // A power is formed once, whatever number of terms it stands in.
+        // A power is formed once, however many terms use it.
         let mut powers: BTreeMap<(Symbol, i32), Option<Poly>> = BTreeMap::new();
         let mut result = Self::zero();
         for (monomial, coefficient) in &self.0 {

@@ -25,7 +25,7 @@ pub enum Verdict {
     Unsound,
     /// Inputs are known at which the design fails.
     Refuted,
-    /// The check cannot tell.
+    /// The check cannot decide.
     Undecided,
     /// Something that the check needs is not known.
     NotChecked,

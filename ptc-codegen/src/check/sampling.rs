@@ -1,4 +1,4 @@
-//! The guard that a sample period asks for.
+//! The guard that a sample period requires.
 //!
 //! With gains frozen at time-to-go T and a zero-order hold of period h the chain of integrators goes
 //! x(t + h) = M(h, T) x(t), M = exp(A h) + B(h) gain(T)^T, which is stable iff the spectral radius of
@@ -32,17 +32,17 @@ pub struct Sampling {
     pub period: f64,
     /// Settling time tau in s.
     pub tau: f64,
-    /// The least eps such that the sampled loop is stable for every T in [eps, tau]; none where it
+    /// The least eps such that the sampled loop is stable for every T in [eps, tau]; `None` if it
     /// is not stable even at tau.
     pub least_eps: Option<f64>,
-    /// [`MARGIN`] times as much; none where that is not below tau.
+    /// [`MARGIN`] times as much; `None` if that is not below tau.
     pub default_eps: Option<f64>,
     /// Whether the gains at T = tau are stable without sampling. Where they are not, frozen gains
     /// say nothing: a loop may converge that passes such gains only once.
     pub continuous: bool,
 }
 
-/// Scans T from tau down, on a logarithmic grid, to where gains frozen at T do not bear `period`.
+/// Scans T from tau down, on a logarithmic grid, to where gains frozen at T are unstable at `period`.
 /// `gains` gives the n feedback gains of u = sum gain_j x_j at time-to-go T.
 pub fn sampling(gains: &dyn Fn(f64) -> Vec<f64>, period: f64, tau: f64) -> Sampling {
     let stable = |time_to_go: f64| is_stable(&gains(time_to_go), period, time_to_go);
@@ -60,7 +60,7 @@ pub fn sampling(gains: &dyn Fn(f64) -> Vec<f64>, period: f64, tau: f64) -> Sampl
 }
 
 /// The first sample period at which the loop with `gains` held at time-to-go `eps` is not stable,
-/// searched between 1e-3 and 1e3 eps; none where it is unstable at the lower end already.
+/// searched between 1e-3 and 1e3 eps; `None` if it is unstable at the lower end already.
 pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
     let stable = |period: f64| is_stable(gains, period, eps);
     let (mut low, last) = (1e-3 * eps, 1e3 * eps);
@@ -138,7 +138,7 @@ impl Sampling {
             (Some(least), Some(eps)) => (
                 Verdict::Sound,
                 format!(
-                    "eps = {} s is {} times the least that a period of {period} s bears",
+                    "eps = {} s is {} times the minimum for a period of {period} s",
                     digits(eps),
                     digits(eps / least)
                 ),
@@ -227,10 +227,7 @@ mod tests {
         assert_eq!(told.fix.as_deref(), Some("take eps = 0.001 s"));
         let told = found.outcome(Some(2e-3));
         assert_eq!((told.verdict, told.fix), (Verdict::Sound, None));
-        assert_eq!(
-            told.summary,
-            "eps = 0.002 s is 4 times the least that a period of 0.001 s bears"
-        );
+        assert_eq!(told.summary, "eps = 0.002 s is 4 times the minimum for a period of 0.001 s");
         let told = Outcome::from(&found);
         assert_eq!(told.summary, "a period of 0.001 s is stable for eps >= 5e-4 s");
         assert_eq!(told.details, ["the threshold of h/T is 2"]);

@@ -1,4 +1,4 @@
-//! The grammar of the command line: a subcommand each, whose flags stand with what it does.
+//! The grammar of the command line: one subcommand each, whose flags are beside its code.
 
 use clap::{Parser, Subcommand};
 
@@ -72,7 +72,7 @@ pub(crate) enum Command {
         override_usage = "ptc-codegen design <DESIGN> [-o <FILE>] [--tries <COUNT>]"
     )]
     Design(super::lab::Design),
-    /// Write a design file to begin with, which tells every key
+    /// Write a design file to begin with, which explains every key
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
     /// Print what a shell needs to complete commands and flags

@@ -17,7 +17,7 @@ use super::read;
 use super::report::{self, Failure, Notice};
 use super::write;
 
-/// `NAME.fmu` and its bytes. Without a C compiler it has sources only, which is told on the standard
+/// `NAME.fmu` and its bytes. Without a C compiler it has sources only, which is reported on the standard
 /// error.
 pub(crate) fn archive(
     name: &str,

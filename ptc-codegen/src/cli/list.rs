@@ -23,7 +23,7 @@ pub(crate) struct List {
     pub(crate) format: ListFormat,
 }
 
-/// What a user is told about a parameter.
+/// What `list` prints of a parameter.
 struct Line {
     key: String,
     unit: &'static str,

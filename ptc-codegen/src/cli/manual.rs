@@ -1,4 +1,4 @@
-//! `completions` and `man`: what a shell and a manual are given, from the flags themselves.
+//! `completions` and `man`: shell completions and manual pages, generated from the flags.
 
 use clap::{Args, Command};
 use clap_complete::Shell;

@@ -49,7 +49,7 @@ use report::Failure;
 /// Runs the command that the process was started with.
 pub(crate) fn run() -> ExitCode {
     let command = CommandLine::try_parse().unwrap_or_else(|wrong| refuse(&wrong)).command;
-    // A panic is told as the fault that it is; of the hook's text its place is left.
+    // A panic is reported as an internal fault; of the hook's text only its place is kept.
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!("at {place}:\n"));
         report::print_text(&place.unwrap_or_default());
@@ -63,7 +63,7 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
-/// Prints what is wrong with the words of the command line, or the help that they ask for, and ends.
+/// Prints what is wrong with the command line, or the help that it requests, and exits.
 fn refuse(wrong: &clap::Error) -> ! {
     let text = wrong.render().to_string();
     match visible(&text) {

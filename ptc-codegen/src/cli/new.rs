@@ -12,7 +12,7 @@ use super::report::Failure;
 use super::write;
 
 pub(crate) const EXAMPLES: &str = "\
-The file is a design as it is written: every key is told in a comment, with what is legal.
+The file is a valid design: a comment explains every key and its legal values.
 
 Examples:
   ptc-codegen new           design.toml

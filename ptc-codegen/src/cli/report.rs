@@ -1,4 +1,4 @@
-//! What is told on the standard error.
+//! Messages on the standard error.
 
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
@@ -43,7 +43,7 @@ pub(crate) enum Exit {
 pub(crate) struct Failure {
     /// The exit code.
     pub(crate) exit: Exit,
-    /// All that is to be told.
+    /// All messages.
     pub(crate) notices: Vec<Notice>,
 }
 
@@ -150,7 +150,7 @@ pub(crate) struct Quote {
 /// Prints a line that nothing has to be done about.
 #[cfg(feature = "lab")]
 pub(crate) fn note(text: &str) {
-    // Where the standard error is closed there is nobody left to tell.
+    // If the standard error is closed, there is nowhere to report it.
     let _ = writeln!(std::io::stderr(), "note: {}", visible(text));
 }
 
@@ -179,14 +179,14 @@ pub(crate) fn print(notices: &[Notice]) {
     let renderer = if plain { Renderer::plain() } else { Renderer::styled() };
     for notice in notices {
         let notice = &notice.visible();
-        // Where the standard error is closed there is nobody left to tell.
+        // If the standard error is closed, there is nowhere to report it.
         let _ = writeln!(stderr, "{}\n", renderer.render(&[group(notice)]));
     }
 }
 
 /// Prints text that is not a notice of this program's.
 pub(crate) fn print_text(text: &str) {
-    // Where the standard error is closed there is nobody left to tell.
+    // If the standard error is closed, there is nowhere to report it.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 

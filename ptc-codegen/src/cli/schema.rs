@@ -12,7 +12,7 @@ Examples:
 
 /// The schema as text.
 pub(crate) fn schema() -> String {
-    // What every controller has may stand without `params`.
+    // Parameters of every controller may be given without `params`.
     let is_top = |info: &&KeyInfo| matches!(info.table(), None | Some("params"));
     let mut top = table(KEYS.iter().filter(is_top), false);
     let named = |name| KEYS.iter().filter(move |info: &&KeyInfo| info.table() == Some(name));
@@ -90,7 +90,7 @@ fn key(info: &KeyInfo) -> Value {
     key
 }
 
-/// `a, b or c` as a list of words; none for a text that says more.
+/// `a, b or c` as a list of words; `None` for any other text.
 fn words(legal: &str) -> Option<Vec<String>> {
     let (first, last) = legal.rsplit_once(" or ")?;
     let words = first.split(", ").chain([last]);

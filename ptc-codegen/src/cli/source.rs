@@ -50,7 +50,7 @@ pub(crate) struct Parsed<'a> {
     found: Vec<Diagnostic>,
 }
 
-/// Whether one key stands in place of the other: they are the same, or say the same in two ways.
+/// Whether one key overrides the other: they are the same, or two spellings of the same value.
 fn rivals(one: &str, other: &str) -> bool {
     let groups = [["mu", "kappa", ""], ["gains", "poles", "pi0"]];
     one == other || groups.iter().any(|group| group.contains(&one) && group.contains(&other))
@@ -68,7 +68,7 @@ impl Source {
         self.given.push(flag);
     }
 
-    /// Notes one `--param NAME=VALUE`. Where there is no `=` the value is empty, which is told.
+    /// Notes one `--param NAME=VALUE`. Without `=` the value is empty, which is an error.
     pub(crate) fn give_parameter(&mut self, text: &str) {
         self.give_named("params", "--param", text);
     }
@@ -159,7 +159,7 @@ impl Source {
             let (entries, found) = design::read(text, &mut |range| parsed.place(Spot::File(range)));
             let stands = |key: &str| self.given.iter().all(|flag| !rivals(&flag.key, whole(key)));
             parsed.entries.extend(entries.into_iter().filter(|entry| stands(&entry.key)));
-            // What is no TOML is told in any case: the file is wrong whatever stands for its keys.
+            // Invalid TOML is always reported, even if flags override its keys.
             let kept = |wrong: &Diagnostic| wrong.code == design::SYNTAX || stands(&wrong.key);
             parsed.found.extend(found.into_iter().filter(kept));
         }
@@ -194,7 +194,7 @@ impl Parsed<'_> {
         Place(self.places.len() - 1)
     }
 
-    /// The spec that the file and the flags ask for.
+    /// The spec of the file and the flags.
     pub(crate) fn read(&self) -> Result<Spec, Failure> {
         self.read_with_plant().map(|(spec, _)| spec)
     }
@@ -211,7 +211,7 @@ impl Parsed<'_> {
         }
     }
 
-    /// `value`, unless something was wrong with what was given or is told in `found`.
+    /// `value`, unless something given was wrong or `found` holds a mistake.
     pub(crate) fn finish<T>(&self, value: Option<T>, found: Vec<Diagnostic>) -> Result<T, Failure> {
         let unread = |d: &Diagnostic| {
             d.code == "missing-key" && design::explains_missing(&self.found, &d.key)
@@ -270,7 +270,7 @@ impl Parsed<'_> {
             Spot::Flag(index, range) => {
                 let Flag { name, text, .. } = self.source.given.get(*index)?;
                 let before = name.len() + 2;
-                // A value is told on one line, whatever it holds; the bytes keep their places.
+                // A value is quoted on one line, whatever it holds; the bytes keep their places.
                 let line = format!("{name} \"{text}\"").replace(['\n', '\r', '\t'], " ");
                 let quote = design::Quote::new(&line, before + range.start..before + range.end);
                 Some(Quote { file: None, text: quote.text, range: quote.range, label })

@@ -1,4 +1,4 @@
-//! The subcommands of the feature `lab` in a build without it: each says how to have it.
+//! The subcommands of the feature `lab` in a build without it: each says how to get it.
 
 use std::ffi::OsString;
 

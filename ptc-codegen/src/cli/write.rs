@@ -23,7 +23,7 @@ pub(crate) fn shown(path: &Path) -> String {
     visible_line(&path.display().to_string())
 }
 
-/// What is told of an error of the file system.
+/// The message of an error of the file system.
 pub(crate) fn failed(what: &str, path: &Path, error: &io::Error) -> Failure {
     Failure::because(
         format!("{what} {}: {error}", path.display()),

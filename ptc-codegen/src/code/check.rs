@@ -1,4 +1,4 @@
-//! The invariants of a program: names stand before their uses, and a call that fails has changed
+//! The invariants of a program: names are declared before their uses, and a call that fails has changed
 //! nothing.
 
 use std::collections::BTreeSet;

@@ -112,7 +112,7 @@ impl Expr {
         self.number().is_some_and(Zero::is_zero)
     }
 
-    /// Whether only numbers stand in it.
+    /// Whether it holds only numbers.
     pub fn is_constant(&self) -> bool {
         let mut constant = true;
         self.visit(&mut |inner| {

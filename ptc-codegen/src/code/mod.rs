@@ -123,7 +123,7 @@ pub enum Statement {
         /// Weights of z, z^2, ...
         weights: Vec<Expr>,
     },
-    /// Says why the next statements stand here.
+    /// Says why the next statements are here.
     Note(String),
 }
 
@@ -165,7 +165,7 @@ pub struct Code {
     pub parameters: Vec<Variable>,
     /// What it keeps; `init` sets all of it.
     pub fields: Vec<Variable>,
-    /// The gains that a function gives and another one takes; none where there are none.
+    /// The gains that a function gives and another one takes; `None` if there are none.
     pub gains: Vec<Variable>,
     /// What `init` does: parameters in, fields out.
     pub init: Vec<Statement>,
@@ -185,7 +185,7 @@ pub struct Start {
 }
 
 impl Solve {
-    /// The local values of an iteration beside the unknown, by what stands behind its name.
+    /// The local values of an iteration beside the unknown, by the suffixes of their names.
     pub const LOCALS: [&'static str; 4] = ["low", "high", "next", "size"];
 }
 

@@ -16,7 +16,7 @@ use plan::{Field, Plan};
 /// Everything that a back end is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Controller<'a> {
-    /// What was asked for, and what the checks say of it.
+    /// The spec, and the report of its checks.
     pub report: &'a Report,
     /// The law, for the documentation in the emitted code.
     pub law: &'a Law,
@@ -27,7 +27,7 @@ pub struct Controller<'a> {
 }
 
 impl<'a> Controller<'a> {
-    /// What was asked for.
+    /// The spec.
     pub fn spec(&self) -> &'a Spec {
         &self.report.spec
     }

@@ -31,7 +31,7 @@ use crate::request::Entry;
 use reader::Reader;
 use statement::statements;
 
-/// The tables of a design. Everything else stands at the top.
+/// The tables of a design. All other keys are at the top.
 const TABLES: [&str; 5] = ["params", "envelope", "plant", "disturbance", "verify"];
 
 /// The table that a design may have several times.
@@ -46,7 +46,7 @@ pub const SYNTAX: &str = "toml";
 /// Code of a file that cannot be read at all.
 pub const UNREADABLE: &str = "unreadable-design";
 
-/// Most mistakes in the TOML itself that are told: a file of another kind is wrong in every line.
+/// Limit of reported TOML syntax errors: a file of another kind is wrong in every line.
 const MAX_SYNTAX: usize = 10;
 
 /// The key of an entry, of one that may be written with `params.` before it.

@@ -24,7 +24,7 @@ pub(super) struct Reader<'a> {
     pub(super) items: usize,
 }
 
-/// Where a line stands.
+/// The place of a line.
 #[derive(Clone, Copy)]
 enum Section {
     /// Above the first table.
@@ -83,7 +83,7 @@ impl<'a> Reader<'a> {
                     SYNTAX,
                     "",
                     value.range,
-                    "no TOML: a value without a key".to_owned(),
+                    "invalid TOML: a value without a key".to_owned(),
                     help,
                 );
             }
@@ -134,18 +134,18 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal = "the tables are params, envelope, plant, disturbance, verify and [[objective]]; all other keys stand above the first";
+        let legal = "the tables are params, envelope, plant, disturbance, verify and [[objective]]; all other keys go above the first table";
         let first = name.split('.').next().unwrap_or(name);
         let help = match near_miss(first, TABLES.into_iter().chain([LISTED])) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),
             Some(meant) => format!("did you mean `{meant}`? {legal}"),
             None => legal.to_owned(),
         };
-        let message = format!("{shown} is no table of a design");
+        let message = format!("{shown} is not a table of a design");
         self.wrong("unknown-table", name, at, message, help);
     }
 
-    /// The key of an entry, unless it has no meaning, which is told.
+    /// The key of an entry; on failure, records a diagnostic.
     fn pair(&mut self, words: &[Word]) -> Option<String> {
         if matches!(self.section, Section::Unknown) {
             return None;

@@ -173,7 +173,7 @@ fn told(source: Source<'_>, rest: &[Event], error: &ParseError) -> Wrong {
     let written = line.split('#').next().unwrap_or(line).trim_end();
     if scalar.is_some() && written.starts_with(|c: char| c.is_alphabetic() || c == '_') {
         let message = format!("`{}` is not in quotes", shorten(written));
-        let help = format!("text stands in quotes: \"{}\"", shorten(&written.replace('"', "'")));
+        let help = format!("text must be quoted: \"{}\"", shorten(&written.replace('"', "'")));
         return Wrong { range: start..start + written.len(), message, help };
     }
     let mut help = match error.expected() {
@@ -195,10 +195,10 @@ fn told(source: Source<'_>, rest: &[Event], error: &ParseError) -> Wrong {
     match scalar.map(|event| bytes(event.span())) {
         Some(scalar) if scalar.start <= range.start && range.end <= scalar.end => {
             let written = shorten(&source.input()[scalar.clone()]);
-            let message = format!("`{written}` is no number of TOML: {}", error.description());
+            let message = format!("`{written}` is not a TOML number: {}", error.description());
             Wrong { range: scalar, message, help }
         }
-        _ => Wrong { range, message: format!("no TOML: {}", error.description()), help },
+        _ => Wrong { range, message: format!("invalid TOML: {}", error.description()), help },
     }
 }
 

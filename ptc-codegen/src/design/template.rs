@@ -1,4 +1,4 @@
-//! A design file to begin with, made of the table of keys so that it tells them all.
+//! A design file to begin with, made from the table of keys so that it lists them all.
 
 use super::TABLES;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS};

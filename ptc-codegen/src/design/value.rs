@@ -52,7 +52,7 @@ impl Toml<'_> {
 }
 
 impl Reader<'_> {
-    /// The value of `key`, unless it is none of a spec, which is told.
+    /// The value of `key`; on failure, records a diagnostic.
     pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
         self.list(key, toml, MATRICES.contains(&key.rsplit('.').next().unwrap_or(key)))
     }
@@ -121,7 +121,7 @@ impl Reader<'_> {
         } else {
             "a number has an exponent of at most 400 and at most 1000 digits".to_owned()
         };
-        let message = format!("{key} = `{}` is no number that can be used", shorten(written));
+        let message = format!("{key} = `{}` is not a number that can be used", shorten(written));
         self.wrong("bad-value", key, range, message, help);
         None
     }
@@ -145,7 +145,7 @@ impl Reader<'_> {
     }
 }
 
-/// What may stand at `key`.
+/// The kind of value that `key` takes.
 fn legal(key: &str) -> String {
     let root = key.split('[').next().unwrap_or(key);
     match KeyInfo::find(root) {

@@ -262,7 +262,7 @@ struct Harness<'a> {
     timed_calls: Vec<String>,
     /// Places of all run-time parameters.
     all_places: Vec<String>,
-    /// Whether the domain of any parameter is told by comparisons alone.
+    /// Whether comparisons alone show the domain of any parameter.
     compared: bool,
     options: &'static str,
     /// Whether Eva sees that u is finite with any inputs: what a trusting guard asks of v - v takes
@@ -270,7 +270,7 @@ struct Harness<'a> {
     sees_all: bool,
     ranges: Vec<Range>,
     /// Places of run-time parameters, the stems of their ranges, and whether a comparison alone
-    /// tells their domain.
+    /// shows their domain.
     drawn: Vec<(String, String, bool)>,
     x_max: Vec<String>,
     x0_max: Vec<String>,

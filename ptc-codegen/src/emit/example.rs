@@ -14,7 +14,7 @@ use crate::request::{Feedback, Spec};
 use crate::request::{Pole, gains};
 use crate::syntax::number as fixed;
 
-/// What is told of the defaults of a clock in time, a line each.
+/// The defaults of a clock in time, in words, one line each.
 pub(super) const TIMED: [&str; 6] = [
     "tau = 1 s (100 eps where the design fixes an eps from 0.1 s on), t0 = 0, u_max = 1e30;",
     "a = 1, m = 1, a_i = i, a parameter of an expression 1, and of what has bounds the least;",
@@ -24,7 +24,7 @@ pub(super) const TIMED: [&str; 6] = [
     "... of it. The longest period is taken that eps bears, and the first of these poles with it.",
 ];
 
-/// The same of a clock in samples.
+/// The defaults of a clock in samples.
 pub(super) const SAMPLED: [&str; 3] = [
     "N = 1000, h = 1e-3 s, u_max = 1e30, a = 1, eps = 0, deadbeat = 0; gains of the poles -(m + 2),",
     "-(m + 3), ..., -(2 m + 1), m the order of the loop, its delay counted; x1 = 1 at the start, or",
@@ -128,7 +128,7 @@ fn to_f64(value: &Fixed) -> Option<f64> {
 }
 
 /// Gains of the poles -(r + 1), ..., -(r + n), r the least integer from n rho on and `left` more,
-/// where the design leaves them open; none where it does not.
+/// where the design leaves them open; `None` if it does not.
 fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
     let n = i64::try_from(spec.n).ok()?;
     // Where no rate is found, that of the common mappings is taken.
@@ -138,7 +138,7 @@ fn with_poles(spec: &Spec, left: i64) -> Option<Spec> {
     placed(spec, &poles)
 }
 
-/// The design with the gains of `poles`; none where it does not leave them open.
+/// The design with the gains of `poles`; `None` if it does not leave them open.
 fn placed(spec: &Spec, poles: &[Pole]) -> Option<Spec> {
     if spec.feedback != Feedback::Linear || spec.fixed.contains_key(&Parameter::Gain(1)) {
         return None;

@@ -24,7 +24,7 @@ const WORDS: &str = "
     unwind_protect_cleanup while
 ";
 
-/// Longest name that MATLAB tells from others.
+/// Longest name that MATLAB distinguishes from others.
 const LONGEST: usize = 63;
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {

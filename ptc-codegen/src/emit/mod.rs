@@ -1,6 +1,6 @@
 //! Back ends: the program of a controller in, source text out.
 //!
-//! The printers in `code` write whole controllers; templates hold what stands around them: self-tests,
+//! The printers in `code` write whole controllers; templates hold the files around them: self-tests,
 //! FMUs, projects.
 
 mod acsl;
@@ -45,7 +45,7 @@ use declared::declared;
 pub enum Language {
     /// C99: a header and a source file.
     C,
-    /// Rust, `no_std`: one file that stands alone.
+    /// Rust, `no_std`: one self-contained file.
     Rust,
     /// C++17: one header.
     Cpp,
@@ -141,7 +141,7 @@ struct Target {
 enum Print {
     /// A program is printed.
     Program(fn(&Code) -> Vec<File>),
-    /// Files stand around the C of a controller.
+    /// Files around the C of a controller.
     Around(fn(&Report, &Code) -> Vec<File>),
 }
 
@@ -167,16 +167,16 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     let mut against = |key: &str, message: String, help: &str| {
         found.push("not-alone", key, None, message, help);
     };
-    let own = "emit C or Rust instead, and call the controller from a program of yours";
+    let own = "emit C or Rust instead, and call the controller from your own program";
     if spec.what == What::Associated {
         let message = format!("{what} holds a controller, not the infinite-time system");
         against("what", message, "leave `what` out, or emit C or Rust");
     }
     if spec.feedback == Feedback::Extern {
-        against("pi0", format!("{what} has no function of yours to call for pi0"), own);
+        against("pi0", format!("{what} cannot call a user-defined pi0"), own);
     }
     if spec.after == After::Extern {
-        let message = format!("{what} has no function of yours to call after the deadline");
+        let message = format!("{what} cannot call a user-defined law after the deadline");
         against("after", message, own);
     }
 }

@@ -8,7 +8,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Guard, Sampled, Spec};
 use crate::samples;
 
-/// The program; none where the clock is time.
+/// The program; `None` if the clock is time.
 pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
     let sampled = report.spec.sampled()?;
     let code = samples::controller(&report.spec, sampled, head(report, sampled, language));

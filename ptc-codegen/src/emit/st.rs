@@ -20,7 +20,7 @@ pub(super) const TARGET: Target = Target {
     print: Print::Program(|program| vec![code::st(program)]),
 };
 
-/// Keywords, types and standard functions, none of which tells capitals apart, and what the function
+/// Keywords, types and standard functions, all case-insensitive, and what the function
 /// block calls its own.
 const WORDS: &str = "
     abs acos action add and any array arm arrow asin at atan before begin bool by byte case char
@@ -68,7 +68,7 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
                 "reserved-name",
                 key,
                 None,
-                format!("{name} is no identifier in st"),
+                format!("{name} is not an identifier in st"),
                 "leave out underscores that end it or stand side by side",
             );
         }

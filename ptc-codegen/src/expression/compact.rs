@@ -15,8 +15,8 @@ impl Expression {
         1 + self.operands().map(Self::size).sum::<usize>()
     }
 
-    /// Whether it may stand twice in what follows: what nests doubles each time, and many that do so
-    /// may stand side by side.
+    /// Whether it may occur twice in what follows: what nests doubles each time, and many that do so
+    /// may occur side by side.
     pub(super) fn twice(&self) -> bool {
         let size = 2 * self.size();
         SIZE.admits(size) && keep(size).is_some()
@@ -48,7 +48,7 @@ struct Product {
 }
 
 impl Field {
-    /// The shorter one of the sum as it stands and as one fraction; none where it is too large.
+    /// The shorter one of the sum as it stands and as one fraction; `None` if it is too large.
     pub(super) fn shortest(&self, terms: &Terms) -> Option<Expression> {
         let apart = self.sum_of(terms)?;
         Some(match Self::combined(terms).and_then(|ratio| self.sum_of(&vec![ratio])) {
@@ -57,7 +57,7 @@ impl Field {
         })
     }
 
-    /// The sum, positive terms first; none where it is too large.
+    /// The sum, positive terms first; `None` if it is too large.
     pub(super) fn sum_of(&self, terms: &Terms) -> Option<Expression> {
         let measure =
             terms.iter().fold(Measure::default(), |sum, term| sum.and(self.measure_of_ratio(term)));

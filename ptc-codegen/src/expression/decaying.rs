@@ -22,7 +22,7 @@ pub(crate) fn decaying(form: &Expression) -> Expression {
     bounded(|| turned(form).unwrap_or_else(|| form.clone()).substitute(&inner))
 }
 
-/// The form with its outermost denominators turned; none where there is nothing to turn.
+/// The form with its outermost denominators turned; `None` if there is nothing to turn.
 fn turned(form: &Expression) -> Option<Expression> {
     let exponential = as_exponentials(form);
     let mut field = Field::of(&exponential);

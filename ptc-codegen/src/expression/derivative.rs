@@ -5,7 +5,7 @@ use super::{Expression, Function, Variable};
 
 impl Expression {
     /// Takes the effort of a derivative, which repeats the operands of products, quotients, powers and
-    /// calls beside their derivatives; none where it is not left.
+    /// calls beside their derivatives; `None` if it is not left.
     pub(crate) fn differentiable(&self) -> Option<()> {
         keep(self.size_and_repeated().1)
     }
@@ -83,7 +83,7 @@ impl Expression {
     }
 
     /// da (1 +- sign(a - b))/2 + db (1 -+ sign(a - b))/2, the derivative of the greater or smaller
-    /// one. Each derivative stands in it once: twice in each of many would double it each time.
+    /// one. Each derivative occurs in it once: twice in each of many would double it each time.
     fn of_the_chosen(a: &Self, b: &Self, da: Self, db: Self, greater: bool) -> Self {
         if da == db {
             return da;

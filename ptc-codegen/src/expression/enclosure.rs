@@ -1,4 +1,4 @@
-//! Enclosures of an expression over intervals of what stands in it, with a bound on the work.
+//! Enclosures of an expression over intervals of its names, with a bound on the work.
 
 use std::collections::BTreeMap;
 

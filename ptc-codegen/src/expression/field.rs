@@ -34,7 +34,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// A field in which pi and the parameters of `expression` stand before all else, in their own order.
+    /// A field in which pi and the parameters of `expression` come first, in their own order.
     pub(super) fn of(expression: &Expression) -> Self {
         let pi = expression.any(&|e| *e == Expression::Pi).then_some(Expression::Pi);
         let parameters = expression.parameters().into_iter().map(Expression::from);
@@ -57,7 +57,7 @@ impl Field {
         index.and_then(|index| self.measures.get(index).copied()).unwrap_or_default()
     }
 
-    /// The symbol of a kernel; none where it is too large, or one too many.
+    /// The symbol of a kernel; `None` if it is too large, or one too many.
     pub(super) fn symbol(&mut self, kernel: Kernel) -> Option<Symbol> {
         // Kernels within kernels begin alike: only those of one size are compared.
         let measure = self.measure_of(&kernel);
@@ -96,7 +96,7 @@ impl Field {
         terms.iter().try_fold(Ratio::number(integer(0)), |sum, term| sum.plus(term))
     }
 
-    /// The normal form of an expression; none where it grows beyond the bounds.
+    /// The normal form of an expression; `None` if it grows beyond the bounds.
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
         use Expression as E;
         spend(1)?;

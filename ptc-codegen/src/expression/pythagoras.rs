@@ -1,4 +1,4 @@
-//! cos^2 + sin^2 = 1 and cosh^2 - sinh^2 = 1, wherever both squares stand beside each other.
+//! cos^2 + sin^2 = 1 and cosh^2 - sinh^2 = 1, wherever both squares are terms of one sum.
 //!
 //! The sum of the squares would be formed from rounded ones, and its series from terms that cancel.
 
@@ -25,7 +25,7 @@ impl Field {
         if changed { ratio.cancelled() } else { Some(ratio) }
     }
 
-    /// The symbols of cos(u) and sin(u), or cosh(u) and sinh(u), that stand in a polynomial, and
+    /// The symbols of cos(u) and sin(u), or cosh(u) and sinh(u), that occur in a polynomial, and
     /// whether their squares are added.
     fn pairs(&self, poly: &Poly) -> Vec<(Symbol, Symbol, bool)> {
         let calls: Vec<_> = poly

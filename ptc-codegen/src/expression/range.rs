@@ -18,7 +18,7 @@ pub(crate) struct Range {
 
 impl From<&Interval> for Range {
     fn from(value: &Interval) -> Self {
-        // What is told is a rounding of the end, or two where it is next to nothing.
+        // The result is a rounding of the end, or two where it is next to nothing.
         let [low, high] = value.about();
         Self { low: low.next_down().next_down(), high: high.next_up().next_up() }
     }

@@ -21,8 +21,8 @@ pub struct Scope<'a> {
     pub known: &'a [Parameter],
 }
 
-/// The expression that `node` stands for; `None` where something in it is wrong, which `found`
-/// then tells.
+/// The expression that `node` stands for; on failure, records a diagnostic in
+/// `found`.
 pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option<Expression> {
     let mut resolver = Resolver { scope, found };
     let expression = resolver.node(node)?;
@@ -53,7 +53,7 @@ impl Resolver<'_, '_> {
         if limit.admits(size) { Some(expression) } else { self.exceeded(&limit, size, node.place) }
     }
 
-    /// What stands at `place` is beyond a bound.
+    /// The expression at `place` exceeds a limit.
     fn exceeded(&mut self, limit: &Limit, size: usize, place: Place) -> Option<Expression> {
         let message = limit.exceeded(self.scope.subject.key(), size);
         self.too_large(place, message, limit.fix)
@@ -69,7 +69,7 @@ impl Resolver<'_, '_> {
             Value::Number(Fixed::Number { value, .. }) => Some(Expression::Number(value.clone())),
             Value::Number(Fixed::Infinite) => self.wrong(
                 node.place,
-                "`inf` is no number that can be computed with".to_owned(),
+                "`inf` is not a number that can be computed with".to_owned(),
                 "leave the term out, or give a finite number",
             ),
             Value::Imaginary(_) => self.wrong(

@@ -1,4 +1,4 @@
-//! Signs of expressions, from the signs of what stands in them.
+//! Signs of expressions, from the signs of their parts.
 
 use num_traits::Signed;
 
@@ -60,7 +60,7 @@ impl Sign {
     }
 }
 
-/// The sign of a name; none where it may be any.
+/// The sign of a name; `None` if it may be any.
 pub(crate) type Names<'a> = &'a dyn Fn(&Expression) -> Option<Sign>;
 
 /// The signs where every parameter is positive and nothing is known of the variables.
@@ -68,7 +68,7 @@ pub(crate) fn positive_parameters(name: &Expression) -> Option<Sign> {
     matches!(name, Expression::Parameter(_)).then_some(Positive)
 }
 
-/// The sign of an expression; none where it is not found.
+/// The sign of an expression; `None` if it is not found.
 pub(crate) fn sign(expression: &Expression, names: Names<'_>) -> Option<Sign> {
     bounded(|| of(expression, Context { names, depth: MAX_DEPTH }))
 }

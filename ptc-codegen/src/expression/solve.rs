@@ -1,9 +1,9 @@
-//! The closed-form inverse of an expression in which the unknown stands once.
+//! The closed-form inverse of an expression in which the unknown occurs once.
 
 use super::{Expression, Function, Variable};
 
 /// The `unknown` for which `expression` is `target`, where undoing one operation after the other
-/// finds it: the unknown stands once, and each operation around it can be undone. Where a branch
+/// finds it: the unknown occurs once, and each operation around it can be undone. Where a branch
 /// must be chosen, it is the one on which a mapping lies: roots and bases are positive.
 pub fn solve(expression: &Expression, unknown: Variable, target: Expression) -> Option<Expression> {
     let here = |e: &Expression| e.contains(unknown);

@@ -4,7 +4,7 @@
 //! ...), the condition number in the best units of the states: min cond(E K F) over diagonal E and F
 //! is the spectral radius of |K^-1| |K| (Bauer 1963). Rounding grows by that factor in a round of
 //! deadbeat. Of (Gamma, D Gamma, ...), D = Phi - 1, the same where states that act on each other
-//! share a unit: it tells how near the plant is to one with a mode that is not reached, at any period.
+//! share a unit: it measures how near the plant is to one with an unreachable mode, at any period.
 
 // Numbers of states become small numbers here.
 #![allow(clippy::cast_precision_loss)]

@@ -6,7 +6,7 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 /// Bound on the sweeps of the iteration; it needs two or three per eigenvalue.
 const SWEEPS: usize = 2000;
 
-/// All eigenvalues, in no order; none where the matrix is not finite or the iteration stalls.
+/// All eigenvalues, in no order; `None` if the matrix is not finite or the iteration stalls.
 ///
 /// Balanced first, since entries of a chain of integrators differ by powers of its time unit.
 pub(crate) fn eigenvalues(mut matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {

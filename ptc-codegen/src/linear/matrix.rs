@@ -87,12 +87,12 @@ impl Matrix {
         self.0.iter().map(|row| dot(row.iter().zip(column))).collect()
     }
 
-    /// The solution y of A y = `right`; none where A is singular.
+    /// The solution y of A y = `right`; `None` if A is singular.
     pub(crate) fn solve(&self, right: &[BigRational]) -> Option<Vec<BigRational>> {
         Some(self.inverse()?.on(right))
     }
 
-    /// The inverse; none where the matrix is singular. Without fractions, as Bareiss does: every entry
+    /// The inverse; `None` if the matrix is singular. Without fractions, as Bareiss does: every entry
     /// on the way is a minor, so that the divisions are exact.
     pub(crate) fn inverse(&self) -> Option<Self> {
         let n = self.len();
@@ -199,7 +199,7 @@ fn multiple(a: BigInt, b: &BigInt) -> BigInt {
     odd << a_twos.max(b_twos)
 }
 
-/// The integers that stand to each other as the numbers do.
+/// The numbers times their common denominator.
 fn whole<'a>(numbers: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigInt> {
     let denominators = numbers.clone().map(BigRational::denom);
     let common = denominators.fold(BigInt::one(), multiple);

@@ -12,13 +12,13 @@ use super::matrix::{Matrix, dot};
 use super::pair::Pair;
 use crate::algebra::{BigInt, BigRational};
 
-/// Part of a row below which what is left of it counts as rounding of the model.
+/// Fraction of a row below which its remainder counts as rounding of the model.
 const INDEPENDENT: i64 = 1_000_000_000;
 
 /// 2^-120 of a row is rounding of the exponential.
 const ROUNDING: u32 = 120;
 
-/// The blocks of what is measured.
+/// The blocks of the outputs.
 #[derive(Clone, Debug)]
 pub(crate) struct Outputs {
     /// The states that each row accounts for.
@@ -30,7 +30,7 @@ pub(crate) struct Outputs {
 }
 
 impl Outputs {
-    /// The blocks of the states of `pair` measured as `c` x, whose rows are independent; none where
+    /// The blocks of the states of `pair` measured as `c` x, whose rows are independent; `None` if
     /// the pair is not observable. Rows of C know nothing of states behind their own, as of a
     /// disturbance.
     pub(crate) fn new(pair: &Pair, c: &[Vec<BigRational>]) -> Option<Self> {
@@ -78,12 +78,12 @@ impl Outputs {
     }
 }
 
-/// Rows that are independent of each other, reduced by those before them.
+/// Independent rows, each reduced by those before it.
 #[derive(Default)]
 struct Independent(Vec<(usize, Vec<BigRational>)>);
 
 impl Independent {
-    /// Takes a row in, unless what the others leave of it is nothing, or rounding.
+    /// Adds a row, unless its remainder is 0 or rounding.
     fn take(&mut self, row: &[BigRational]) -> bool {
         let mut left = row.to_vec();
         // What is subtracted on the way counts too.

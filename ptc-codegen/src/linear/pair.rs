@@ -16,7 +16,7 @@ pub(crate) struct Pair {
     pub(crate) phi: Matrix,
     /// Gamma.
     pub(crate) gamma: Vec<BigRational>,
-    /// The power p of each state: it stands here divided by h^p.
+    /// The power p of each state, which is divided by h^p here.
     pub(crate) powers: Vec<i64>,
 }
 
@@ -34,7 +34,7 @@ impl Pair {
         }
     }
 
-    /// x' = A x + B u, sampled with period `h`; none where the period is too long for its modes.
+    /// x' = A x + B u, sampled with period `h`; `None` if the period is too long for its modes.
     pub(crate) fn linear(plant: &Linear, h: &BigRational) -> Option<Self> {
         let n = plant.b.len();
         let entry = |i: usize, j: usize| match (i < n, j < n) {
@@ -100,7 +100,7 @@ impl Pair {
     }
 
     /// The rows of S and the drift a with z = S x, Delta z_i = z_{i+1}, Delta z_m = u + sum a_i z_i;
-    /// none where the pair is not controllable.
+    /// `None` if the pair is not controllable.
     pub(crate) fn flat(&self) -> Option<(Matrix, Vec<BigRational>)> {
         let (order, step) = (self.order(), self.step());
         let mut columns = vec![self.gamma.clone()];

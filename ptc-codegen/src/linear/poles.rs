@@ -6,7 +6,7 @@ use super::exponential::exponential;
 use super::matrix::Matrix;
 use crate::algebra::BigRational;
 
-/// The coefficients c_0, c_1, ... of the monic polynomial with the zeros exp(pole h); none where one
+/// The coefficients c_0, c_1, ... of the monic polynomial with the zeros exp(pole h); `None` if one
 /// leaves the range of numbers.
 pub(crate) fn sampled_poles(
     poles: &[(BigRational, BigRational)],

@@ -8,7 +8,7 @@ use crate::law::Law;
 use crate::program::{Input, Limits, Op, Program};
 use crate::request::Spec;
 
-/// The program of the associated system; none where mu is not found in closed form.
+/// The program of the associated system; `None` if mu is not found in closed form.
 pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let complement = spec.time_mapping.complement()?;
     let mut b = Builder::of(spec, law);

@@ -30,7 +30,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// u by Horner's rule in 1/base over the rows: the state enters in 2n operations.
-    /// What stands in `first` takes the place of the first row times x_1.
+    /// `first` replaces the first row times x_1.
     pub(super) fn step(&self, b: &mut Builder<'_>, first: Option<Value>) -> Value {
         let mut sum = first;
         for (j, row) in self.rows.iter().enumerate() {

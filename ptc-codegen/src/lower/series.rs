@@ -10,7 +10,7 @@ use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 
 /// The order from which rows are computed by loops where the series is known no sooner than time.
-/// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions a step against
+/// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions per step against
 /// 1378), but their code grows with n^3: from here on it takes more than the 4 KiB that a step of any
 /// family may take (three rates, full guard: 4366 bytes against 2683).
 const LOOPS: usize = 9;

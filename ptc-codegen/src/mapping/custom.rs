@@ -42,7 +42,7 @@ pub struct Kappa {
 }
 
 impl Form {
-    /// The form of a mu; none where it takes too much effort.
+    /// The form of a mu; `None` if it takes too much effort.
     fn of_mu(mu: &Expression) -> Option<Self> {
         let complement = normal::complement(mu);
         complement.differentiable()?;
@@ -127,7 +127,7 @@ impl Custom {
     }
 
     /// How time-to-go and the first `order` derivatives of mu fall, once parameters are replaced as
-    /// `fixed` says; none where that is not found. The rate is -lim (ln mu')'.
+    /// `fixed` says; `None` if that is not found. The rate is -lim (ln mu')'.
     pub(crate) fn decay(
         &self,
         order: usize,

@@ -41,7 +41,7 @@ pub struct Mapping {
     /// The rate of stretched time, a single term: B_{i,j} is rate^i times something free of it.
     pub rate: Poly,
     /// The single term `base` for which B_{i,j}/base^j holds no time but in the evaluated atoms, and
-    /// the tick quantity equal to 1/base; none where time does not decide it.
+    /// the tick quantity equal to 1/base; `None` if time does not decide it.
     pub base: Option<(Poly, Symbol)>,
 }
 

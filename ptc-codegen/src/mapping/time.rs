@@ -47,7 +47,7 @@ impl TimeMapping {
         }
     }
 
-    /// tau - mu(t), t the stretched time since the start; none where only kappa is known in closed
+    /// tau - mu(t), t the stretched time since the start; `None` if only kappa is known in closed
     /// form.
     pub fn complement(&self) -> Option<Expression> {
         match self {

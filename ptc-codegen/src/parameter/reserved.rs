@@ -34,7 +34,7 @@ const FILES: &str = "
 /// What the names of all statuses begin with.
 const STATUS: &str = "PTC_";
 
-/// Types that stand beside the controller's own in an emitted Rust file, and a trait it uses.
+/// Types beside the controller's own in an emitted Rust file, and a trait it uses.
 const TYPES: [&str; 6] = ["Control", "Controller", "Error", "FnOnce", "Result", "Status"];
 
 /// Whether `word` is a keyword, or a name that C's headers declare as a macro.
@@ -49,7 +49,7 @@ pub(crate) fn is_reserved(word: &str) -> bool {
     reason(word).is_some()
 }
 
-/// Why `word`, an identifier, cannot name a controller; none where it can.
+/// Why `word`, an identifier, cannot name a controller; `None` if it can.
 pub(crate) fn reason(word: &str) -> Option<&'static str> {
     let among = |words: &str, word: &str| words.split_whitespace().any(|one| one == word);
     let stem = word.strip_suffix(['f', 'l']).unwrap_or(word);

@@ -11,10 +11,10 @@ use crate::parameter::Parameter;
 use crate::request::{Entry, Spec, known};
 use crate::syntax::{Node, Value, real};
 
-/// What stands at a key, and where the key is.
+/// The value of a key, and where the key is.
 type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 
-/// Reads the plant of the controller that `spec` asks for; none where the design has none.
+/// Reads the plant of the controller of `spec`; `None` if the design has none.
 ///
 /// # Errors
 /// Every mistake in the table `[plant]`.
@@ -23,7 +23,7 @@ pub fn read(entries: &[Entry], spec: &Spec) -> Result<Option<Plant>, Vec<Diagnos
     if found.is_empty() { Ok(plant) } else { Err(found) }
 }
 
-/// The same where mistakes are told with those of what uses the plant: what could be read of it, and
+/// The same for callers that report these mistakes with their own: what could be read of it, and
 /// every mistake.
 pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagnostic>) {
     let mut found = Diagnostics::default();
@@ -111,11 +111,12 @@ fn value(plant: &mut Plant, name: &str, symbol: Parameter, node: &Node, found: &
         }
         _ => {
             let (message, help) = match &node.value {
-                Value::List(_) => {
-                    ("is no pair of bounds", "bounds are [least, greatest] with least < greatest")
-                }
+                Value::List(_) => (
+                    "is not a pair of bounds",
+                    "bounds are [least, greatest] with least < greatest",
+                ),
                 _ => (
-                    "is no finite number",
+                    "is not a finite number",
                     "a symbol of the plant is a finite number, or bounds [least, greatest] where it is uncertain",
                 ),
             };
@@ -228,13 +229,13 @@ mod tests {
             (
                 "[plant]\nf = \"d*x1\"\nd = inf",
                 "bad-value",
-                "plant.d is no finite number",
+                "plant.d is not a finite number",
                 "finite",
             ),
             (
                 "[plant]\nf = \"d*x1\"\nd = [2, 1]",
                 "bad-value",
-                "plant.d is no pair",
+                "plant.d is not a pair",
                 "least < greatest",
             ),
             ("[plant]\nf = 1\nf = 2", "repeated-key", "`plant.f` is given twice", "leave one"),

@@ -20,7 +20,7 @@ pub struct Figure {
     pub title: String,
     /// The runs, one a tau.
     pub traces: Vec<Trace>,
-    /// Bound of |u|; none where it has none.
+    /// Bound of |u|; `None` if it has none.
     pub u_max: Option<f64>,
     /// Bounds of |x_i|; empty where there are none.
     pub x_max: Vec<f64>,
@@ -177,7 +177,7 @@ mod tests {
         let (without, _) = red(vec![objective(vec![vec![f64::NAN; count]; 2], true)]);
         let throughout: Vec<_> = size.iter().map(|size| 2.0 * size).collect();
         let (with, svg) = red(vec![objective(vec![throughout, last.clone()], true)]);
-        assert!(svg.contains("what is bounded") && svg.contains("1e-10"), "decades are told");
+        assert!(svg.contains("what is bounded") && svg.contains("1e-10"), "decades are labelled");
         // One goes on all along, one is a short line at the end.
         let (at_end, _) = red(vec![objective(vec![last], true)]);
         assert!(at_end > without && with > at_end + 30, "{without} {at_end} {with}");

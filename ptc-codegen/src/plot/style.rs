@@ -41,7 +41,7 @@ const DASHES: [(u32, u32); 5] = [(1, 0), (9, 4), (3, 3), (14, 4), (6, 6)];
 /// DejaVu Sans with the letters of figures alone: the same widths on any machine.
 const LETTERS: &[u8] = include_bytes!("font/ptc_sans.ttf");
 
-/// The family that the figures ask for, which every reader of SVG has in some shape.
+/// The font family of the figures, which every reader of SVG has in some shape.
 pub(super) const FAMILY: &str = "sans-serif";
 
 pub(super) fn register_letters() -> Result<(), String> {

@@ -230,7 +230,7 @@ fn zero_with(program: &Program, sizes: &[Size], value: Value, found: &mut Vec<Va
 }
 
 /// Why a number of the program, which fixed parameters decide, is beyond the range of its precision;
-/// none where all of them keep their digits.
+/// `None` if all of them keep their digits.
 pub fn lost(program: &Program) -> Option<String> {
     let precision = program.precision;
     program.values.iter().find_map(|definition| {

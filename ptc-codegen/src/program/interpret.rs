@@ -1,5 +1,5 @@
 //! The interpreter: the same operations in the same order and precision as the emitted code, each
-//! when it is first asked for.
+//! when it is first needed.
 
 use std::collections::BTreeSet;
 

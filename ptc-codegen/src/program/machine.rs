@@ -1,7 +1,7 @@
 //! A program as operations on numbered slots: compiled once, run many times, the same bits each time.
 //!
 //! What the emitted code computes in `init`, `arm`, `tick` and `step` is run stage by stage, without
-//! a search and, but for the loops of [`Op::Rows`], without an allocation.
+//! a search and, except for the loops of [`Op::Rows`], without an allocation.
 
 use std::sync::Arc;
 
@@ -84,7 +84,7 @@ impl Machine {
         machine
     }
 
-    /// Where `input` is held, if the outputs ask for it.
+    /// Where `input` is held, if the outputs need it.
     pub fn slot(&self, input: Input) -> Option<Slot> {
         let mut asked = self.plan.due.iter().flatten();
         asked
@@ -92,7 +92,7 @@ impl Machine {
             .map(|i| Slot(*i))
     }
 
-    /// The inputs that the outputs ask for.
+    /// The inputs that the outputs need.
     pub fn inputs(&self) -> impl Iterator<Item = (Input, Slot)> {
         self.plan.due.iter().flatten().filter_map(|i| match &self.plan.steps[*i] {
             Step::Given(Some(input)) => Some((*input, Slot(*i))),
@@ -100,7 +100,7 @@ impl Machine {
         })
     }
 
-    /// Sets an input, in the precision of the program. An input that nothing asks for has no slot.
+    /// Sets an input, in the precision of the program. An unused input has no slot.
     pub fn set(&mut self, slot: Option<Slot>, value: f64) {
         if let Some(Slot(index)) = slot {
             self.slots.numbers[index] = number::settle(value, self.precision);

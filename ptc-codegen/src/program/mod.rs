@@ -1,7 +1,7 @@
 //! The staged program: straight-line values, each computed once, as early as it can be known.
 //!
 //! Invariants, checked by [`Program::check`] between passes:
-//! - operands stand before their users, so index order is an order of computation;
+//! - operands come before their users, so index order is an order of computation;
 //! - a value's stage is the latest of its operands' stages, and never earlier;
 //! - a value that depends on an [`Op::Unknown`] is used only by such values and by the
 //!   [`Op::Root`] that solves for it;
@@ -263,9 +263,9 @@ pub struct Program {
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped.
     pub step: Value,
-    /// Feedback gains of x_1..x_n, for `tick`; none where the law is no sum of gains.
+    /// Feedback gains of x_1..x_n, for `tick`; `None` if the law is no sum of gains.
     pub gains: Vec<Value>,
-    /// u from the gains that `tick` left, before it is clipped; none where there are no gains.
+    /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
     /// What a simulation reads beside these; none in a program that is emitted.
     pub watched: Vec<Value>,

@@ -8,7 +8,7 @@ use crate::algebra::{BigInt, BigRational};
 use crate::expression::Function;
 
 /// How the library rounds: the error of one operation is below one unit of the last place either
-/// way, and two precisions that agree tell what it adds up to.
+/// way, and two precisions that agree bound the sum.
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 const ANY: RoundingMode = RoundingMode::None;
 /// Arguments beyond 2^MAX_EXPONENT give no exponential, sine or cosine.
@@ -240,7 +240,7 @@ pub(super) fn is_finite(a: &BigFloat) -> bool {
     !a.is_nan() && !a.is_inf()
 }
 
-/// The double nearest to a long number, but for ties that its 65th bit on would decide.
+/// The double nearest to a long number, except for ties that its 65th bit on would decide.
 pub(super) fn nearest(a: &BigFloat) -> f64 {
     let sign = if a.is_negative() { -1.0 } else { 1.0 };
     if a.is_inf() {

@@ -239,7 +239,7 @@ mod tests {
     use super::*;
     use crate::reference::long::nearest;
 
-    /// The first digits are enough: the root is found with as many as it is asked for.
+    /// The first digits are enough: the root is found with as many as requested.
     #[test]
     fn the_root_is_found_with_few_digits() {
         for family in crate::family::FAMILIES.iter().map(|info| info.family) {

@@ -20,7 +20,7 @@ pub fn control(family: Family, precision: Precision) -> f64 {
     }
 }
 
-/// What one with a mapping of the user's own may be wrong by. It is evaluated as its expression
+/// The tolerance with a user-defined mapping. It is evaluated as its expression
 /// says, with what cancels in it: a sum of several kappa loses some digits that a family's closed
 /// form keeps.
 pub fn custom(precision: Precision) -> f64 {

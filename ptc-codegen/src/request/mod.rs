@@ -1,4 +1,4 @@
-//! What the user asked for. Every front end ends in a [`Spec`].
+//! The user's request. Every front end ends in a [`Spec`].
 
 mod command;
 mod poles;
@@ -330,7 +330,7 @@ impl Spec {
         }
     }
 
-    /// What a controller in samples knows; none where the clock is time.
+    /// What a controller in samples knows; `None` if the clock is time.
     pub fn sampled(&self) -> Option<&Sampled> {
         match &self.clock {
             Clock::Time => None,

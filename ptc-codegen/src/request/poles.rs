@@ -40,7 +40,7 @@ impl fmt::Display for Pole {
     }
 }
 
-/// A complex pole that stands more often than its conjugate.
+/// A complex pole that occurs more often than its conjugate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PoleError {
     /// The pole without a partner, boxed as most calls succeed.

@@ -1,10 +1,10 @@
-//! What is asked of a controller whose clock is in samples.
+//! The request for a controller whose clock is in samples.
 
 use crate::algebra::BigRational;
 use crate::linear::Linear;
 use crate::parameter::{Fixed, Parameter};
 
-/// What a controller in samples knows beside the law.
+/// What a controller in samples needs beside the law.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sampled {
     /// Samples between a measurement and the input that follows from it.
@@ -19,9 +19,9 @@ pub struct Sampled {
     pub measured: usize,
     /// Whether a constant that is added to u is estimated and cancelled.
     pub disturbance: bool,
-    /// The greatest exponent p = -Re(pole)/a of the controller; none at generation.
+    /// The greatest exponent p = -Re(pole)/a of the controller; `None` if gains or a are open.
     pub greatest: Option<BigRational>,
-    /// The observer; none where every state is measured.
+    /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
 }
 
@@ -41,12 +41,12 @@ impl Sampled {
         self.observer.is_some()
     }
 
-    /// Whether what is measured is the state itself.
+    /// Whether the state itself is measured.
     pub fn measures_states(&self) -> bool {
         !self.observes() && self.linear.as_ref().is_none_or(Linear::measures_states)
     }
 
-    /// The least N with which the loop of a plant of order `n` can end at rest.
+    /// The minimum N with which the loop of a plant of order `n` can end at rest.
     pub fn least_samples(&self, n: usize) -> u32 {
         let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let order = count(n + self.delay);
@@ -76,9 +76,9 @@ pub struct Observer {
     pub gains: Vec<BigRational>,
     /// The greatest exponent p = -Re(pole)/a.
     pub greatest: BigRational,
-    /// Samples after which the estimates are exact; the default where none.
+    /// Samples after which the estimates are exact; `None` for the default.
     pub samples: Option<u32>,
-    /// Time-to-go at which its gains are held; none ends in deadbeat.
+    /// Time-to-go at which its gains are held; `None` ends in deadbeat.
     pub eps: Option<Fixed>,
     /// The poles of the observer from there on, in 1/s and in the order of those before; empty where
     /// its last gains stay.

@@ -90,7 +90,7 @@ impl Injection {
         Self::new(recurrence, &columns[size], &map)
     }
 
-    /// The gains L, beta_j L = c_j - alpha_j, for the states of `pair` measured as `c` x; none where
+    /// The gains L, beta_j L = c_j - alpha_j, for the states of `pair` measured as `c` x; `None` if
     /// the pair is not observable.
     pub(super) fn of(pair: &Pair, c: &[BigRational], recurrence: &Recurrence) -> Option<Self> {
         let m = pair.order();

@@ -1,8 +1,8 @@
 //! A linear plant as the controller sees it: its states from y = C x, at once or by an observer.
 //!
 //! The observer is a predictor, xhat_{k+1} = Phi xhat_k + Gamma u_k + G_k (y_k - C xhat_k): corrected
-//! by the current y it would need Phi^-1, and a mode that dies within a sample has none that is of
-//! any use.
+//! by the current y it would need Phi^-1, which for a mode that decays within a sample is numerically
+//! useless.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -16,7 +16,7 @@ use crate::internal::fault;
 use crate::linear::{Linear, Matrix, Outputs};
 
 impl Builder<'_> {
-    /// The states from what is measured, where it shows all of them.
+    /// The states from the measurements, if these determine all of them.
     pub(super) fn states(&self, given: &str) -> Vec<Expr> {
         let value = |j: usize| Expr::Element(given.to_owned(), j);
         match &self.sampled.linear {

@@ -57,7 +57,7 @@ impl<'a> Maker<'a> {
         settle(start + (tau - to_go), self.spec().precision).max(start)
     }
 
-    /// What the definition says of a call; none where it does not say it for certain.
+    /// What the definition says of a call; `None` if it does not say it for certain.
     pub(super) fn expected(
         &self,
         session: &Session,

@@ -38,7 +38,7 @@ pub struct Call {
     pub u: f64,
     /// What u may be wrong by.
     pub tolerance: f64,
-    /// The status of `axis` after `tick`; none where they are not to be asked.
+    /// The status of `axis` after `tick`; `None` if they are not called.
     pub axis: Option<Status>,
 }
 
@@ -171,14 +171,14 @@ fn refusal(key: &str, message: &str, help: &str) -> Vec<Diagnostic> {
     found.finish::<()>(None).err().unwrap_or_default()
 }
 
-/// The law that a self-test gives in place of the user's own: t/8 - 3/2 (xi_1 + ... + xi_n).
+/// The law that a self-test substitutes for a user-defined one: t/8 - 3/2 (xi_1 + ... + xi_n).
 pub fn own_law(n: usize) -> Expression {
     let weight = Expression::integer(3).div(Expression::integer(2));
     let time = Expression::from(Variable::StretchedTime).div(Expression::integer(8));
     (1..=n).fold(time, |sum, i| sum.sub(weight.clone().mul(Variable::Xi(i).into())))
 }
 
-/// What it gives after the deadline in place of the user's own: t/8 - x_1.
+/// What it substitutes after the deadline: t/8 - x_1.
 pub fn own_rest(t: f64, x: &[f64]) -> f64 {
     t / 8.0 - x[0]
 }

@@ -66,7 +66,7 @@ pub(super) fn find(
             }),
         }
     }
-    // A tau that is fixed moves no finite start beyond the range, but for one of 2^970 and more.
+    // A fixed tau moves no finite start out of range, unless it is 2^970 or more.
     let keeps_tau = chosen.place(Parameter::Tau).is_some();
     if !keeps_tau {
         found.unreachable.push(Unreachable {

@@ -6,7 +6,7 @@ use crate::parameter::{Domain, Parameter};
 use crate::program::number::settle;
 use crate::request::Spec;
 
-/// Sets of run-time parameters, each legal but for one.
+/// Sets of run-time parameters, each with one illegal value.
 pub(super) fn parameters(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Vec<Vec<f64>> {
     let spec = controller.spec();
     let usual = chosen.run_time(0.0625);

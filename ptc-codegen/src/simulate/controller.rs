@@ -37,7 +37,7 @@ pub struct Controller {
 }
 
 impl Controller {
-    /// The controller that a spec asks for.
+    /// The controller of a spec.
     ///
     /// # Errors
     /// A law or an end that is a function of the user's program.

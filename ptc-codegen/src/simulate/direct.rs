@@ -9,7 +9,7 @@ use crate::request::Spec;
 
 /// The plant's x under the controller, which holds its gains from eps on and clips u.
 ///
-/// The controller is told t, whose rounding is eps_machine t0 + tau of time-to-go: close to the
+/// The controller is given t, whose rounding is eps_machine t0 + tau of time-to-go: close to the
 /// deadline u is a staircase, on which no step is accurate to more than that.
 #[derive(Clone, Debug)]
 pub struct Direct {

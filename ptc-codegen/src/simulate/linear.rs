@@ -7,7 +7,7 @@ use super::solver::State;
 use crate::algebra::BigRational;
 use crate::linear::{self, held};
 
-/// Part of a period within which a length counts as the period.
+/// Relative tolerance within which a length counts as the period.
 const SAME: f64 = 1e-9;
 
 /// x' = A x + B u, y = C x.

@@ -46,11 +46,11 @@ pub struct Sample<'a> {
     pub stretched: f64,
     /// State x_1..x_n of the plant.
     pub x: &'a [f64],
-    /// What the controller is given of it; the state itself where nothing is sampled.
+    /// The measurement; the state itself if the loop is not sampled.
     pub measured: &'a [f64],
     /// Control u, as it acts on the plant.
     pub u: f64,
-    /// What the controller says of it.
+    /// The status of `step`.
     pub status: Status,
 }
 

@@ -19,33 +19,40 @@ use crate::reference::Status;
 use crate::request::Spec;
 use crate::samples;
 
-/// What the loop around the controller is like.
+/// Sample times, sensors and actuator of a sampled loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// Sample period in s.
     pub period: f64,
-    /// Step of the actuator, in units of u: what acts is a multiple of it. 0 for none.
+    /// Resolution of the actuator, in units of u; 0 for none.
     pub u_step: f64,
-    /// Bounds of the noise on each measured state, drawn evenly from -bound to bound; empty for none.
+    /// Bound of the uniform noise on each measurement; empty for none.
     pub noise: Vec<f64>,
-    /// Steps in which each state is measured; empty for none.
+    /// Resolution of each measurement; empty for none.
     pub sensor_step: Vec<f64>,
-    /// Seed of the noise: the same seed gives the same noise, on any machine.
+    /// Seed of the noise, which is the same on any machine.
     pub seed: u64,
-    /// Samples by which u acts late.
+    /// Delay of u in samples.
     pub delay: usize,
-    /// Time after t0 at which the run ends, in s; the deadline where it is not given.
+    /// Time after t0 at which the run ends, in s; tau if `None`.
     pub until: Option<f64>,
-    /// Times after t0 from which on the controller is armed again, at the next sample, in s.
+    /// Times after t0, in s, at whose next sample the controller is armed again.
     pub arm_at: Vec<f64>,
 }
 
 impl Default for Loop {
+    /// A loop without noise, quantisation and delay; its period must be set.
     fn default() -> Self {
-        let none = Vec::new;
-        let (noise, sensor_step, arm_at) = (none(), none(), none());
-        let period = f64::NAN;
-        Self { period, u_step: 0.0, noise, sensor_step, seed: 0, delay: 0, until: None, arm_at }
+        Self {
+            period: f64::NAN,
+            u_step: 0.0,
+            noise: Vec::new(),
+            sensor_step: Vec::new(),
+            seed: 0,
+            delay: 0,
+            until: None,
+            arm_at: Vec::new(),
+        }
     }
 }
 
@@ -57,7 +64,7 @@ pub struct Sampled {
     moved: Moved,
 }
 
-/// What moves between samples.
+/// The plant between samples.
 #[derive(Clone, Debug)]
 enum Moved {
     /// A chain with f and g.
@@ -79,7 +86,7 @@ enum Running<'a> {
 }
 
 impl Running<'_> {
-    /// Starts again at sample `index`, time `t`, from what is measured; whether the controller can.
+    /// Arms the controller at sample `index`, time `t`, from a measurement; whether it succeeded.
     fn arm(&mut self, index: u32, t: f64, measured: &[f64]) -> bool {
         match self {
             Self::Time(controller) => controller.arm(t, measured),
@@ -103,7 +110,7 @@ impl Running<'_> {
     }
 }
 
-/// Part of a time within which another one counts as the same.
+/// Relative tolerance within which two times count as the same.
 const SAME: f64 = 1e-12;
 
 /// Accuracy of the motion between two samples, where u is constant.
@@ -196,10 +203,15 @@ impl Sampled {
             let (u, status) = controller.step(index, t, &measured);
             late.push_back(quantised(u, around.u_step));
             let u = late.pop_front().unwrap_or(0.0);
-            let state = &x.as_slice()[..self.n];
-            let (time_to_go, stretched, x_now) = (deadline - since, f64::NAN, state);
-            let measured = measured.as_slice();
-            visit(Sample { t, time_to_go, stretched, x: x_now, measured, u, status });
+            visit(Sample {
+                t,
+                time_to_go: deadline - since,
+                stretched: f64::NAN,
+                x: state,
+                measured: &measured,
+                u,
+                status,
+            });
             if last {
                 break;
             }

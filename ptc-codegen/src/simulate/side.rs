@@ -8,7 +8,7 @@ use crate::parameter::Parameter;
 
 /// One side of Theorem 1: what is integrated, and what is reported of it.
 pub trait Side {
-    /// The state in which it stands at t0, of a plant in `x0`.
+    /// Its state at t0, of a plant in `x0`.
     ///
     /// # Errors
     /// A parameter without a value, or outside its domain.
@@ -61,7 +61,7 @@ pub struct At {
     pub time_to_go: f64,
 }
 
-/// A side with where it stands.
+/// A side with its progress.
 #[derive(Clone, Debug)]
 pub struct Run<S> {
     side: S,
@@ -119,7 +119,7 @@ impl<S: Side> Run<S> {
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let at = move |share: f64| At { t: t0 + (tau - tau * share), time_to_go: tau * share };
         let (start, most) = (self.state, self.state.amax());
-        // A run begins where it stands, whether or not that is looked at.
+        // A run begins where the last one ended, whether or not that is looked at.
         let mut points = vec![self.sigma];
         points.extend(shares.iter().map(|share| -share.ln()));
         let Self { side, sigma, state, walk } = self;

@@ -273,7 +273,7 @@ fn implicit<F: Fn(f64, &State, &mut State)>(
         let change = Change { set_step: &set_step, restart: &restart, weigh: &weigh };
         match pass.run(&mut method, system, &change, piece.monitor, visit) {
             Ok(reached) => return Ok(reached),
-            // What the rounding of the rates does not bear is asked for less strictly.
+            // If the rates round too coarsely for the tolerance, the tolerance is relaxed.
             Err((reached, Some(_))) if finite(&reached.state) && wanted.relative < LOOSEST => {
                 wanted.relative *= 100.0;
                 (at, state, step) = (reached.at, reached.state, FIRST);

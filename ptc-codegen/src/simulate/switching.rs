@@ -44,7 +44,7 @@ pub(super) trait Piecewise {
     fn nothing(&mut self, s: f64) -> f64;
 }
 
-/// Where a run stands beside its state.
+/// The progress of a run beside its state.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walk {
     mode: Option<Mode>,

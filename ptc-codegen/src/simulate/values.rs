@@ -52,7 +52,7 @@ impl Values {
         needed.filter(|p| !self.0.contains_key(p)).collect()
     }
 
-    /// Sets every parameter that `machine` asks for.
+    /// Sets every parameter that `machine` needs.
     ///
     /// # Errors
     /// One that has no value.

@@ -67,7 +67,7 @@ pub struct Argument {
 }
 
 /// Reads a decimal number exactly; `None` if it is none. Its exponent is bounded, so that a few
-/// characters cannot ask for a number of a million digits.
+/// characters cannot make a number of a million digits.
 fn decimal(text: &str) -> Option<BigRational> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {

@@ -24,7 +24,7 @@ pub fn complete(text: &str, choice: &Choice, head: &str) -> Result<String, TomlE
         insert(&mut document, "poles", list, why);
     }
     if let Some(eps) = &choice.eps {
-        let why = "what the sample period bears, or what the wanted error leaves; the gains are held from there on";
+        let why = "what the sample period needs, or what the wanted error allows; the gains are held from there on";
         insert(&mut document, "eps", eps.parse()?, why);
     }
     let head: String = head.lines().map(|line| format!("# {line}\n")).collect();

@@ -147,7 +147,7 @@ impl Assessment {
             || self.worst.iter().any(|(excess, _)| *excess > 0.0)
     }
 
-    /// The verdicts of draws and of a search; none where an objective fails, after four times as many
+    /// The verdicts of draws and of a search; `None` if an objective fails, after four times as many
     /// draws each time, and after each search.
     fn sampled(
         &mut self,

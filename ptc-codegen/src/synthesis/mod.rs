@@ -6,7 +6,7 @@
 //! number, the *speed* -max Re lambda / a. [`design`] takes the mappings in the order of [`MAPPINGS`],
 //! for each the speeds that the conditions at the deadline and the sample period admit, and looks for
 //! one by golden section: where poles are too slow the state is late, where they are too fast it
-//! overshoots and asks for a large u, so the worst excess of the objectives falls and then rises.
+//! overshoots and requires a large u, so the worst excess of the objectives falls and then rises.
 //!
 //! What is tried runs on few scenarios first. What passes is verified as `verify` does, and where that
 //! finds a counterexample, the scenario is one of those that everything else has to pass first. What
@@ -35,7 +35,7 @@ use candidate::candidates;
 /// What became of a wish.
 #[derive(Debug)]
 pub struct Outcome {
-    /// What was tried last, and verified, or what came nearest; none where no try was allowed.
+    /// What was tried last, and verified, or what came nearest; `None` if no try was allowed.
     pub best: Option<Probe>,
     /// What is known of the best one, where every objective holds.
     pub assessment: Option<Assessment>,

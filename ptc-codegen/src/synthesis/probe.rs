@@ -13,7 +13,7 @@ pub struct Probe {
     pub choice: Choice,
     /// What is verified with it.
     pub campaign: Campaign,
-    /// The loops; none where a check refuses them.
+    /// The loops; `None` if a check refuses them.
     trial: Result<Trial, Refused>,
     /// For each objective its worst excess, and the scenario that has it.
     pub worst: Vec<(f64, Scenario)>,
@@ -69,7 +69,7 @@ impl Probe {
     }
 
     /// What all scenarios, the search, the proof and fresh draws say, of which it keeps the worst
-    /// ones; none where it is refused.
+    /// ones; `None` if it is refused.
     pub(super) fn assess(&mut self) -> Option<Assessment> {
         let trial = self.trial.as_ref().ok()?;
         let assessment = judge::assess(&self.campaign, trial);

@@ -1,4 +1,4 @@
-//! What a design file asks for and what it leaves open.
+//! What a design file requires and what it leaves open.
 
 use num_traits::ToPrimitive;
 
@@ -22,14 +22,14 @@ pub struct Wish<'a> {
     campaign: Campaign,
 }
 
-/// What is chosen, as it stands in a design file; none of what is given there.
+/// What is chosen, as a design file spells it, without what is given there.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Choice {
     /// The mapping with its rate.
     pub mu: Option<String>,
     /// The poles.
     pub poles: Option<Vec<String>>,
-    /// The guard that the sample period or the wanted error asks for.
+    /// The guard that the sample period or the wanted error requires.
     pub eps: Option<String>,
 }
 
@@ -38,7 +38,7 @@ impl Choice {
         let poles = self.poles.as_ref().map(|poles| poles.join(","));
         let given = [("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
         let entry = |(key, text): (&str, &Option<String>)| {
-            // It stands in no file.
+            // No file holds it.
             let place = Place(usize::MAX);
             let value = parse(key, text.as_ref()?, &mut |_| place).ok()?;
             Some(Entry { key: key.to_owned(), place, value })

@@ -73,7 +73,7 @@ pub(crate) fn told(command: &mut Command) -> (Option<i32>, String, String) {
     (status.code(), text(stdout), text(stderr))
 }
 
-/// The standard output of a run that succeeds and has nothing to complain of.
+/// The standard output of a run that succeeds without a warning.
 pub(crate) fn stdout(command: &mut Command) -> String {
     let (code, stdout, stderr) = told(command);
     assert_eq!((code, stderr.as_str()), (Some(0), ""), "{command:?}");

@@ -53,7 +53,7 @@ fn runs_take_turns() {
         assert_eq!(output.status.code(), Some(0), "{stderr}");
         let stdout = String::from_utf8(output.stdout).expect("UTF-8");
         assert!(stdout.contains(R2), "{stdout}");
-        // What Symbolica tells its user is no part of the answer.
+        // Symbolica's own messages are not part of the answer.
         assert!(!stdout.contains("Symbolica"), "{stdout}");
     }
 }

@@ -206,7 +206,7 @@ fn every_family_at_orders_1_to_6() {
     judge("families", &cases);
 }
 
-/// The same mappings as expressions in mu(t) and in kappa(dt), whose r_k no family tells; and with a
+/// The same mappings as expressions in mu(t) and in kappa(dt), whose r_k no family gives; and with a
 /// law that is no sum of gains, so that BB_n x itself is computed.
 #[test]
 #[ignore = "needs the engine"]
@@ -256,7 +256,7 @@ fn checks_ask_what_the_emitted_code_would_do() {
         assert_eq!(told["accepted"], true, "{told}");
         let checks = told["checks"].as_array().expect("checks");
         let sampling = checks.iter().find(|check| check["name"] == "sampling").expect("the check");
-        // What held gains of k = (20, 9) bear at a = 1 is known by its own.
+        // The largest period for held gains k = (20, 9) at a = 1 is known.
         assert_eq!(sampling["details"][0], "the threshold of h/T is 0.25");
     }
 }

@@ -19,7 +19,7 @@ fn engine() -> std::ffi::OsString {
     std::env::var_os("PTC_ENGINE_PROGRAM").expect("the path of ptc-engine-symbolica")
 }
 
-/// The command with the engine asked for.
+/// The command with this engine selected.
 fn command(arguments: &[&str]) -> Command {
     let mut command = support::command(arguments);
     command.args(["--engine", "symbolica"]);

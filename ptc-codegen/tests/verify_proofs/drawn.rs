@@ -41,7 +41,7 @@ fn what_is_proved_is_what_dense_samples_show() {
         let found = proved(&text);
         let expected = [[true; 4], [false; 4]].concat();
         assert_eq!(found, expected, "round {round}, peaks {peaks:?}\n{text}");
-        // A bound of u stands before all.
+        // A bound of u comes first.
         if round % 4 > 0 {
             continue;
         }

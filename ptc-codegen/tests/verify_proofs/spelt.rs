@@ -136,7 +136,7 @@ fn what_jumps_or_has_no_value_is_not_proved() {
     assert!(why(&text).contains(") may have no value at T/tau = 0.7"), "{}", why(&text));
 }
 
-/// A sample at which a value or a bound is no number fails, whatever stands around it.
+/// A sample at which a value or a bound is no number fails, whatever is around it.
 #[test]
 fn what_has_no_value_fails_a_sample() {
     for (h, bounds) in [

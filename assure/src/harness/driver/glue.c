@@ -1,7 +1,7 @@
 /* One controller behind `drive`: a record of numbers in, an outcome out; see Record and Outcome in
  * program.rs. HEADER is its header, NAME its name, DRIVE the name of its function, N its order, REAL
  * its type, PARAMS its number of run-time parameters. LATCHES, LAW, AFTER and AXIS are 1 where the
- * controller latches x0, asks for pi0, asks for a law after the deadline, has tick and axis. RATE is 1
+ * controller latches x0, calls pi0, calls a law after the deadline, has tick and axis. RATE is 1
  * for the infinite-time system, with f = 1/4; u is then the last of its rates. */
 #include <stdint.h>
 #include <string.h>

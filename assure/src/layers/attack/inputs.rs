@@ -74,7 +74,7 @@ fn limited(command: &Path, words: &[String], folder: &Path, seconds: u64) -> Res
     shell.output().context("a shell runs")
 }
 
-/// What is wrong with the end of a command; none where it is one that is documented.
+/// What is wrong with the exit of a command; `None` if it is documented.
 fn fault(output: &Output) -> Option<String> {
     let stderr = String::from_utf8_lossy(&output.stderr);
     let hidden = |c: char| c.is_control() && c != '\n';
@@ -162,7 +162,7 @@ fn keys(random: &mut Random) -> Vec<(&'static str, String)> {
     keys
 }
 
-/// A number, or what stands in the place of one.
+/// A number, or text in place of one.
 fn number(random: &mut Random) -> String {
     match random.below(9) {
         0 => format!("1e{}", of(random, &["8", "300", "400", "401", "-400", "999999999999"])),

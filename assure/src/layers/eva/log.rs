@@ -30,7 +30,7 @@ const TRUSTED: [&str; 20] = [
 /// A log of Eva, read.
 #[derive(Debug, Default)]
 pub(super) struct Log {
-    /// Lines that tell an alarm, with what follows where the line itself breaks off.
+    /// Lines with an alarm, and the continuation of a wrapped line.
     pub(super) alarms: Vec<String>,
     /// Properties proved, and not, as the summary counts them.
     pub(super) proved: usize,
@@ -95,7 +95,7 @@ impl Log {
         log
     }
 
-    /// Takes alarms for granted that are told of elsewhere, and what they leave unproved.
+    /// Accepts alarms that are reported elsewhere, and what they leave unproved.
     pub(super) fn forgive(&mut self) {
         self.alarms.clear();
         self.unproved = 0;

@@ -40,7 +40,7 @@ const DEFECTS: [(Defect, usize); 10] = [
 const IN_LOOPS: [(Defect, usize); 1] =
     [(("m < 9U", "m <= 9U", "a loop that runs one round too far"), 0)];
 
-/// Puts each defect in and records whether Eva tells of it.
+/// Puts each defect in and records whether Eva reports it.
 pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) -> Result<()> {
     let looped = Spec::new(9, Family::ExpSum);
     let defects = DEFECTS.iter().map(|defect| (context.example(), defect));

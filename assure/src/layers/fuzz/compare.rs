@@ -100,7 +100,7 @@ pub(super) fn against_definition(
     definition(spec, records, outcomes, &mut Counts::default())
 }
 
-/// Whether the law or the input gain asks for a function whose last bit is the library's.
+/// Whether the law or the input gain calls a function whose last bit depends on the library.
 fn calls_in_mapping(spec: &Spec) -> bool {
     use ptc_codegen::expression::Function::{Abs, Sign, Sqrt};
     let is_call = |e: &Expression| match e {

@@ -177,7 +177,7 @@ fn law(random: &mut Random, n: u64) -> String {
     }
 }
 
-/// The spec of some keys; none where it is refused.
+/// The spec of some keys; `None` if it is refused.
 pub(super) fn spec(keys: &Keys) -> Option<Spec> {
     let entry = |(key, text): &(String, String)| {
         let value = parse(key, text, &mut |_| Place(0)).ok()?;

@@ -47,7 +47,7 @@ pub(super) fn measure(folder: &Path, spec: &Spec, sources: &[PathBuf; 2]) -> Res
         "--stdout",
         "controller.gcda",
     ]));
-    let told: Value = serde_json::from_slice(&told).context("what gcov tells")?;
+    let told: Value = serde_json::from_slice(&told).context("the output of gcov")?;
     let source = fs::read_to_string(&sources[0])?;
     let lines: Vec<_> = source.lines().collect();
     let listed = conditions(&folder.join(format!("{name}_selftest.h")))?;

@@ -1,4 +1,4 @@
-//! The guard that a wanted final error asks for.
+//! The guard that a wanted final error requires.
 //!
 //! The letter's practical prescribed-time convergence: the law is stopped at time-to-go eps, before
 //! its gains blow up, and what is left of the state then has to be small. With the linear law
@@ -31,7 +31,7 @@ pub struct Deadline {
     pub error: f64,
     /// Settling time tau in s.
     pub tau: f64,
-    /// The largest eps such that every |x_i| <= error for all T <= eps; none where the error is
+    /// The largest eps such that every |x_i| <= error for all T <= eps; `None` if the error is
     /// exceeded next to the deadline already.
     pub largest_eps: Option<f64>,
     /// The bounds of |x_i| at that eps; where there is none, at 1e-12 tau.

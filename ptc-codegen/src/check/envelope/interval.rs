@@ -41,7 +41,7 @@ impl Interval {
 /// The results of `op` on operands from `operands`, in the order of [`Op::operands`]; for inputs, the
 /// unknown and the root, which need more than operands, anything.
 ///
-/// Each operation is monotone in each operand where it is defined, but for |a| and even powers, which
+/// Each operation is monotone in each operand where it is defined, except |a| and even powers, which
 /// turn at 0, and sines and cosines: extremes lie at the corners. Rounding to nearest is monotone too, so corners rounded as
 /// the program rounds bound what it computes, with nothing to add. The functions of a library are
 /// taken to be exact to two units in the last place.

@@ -50,12 +50,12 @@ pub struct Envelope {
     pub time_to_go: (f64, f64),
     /// What may leave the range in `step`: the largest time-to-go at which something does.
     pub step: Option<Excess>,
-    /// What may leave the range in `tick` or `axis`, where the gains stand alone.
+    /// What may leave the range in `tick` or `axis`, which compute the gains alone.
     pub axis: Option<Excess>,
 }
 
 /// Scans time-to-go from `tau` down to `eps` in `pieces` of equal ratio. `input` bounds every input
-/// but time and the gains, by numbers of the program's precision. Some 20 pieces a decade tell apart
+/// but time and the gains, by numbers of the program's precision. Some 20 pieces per decade separate
 /// what overflows and what does not in every family.
 pub fn scan(
     program: &Program,
@@ -192,7 +192,7 @@ mod tests {
         passes::optimise(lower::lower(&spec, &law), &mut |_, _| {})
     }
 
-    /// tau = 1, t0 = 0, a = 1, m = 1.5, rates 1 and 2, all gains 1 but for those that are asked for.
+    /// tau = 1, t0 = 0, a = 1, m = 1.5, rates 1 and 2, all gains 1 except those that are given.
     fn inputs(eps: f64, state: f64, gain: Interval) -> impl Fn(Input) -> Interval {
         move |input| match input {
             Input::Parameter(Parameter::Eps) => Interval::point(eps),

@@ -1,4 +1,4 @@
-//! What a reader is told of an [`Envelope`].
+//! The report of an [`Envelope`].
 
 use super::super::{Outcome, Verdict};
 use super::{Envelope, Excess, Interval};

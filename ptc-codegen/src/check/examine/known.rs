@@ -61,7 +61,7 @@ impl Decay {
         Self { rate: rate.map_or(Rate::Open, Rate::Exact), modes }
     }
 
-    /// The greatest rate, or a bound of it; none where there is none or it is not known.
+    /// The greatest rate, or a bound of it; `None` if there is none or it is not known.
     pub(crate) fn greatest(self) -> Option<BigRational> {
         match self.rate {
             Rate::Exact(rate) | Rate::Between(_, rate, _) => Some(rate),
@@ -174,7 +174,7 @@ fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
     }
 }
 
-/// What the closed loop in numbers lacks, in words; none where nothing is missing.
+/// What the closed loop in numbers lacks, in words; `None` if nothing is missing.
 pub(super) fn lacking(spec: &Spec) -> Option<String> {
     if spec.feedback != Feedback::Linear {
         return Some("a linear law".to_owned());

@@ -289,7 +289,7 @@ fn guard(spec: &mut Spec, expanded: Option<&Expanded>) -> (Outcome, Outcome) {
         deadline(&closed_loop, &bounds, error)
     });
     if let Entry::Vacant(open) = spec.fixed.entry(Parameter::Eps) {
-        // The largest eps is the gentlest on noise; the period then only has to bear it.
+        // The largest eps is the gentlest on noise; the period then only has to tolerate it.
         let wanted = ended.as_ref().and_then(|ended| ended.largest_eps.filter(|eps| *eps < tau));
         let eps = wanted.or(sampled.as_ref().and_then(|sampled| sampled.default_eps));
         if let Some(fixed) = eps.and_then(known::rounded_down) {
@@ -312,7 +312,7 @@ fn envelope(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         return lacks("the infinite-time system has no deadline".to_owned());
     }
     if spec.feedback == Feedback::Extern {
-        return lacks("the law is a function of yours, whose range is not known".to_owned());
+        return lacks("the law is user-defined, and its range is unknown".to_owned());
     }
     let open = |p: &Parameter| {
         !matches!(p, Parameter::UMax | Parameter::StartTime)

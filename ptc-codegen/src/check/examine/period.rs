@@ -16,7 +16,7 @@ const BELOW: f64 = 1e-4;
 const ABOVE: f64 = 1e2;
 
 /// The first sample period, to three digits from below, at which the loop with the gains held at eps
-/// is unstable: none where the design leaves a number open that decides it, and none inside where no
+/// is unstable: `None` if the design leaves a number open that decides it, `Some(None)` if no
 /// stable period was found.
 pub(crate) fn held_period(spec: &Spec, expanded: Option<&Expanded>) -> Option<Option<f64>> {
     let eps = spec.fixed.get(&Parameter::Eps).and_then(to_f64)?;

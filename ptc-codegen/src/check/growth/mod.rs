@@ -17,8 +17,8 @@
 //! - `Polynomial` (exp): the mode is T^m, whose later derivatives are 0;
 //! - `Analytic` (tanh): it is E^m with E = T/(2 tau - T), whose later derivatives are finite at T = 0;
 //!   for m >= 1 they are not 0, as E is a series in T with positive coefficients;
-//! - `Other` (sums of exponentials): T^m is followed by other, real powers of T. Undecided, but for
-//!   m = 0, where x_1 is constant for every mapping.
+//! - `Other` (sums of exponentials): T^m is followed by other, real powers of T. Undecided
+//!   except for m = 0, where x_1 is constant for every mapping.
 //!
 //! In each case x_(m+1) -> a constant other than 0, so x -> 0 needs Re p > n-1 without exception. The
 //! modes are independent, so for generic initial states none makes up for another. For rho = 0, T
@@ -67,9 +67,9 @@ pub struct Growth {
     pub modes: Modes,
     /// Whether x -> 0.
     pub x_to_zero: bool,
-    /// Whether u stays bounded; none where undecided.
+    /// Whether u stays bounded; `None` if undecided.
     pub u_bounded: Option<bool>,
-    /// Whether u -> 0; none where undecided.
+    /// Whether u -> 0; `None` if undecided.
     pub u_to_zero: Option<bool>,
     /// The m < n for which a pole lies at -m rho and is simple.
     pub excepted: Vec<usize>,
@@ -135,7 +135,7 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
 /// they leave open whether x -> 0; what they leave open of u is `None` in the result.
 ///
 /// All poles left of a line are left of every line further right, so that x and u go to 0 for all
-/// rates up to one for which they do. What fails at both bounds fails between them, but for a simple
+/// rates up to one for which they do. What fails at both bounds fails between them, except for a simple
 /// pole at -m rho: that one keeps u from growing, so the bounds decide u where p has no such root.
 pub fn growth_between(
     gains: &[BigRational],

@@ -1,4 +1,4 @@
-//! What a reader is told of [`Growth`].
+//! The report of [`Growth`].
 
 use super::super::{Outcome, Verdict, poles, to_f64};
 use super::Growth;
@@ -11,7 +11,7 @@ impl Growth {
     }
 
     /// The poles right of the line -m rho, each with what it misses it by, and those on it. A pole
-    /// counts as on the line where numbers do not tell it from the line.
+    /// counts as on the line if it cannot be distinguished from it numerically.
     fn misses(&self, m: usize) -> (Vec<String>, Vec<String>) {
         let line = self.line(m);
         let slack = 1e-6 * self.poles.iter().map(|pole| pole.norm()).fold(line.abs(), f64::max);

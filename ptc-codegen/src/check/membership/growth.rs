@@ -130,7 +130,7 @@ impl Problem<'_> {
                     return Some(Verdict::Refuted { at, why });
                 }
             }
-            // A point on a pole tells nothing, and hides nothing from the next one.
+            // A point on a pole decides nothing, and hides nothing from the next one.
             if value.is_bounded() {
                 before = Some((point, value));
             }

@@ -1,4 +1,4 @@
-//! A sign on all of an interval, by halving it until an enclosure tells.
+//! A sign on all of an interval, by halving it until an enclosure decides.
 
 use crate::algebra::{BigRational, integer};
 use crate::expression::enclosure::{Evaluator, Existence, Names};
@@ -23,7 +23,7 @@ pub(super) enum Wanted {
 pub(super) type Range = (Expression, BigRational, BigRational);
 
 /// The first piece of [0, 1] on which `expression` is not known to be as wanted, for `v` in it and
-/// all values of the `parameters`; none where it is as wanted on all of [0, 1].
+/// all values of the `parameters`; `None` if it is as wanted on all of [0, 1].
 pub(super) fn left_open(
     expression: &Expression,
     v: Variable,

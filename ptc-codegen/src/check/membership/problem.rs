@@ -138,7 +138,7 @@ impl<'a> Problem<'a> {
         (names, spelt.join(", "))
     }
 
-    /// The ranges of all parameters in `expression`; none where one of them has no bounds.
+    /// The ranges of all parameters in `expression`; `None` if one of them has no bounds.
     pub(super) fn bounds(&self, expression: &Expression) -> Option<Vec<Range>> {
         let range = |p: Parameter| (self.ranges)(p).map(|(a, b)| (Expression::from(p), a, b));
         expression.parameters().into_iter().map(range).collect()

@@ -61,7 +61,7 @@ pub(super) struct Step {
     pub(super) u: Row,
 }
 
-/// In what a state is measured against u, so that all states are alike.
+/// The unit of a state relative to u, in which all states have the same scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Unit {
     /// A power of the time scale of the gains.
@@ -82,7 +82,7 @@ pub(super) struct Chain {
     /// h^j/j!, j = 0..=n, rounded.
     pub(super) shares: Vec<f64>,
     pub(super) gain: f64,
-    /// The rows of y = C x; none where the states of a chain are measured.
+    /// The rows of y = C x; `None` if the states of a chain are measured.
     pub(super) outputs: Option<Vec<Vec<Near>>>,
 }
 
@@ -106,7 +106,7 @@ impl Chain {
         Self { n, delay, motion, input, shares, gain: centre(g, 0.0).0, outputs: None }
     }
 
-    /// A linear plant with period `h`; none where a mode is too fast for it.
+    /// A linear plant with period `h`; `None` if a mode is too fast for it.
     pub(super) fn linear(plant: &Linear, h: &BigRational, delay: usize) -> Option<Self> {
         let (phi, gamma) = held(plant, h)?;
         let near = |value: &BigRational| centre(Range::from(&Interval::exact(value)), 0.0);

@@ -24,7 +24,7 @@ enum Held {
 }
 
 /// The samples 0..=`last` of the loop of a controller, where the input that acts is kept, and the
-/// units of what it keeps; none where a value is not enclosed.
+/// units of what it keeps; `None` if a value is not enclosed.
 pub(super) fn steps(
     spec: &Spec,
     sampled: &Sampled,

@@ -30,7 +30,7 @@ pub struct Worst {
     pub states: Vec<Bound>,
     /// Samples from t0 to the deadline.
     pub samples: usize,
-    /// On the way; none where there are too many samples to look at all of them.
+    /// On the way; `None` if there are too many samples to look at all of them.
     pub way: Option<Way>,
 }
 
@@ -69,7 +69,7 @@ impl<'a> Loop<'a> {
         }
         let gain = match &spec.input_gain {
             None => BigRational::from_integer(1.into()),
-            Some(g) => g.number().cloned().ok_or("the input gain g is no number")?,
+            Some(g) => g.number().cloned().ok_or("the input gain g is not a number")?,
         };
         let count = &tau / &h;
         let samples = count.round();

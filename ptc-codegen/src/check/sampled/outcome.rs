@@ -122,7 +122,7 @@ fn assumed(spec: &Spec, samples: usize) -> String {
     format!("{plant}, {start}{absent}")
 }
 
-/// Whether the plant is no chain.
+/// Whether the plant is not a chain.
 fn linear(spec: &Spec) -> bool {
     spec.sampled().is_some_and(|own| own.linear.is_some())
 }

@@ -68,14 +68,14 @@ pub(super) fn unit_roundoff(precision: Precision) -> f64 {
 pub(super) struct Enclosure<'a> {
     program: &'a Program,
     unit: f64,
-    /// By value; none where it is not computed, or no enclosure is known.
+    /// By value; `None` if it is not computed, or no enclosure is known.
     values: Vec<Option<Rounded>>,
     due: [Vec<Value>; 5],
     cache: Consts,
 }
 
 impl<'a> Enclosure<'a> {
-    /// For the values of `program` that `outputs` need; none where memory for constants is lacking.
+    /// For the values of `program` that `outputs` need; `None` if memory for constants is lacking.
     pub(super) fn new(program: &'a Program, outputs: &[Value]) -> Option<Self> {
         let mut due: [Vec<Value>; 5] = Default::default();
         for value in program.needed(outputs) {

@@ -3,7 +3,7 @@
 //! What a row q sees at sample K is linear in the state at the start and in all that disturbs the
 //! loop on the way: q s_K = p_0 s_0 + sum_k sum_l p_{k+1} b_{l,k} w_{l,k}, p_K = q, p_k = p_{k+1} M_k.
 //! Its largest size over bounded s_0 and w is the sum of the sizes of the coefficients times the
-//! bounds, attained by their signs. The rows are computed in doubles; by how much rounding, here and
+//! bounds, attained by their signs. The rows are computed in doubles; how far rounding, here and
 //! in the emitted program, may change the sum is bounded with [`growth`](super::transition::growth).
 
 use std::collections::BTreeMap;

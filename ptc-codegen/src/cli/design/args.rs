@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 pub(crate) const EXAMPLES: &str = "\
-What is asked for stands in a design file as for `verify`, in which the mapping (mu or kappa) and the
+The objectives are in a design file as for `verify`, in which the mapping (mu or kappa) and the
 law (poles, gains or pi0) may be missing: these are chosen, and what is given is kept. With sample_time
 or error, eps is set too. The file that is written is a design that `verify` finds to hold, and that
 emit, check and simulate take.

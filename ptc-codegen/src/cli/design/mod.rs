@@ -46,7 +46,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         &best.choice,
         &head(&request.design, &told),
     )
-    .map_err(|error| Failure::because(format!("no TOML: {error}"), "mend the design file"))?;
+    .map_err(|error| Failure::because(format!("invalid TOML: {error}"), "mend the design file"))?;
     let printed = out.is_standard_output();
     let written = output::write(&[(out, text.as_bytes())])?;
     if printed { Ok(()) } else { write::to_stdout(&format!("{told}{written}")) }
@@ -55,5 +55,7 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
 /// The comment above a design that was completed.
 fn head(path: &Path, told: &str) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    format!("Made of {name} by `ptc-codegen design`: `ptc-codegen verify` tells the same.\n{told}")
+    format!(
+        "Made of {name} by `ptc-codegen design`: `ptc-codegen verify` reports the same.\n{told}"
+    )
 }

@@ -1,4 +1,4 @@
-//! What is told of a choice that was found, and of a wish for which there is none.
+//! The report of a choice that was found, or of a wish for which there is none.
 
 use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
 use ptc_codegen::verify::{Verdict, confidence};
@@ -44,7 +44,7 @@ fn counted(tries: usize) -> String {
     if tries == 1 { "1 try".to_owned() } else { format!("{tries} tries") }
 }
 
-/// No choice was found: what stands in the way of the best one.
+/// No choice was found: what blocks the best one.
 pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
     let Some(best) = &outcome.best else { return Failure::refused(Vec::new()) };
     let all = best.campaign.objectives.iter().zip(&best.worst);

@@ -22,7 +22,7 @@ Examples:
   ptc-codegen emit --lang python --n 3 --mu exp -o out
       one module on NumPy, for simulation; writes out/ptc_exp3.py
   ptc-codegen emit roll.toml --lang c --param tau=2 -o out
-      what the file roll.toml says, but for tau
+      the design in roll.toml, with another tau
   ptc-codegen emit --project cortex-m --n 2 --mu exp --name stage
       the folder stage: firmware for a Cortex-M4F, with the controller in a closed loop
   ptc-codegen emit --lang c --n 3 --mu exp -o out --check

@@ -48,7 +48,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
             Err(found) => given.finish(None, found),
         },
         None => {
-            // The grammar asks for one of the two.
+            // The grammar requires one of the two.
             let language = request.lang.unwrap_or(Language::C);
             let measured = measured(request.cost.as_deref(), &spec)?;
             match sources(request, (&spec, expanded), language, &measured) {
@@ -59,7 +59,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
     }
 }
 
-/// What goes beside C alone is asked for with C.
+/// Refuses flags of C with another language.
 fn beside_c(request: &Emit) -> Result<(), Failure> {
     let given = [
         (request.acsl, "--acsl"),
@@ -75,7 +75,7 @@ fn beside_c(request: &Emit) -> Result<(), Failure> {
         (None, None, _) => return Ok(()),
     };
     Err(Failure::because(
-        format!("`{flag}` goes with C, and `{other}` asks for something else"),
+        format!("`{flag}` needs C, not `{other}`"),
         &format!("give --lang c without --dump, or leave {flag} out"),
     ))
 }
@@ -118,7 +118,7 @@ fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> 
     let text = read::text(file, MAX_TABLE)?;
     let mut table = Measured::table(&text).map_err(|wrong| {
         let help = "give a table as `cargo assure cost` writes it";
-        Failure::because(format!("{} is no table of costs: {wrong}", file.display()), help)
+        Failure::because(format!("{} is not a table of costs: {wrong}", file.display()), help)
     })?;
     let command = spec.command();
     table.retain(|measured| measured.command == command);

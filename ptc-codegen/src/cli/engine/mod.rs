@@ -25,7 +25,7 @@ pub(crate) enum Engine {
 }
 
 impl Engine {
-    /// The closed forms of `ring` to order `n`; without B_{i,j} where `part` does not ask for them.
+    /// The closed forms of `ring` to order `n`; without B_{i,j} unless `part` needs them.
     ///
     /// # Errors
     /// The engine is not installed, may not run, or gives no answer.

@@ -1,6 +1,6 @@
-//! Which closed forms an engine is asked for.
+//! The closed forms that an engine must give.
 
-/// Which closed forms are asked for.
+/// The closed forms that are needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     /// r_k alone.

@@ -20,7 +20,7 @@ impl HtmlSafe for Math {}
 /// The product that is not seen.
 pub(super) const TIMES: &str = "\u{2062}";
 
-/// The sign that stands between a function and its argument, and is not seen.
+/// The invisible sign between a function and its argument.
 pub(super) const APPLIED: &str = "\u{2061}";
 
 fn element(name: &str, text: &str) -> Math {
@@ -116,7 +116,7 @@ pub(crate) fn dot(base: Math) -> Math {
     Math(format!("<mover accent=\"true\">{base}{}</mover>", mark("\u{02d9}")))
 }
 
-/// A sign that stands close to its base.
+/// A sign close to its base.
 pub(crate) fn mark(sign: &str) -> Math {
     Math(format!("<mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">{sign}</mo>"))
 }

@@ -80,7 +80,7 @@ impl Outputs {
     #[cfg(feature = "lab")]
     pub(crate) fn tell(&self, text: &str) -> Result<(), Failure> {
         if self.outputs.iter().any(|(_, place)| place.is_standard_output()) {
-            // Where it is closed there is nobody left to tell.
+            // If it is closed, there is nowhere to report it.
             let _ = io::stderr().write_all(text.as_bytes());
             return Ok(());
         }

@@ -10,7 +10,7 @@ use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
 
-/// What is there now. Whoever makes or removes some of it holds the lock, and a signal keeps it, so
+/// What exists now. Code that makes or removes some of it holds the lock, and a signal keeps it, so
 /// that nothing is made after the last look.
 static UNDER_WAY: Mutex<UnderWay> =
     Mutex::new(UnderWay { temporary: BTreeSet::new(), made: BTreeSet::new() });

@@ -1,4 +1,4 @@
-//! The report of a run: one page of HTML that asks for nothing from anywhere.
+//! The report of a run: one self-contained page of HTML.
 
 mod design;
 mod formulas;
@@ -54,14 +54,14 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-/// What a run of the closed loop is told of.
+/// What the page shows of a run of the closed loop.
 pub(crate) struct Section {
     pub(crate) title: &'static str,
     /// Sentences before all else.
     pub(crate) told: Vec<String>,
     /// What was judged, one by one.
     pub(crate) verdicts: Vec<Judged>,
-    /// What is told of the figure.
+    /// The caption of the figure.
     pub(crate) caption: String,
     pub(crate) figure: Svg,
     pub(crate) table: Table,

@@ -1,4 +1,4 @@
-//! The closed forms of mappings of which nothing is known, by the engine that was asked for. The
+//! The closed forms of mappings of which nothing is known, by the selected engine. The
 //! library's own has a published sum for them, which is faster than D.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol, integer};

@@ -1,4 +1,4 @@
-//! A sheet in JSON; the help of `show` tells its shape.
+//! A sheet in JSON; the help of `show` documents its shape.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
 use serde_json::{Map, Value, json};

@@ -119,7 +119,7 @@ fn no_order(given: Option<(&Node, &str)>, most: usize) -> Diagnostic {
     let (code, message) = match given {
         Some((_, text)) => {
             let start: String = text.chars().take(40).collect();
-            ("bad-value", format!("n = `{start}` is no order that can be shown"))
+            ("bad-value", format!("n = `{start}` is not an order that can be shown"))
         }
         None => ("missing-key", "`n` is missing".to_owned()),
     };
@@ -138,9 +138,8 @@ fn only_abstract() -> Diagnostic {
         key: "mu".to_owned(),
         place: None,
         message: "R_{k,m} holds the derivatives of an abstract mapping, not of a family".to_owned(),
-        help:
-            "leave `--mu` or the design out, or ask for `show r`, which is written for a family too"
-                .to_owned(),
+        help: "leave `--mu` or the design out, or use `show r`, which takes a family too"
+            .to_owned(),
     }
 }
 

@@ -7,20 +7,20 @@ use clap::Args;
 use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
-The plant xn' = f + g*u stands in the design, under [plant]: f and g are expressions in x1..xn, t
+The plant xn' = f + g*u is in the design, under [plant]: f and g are expressions in x1..xn, t
 and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
 Without [plant], f is 0.
 
-What the design leaves to run time needs a value here: --tau, --eps, --t0 (0 unless it is given),
+What the design leaves to run time needs a value: --tau, --eps, --t0 (0 unless it is given),
 --u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
 
 Without a sample period the law acts at every instant, and time-to-go falls to 1e-9 tau. With
 --sample-time, --noise, --sensor-step, --u-step or --delay (the last four also as keys of the
 design) the emitted controller itself is in the loop, bit for bit, and u is held in between; every
-sample is reported. Noise is drawn evenly from within its bounds.
+sample is reported. Noise is uniform within its bounds.
 
 CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers read back as they were.
-Of the sampled loop also what is measured, y1,...,ym, and the status of step; u is what acts.
+The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.
 
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
@@ -30,7 +30,7 @@ Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
   ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --gains 12,7 --tau 1 --plant f=-0.5*x2 --x0 1,0";
 
-/// What is asked of a simulation.
+/// The flags of `simulate`.
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
     #[command(flatten)]
@@ -53,7 +53,7 @@ pub(crate) struct Simulate {
     /// time; .svg or .png
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
-    /// Report of design, formulas, checks, runs and code, as one page of HTML that needs nothing else
+    /// Report of design, formulas, checks, runs and code, as one self-contained page of HTML
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
     /// Sampled loop: seed of the noise

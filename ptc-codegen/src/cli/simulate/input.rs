@@ -12,21 +12,21 @@ use ptc_codegen::syntax::number;
 use super::args::Simulate;
 use crate::cli::report::{Failure, Notice, Quote};
 
-/// What a run is asked for, beside the design.
+/// What the flags give beside the design.
 pub(super) struct Asked {
     pub(super) x0: Vec<f64>,
     /// Where to report, as time-to-go and elapsed time in parts of tau; empty for everywhere.
     pub(super) at: Vec<(f64, f64)>,
     /// Whether the rest of the run is looked at too.
     pub(super) whole: bool,
-    /// The sampled loop, if it is asked for.
+    /// The sampled loop, if selected.
     pub(super) around: Option<Loop>,
 }
 
 /// Most samples of a run: what is more is a period that was mistyped.
 const MAX_SAMPLES: f64 = 1e7;
 
-/// Reads what is asked for.
+/// Reads the flags.
 pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
     let n = spec.n;
     let x0 = List::new("--x0", &request.x0)?;
@@ -42,14 +42,14 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
     let around = around(request, spec)?;
     for (flag, given) in [("--until", &request.until), ("--arm-at", &request.arm_at)] {
         if let (None, Some(given)) = (&around, given) {
-            let message = format!("{flag} is of the sampled loop");
+            let message = format!("{flag} needs the sampled loop");
             let help = "give --sample-time, or a clock in samples: the law itself ends at the deadline, where its gains are infinite";
             return Err(List::new(flag, given)?.wrong(None, message, help));
         }
     }
     let at = request.at.as_deref().map(|text| List::new("--at", text)).transpose()?;
     if let (Some(at), Some(_)) = (&at, &around) {
-        let message = "--at asks for instants between the samples".to_owned();
+        let message = "--at gives instants between the samples".to_owned();
         let help = "the sampled loop reports every sample: leave --at out, or the flags of the sampled loop";
         return Err(at.wrong(None, message, help));
     }
@@ -58,7 +58,7 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
     Ok(Asked { x0: x0.doubles()?, at, whole, around })
 }
 
-/// 1 - fraction and fraction, each exact but for one rounding.
+/// 1 - fraction and fraction, each rounded once.
 fn instants(at: &List<'_>) -> Result<Vec<(f64, f64)>, Failure> {
     let one = BigRational::one();
     let share = |(value, range): &(BigRational, Range<usize>)| {
@@ -87,7 +87,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
     let Some((_, asked)) = disturbed.iter().find(|(given, _)| *given) else { return Ok(None) };
     let Some(period) = spec.promises.sample_time.as_ref().and_then(to_f64) else {
         return Err(Failure::because(
-            format!("`{asked}` is of the sampled loop, which has no sample period"),
+            format!("`{asked}` needs the sampled loop, which has no sample period"),
             "give --sample-time, or sample_time in the design",
         ));
     };
@@ -152,7 +152,7 @@ impl<'a> List<'a> {
             start = range.end + 1;
             let value = number(item.trim()).and_then(|value| value.number().cloned());
             let Some(value) = value else {
-                let message = format!("{flag} holds `{item}`, which is no number");
+                let message = format!("{flag} holds `{item}`, which is not a number");
                 return Err(list.wrong(
                     Some(&range),
                     message,

@@ -72,27 +72,22 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
 }
 
 fn csv(runs: &[Run]) -> String {
-    let n = runs.first().map_or(0, |run| run.n);
-    // What a sampled loop has beside the state and u; all runs are of one kind.
-    let sampled = runs.iter().find(|run| run.is_held()).and_then(|run| run.rows.first());
-    let measured = sampled.map_or(0, |row| row.measured.len());
     let columns =
         |name: &str, count| (1..=count).map(|j| format!(",{name}{j}")).collect::<String>();
-    let more = sampled.map_or(String::new(), |_| columns("y", measured) + ",status");
-    let mut text = format!("tau,t{},u{more}\n", columns("x", n));
+    // All runs are of one kind; only a sampled loop measures.
+    let sampled = runs.first().filter(|run| run.is_held()).and_then(|run| run.rows.first());
+    let more = sampled.map_or(String::new(), |row| columns("y", row.measured.len()) + ",status");
+    let mut text = format!("tau,t{},u{more}\n", columns("x", runs.first().map_or(0, |run| run.n)));
     for run in runs {
         for row in run.rows.iter().filter(|row| row.reported) {
-            text.push_str(&format!("{:?},{:?}", run.tau, row.t));
-            let measured = row.measured.iter().take(measured);
-            row.x
-                .iter()
-                .chain([&row.u])
-                .chain(measured)
-                .for_each(|x| text.push_str(&format!(",{x:?}")));
-            if run.is_held() {
-                text.push_str(&format!(",{}", row.status.c_name()));
-            }
-            text.push('\n');
+            let (measured, status) = match run.is_held() {
+                true => (&row.measured[..], format!(",{}", row.status.c_name())),
+                false => (&[][..], String::new()),
+            };
+            let given = [run.tau, row.t];
+            let values = given.iter().chain(&row.x).chain([&row.u]).chain(measured);
+            let values: Vec<_> = values.map(|value| format!("{value:?}")).collect();
+            text.push_str(&format!("{}{status}\n", values.join(",")));
         }
     }
     text

@@ -12,7 +12,7 @@ use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
 use crate::cli::report::Failure;
 use crate::cli::source::Source;
 
-/// Instants of a run that are told where none are asked for.
+/// Instants of a run that are shown by default.
 const SHOWN: usize = 12;
 
 /// The page.
@@ -27,7 +27,7 @@ pub(super) fn text(
         [Run { report: Some(report), .. }] => report.clone(),
         [_] => examine(&spec),
         _ => {
-            // One controller has made all of them: the one to which tau is told at run time.
+            // One controller made all of them: the one that takes tau at run time.
             spec.fixed.remove(&Parameter::Tau);
             examine(&spec)
         }

@@ -25,7 +25,7 @@ impl Kind {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
             _ => Err(Failure::because(
-                format!("`{}` says no kind of picture", path.display()),
+                format!("`{}`: unsupported image type", path.display()),
                 "give a file that ends in .svg or .png, for example --plot run.svg",
             )),
         }

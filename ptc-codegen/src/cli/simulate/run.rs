@@ -41,7 +41,7 @@ pub(super) struct Row {
     pub(super) t: f64,
     pub(super) stretched: f64,
     pub(super) x: Vec<f64>,
-    /// What the controller is given, and what it says.
+    /// The measurement and the status of `step`.
     pub(super) measured: Vec<f64>,
     pub(super) status: Status,
     pub(super) u: f64,
@@ -127,18 +127,13 @@ pub(super) fn sampled(
     let values = complete(spec, plant, true)?;
     let tau = values.get(Parameter::Tau);
     let mut rows = Vec::new();
-    let mut refused: Option<(f64, Status)> = None;
     let end = Sampled::new(spec, plant).and_then(|mut run| {
-        run.run(&values, &asked.x0, around, &mut |sample| {
-            if matches!(sample.status, Status::Range | Status::Input) && refused.is_none() {
-                refused = Some((sample.t, sample.status));
-            }
-            rows.push(Row::of(sample, true));
-        })
+        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
     });
     end.map_err(|failure| ended(failure, tau))?;
-    if let Some((t, status)) = refused {
-        let name = if status == Status::Range { "PTC_E_RANGE" } else { "PTC_E_INPUT" };
+    let refused = |row: &&Row| matches!(row.status, Status::Range | Status::Input);
+    if let Some(row) = rows.iter().find(refused) {
+        let (name, t) = (row.status.c_name(), row.t);
         let title = format!("tau = {tau}: step returns {name} and u = 0, first at t = {t} s");
         let help =
             "an actuator would see 0 there: see the checks of `check`, and the range of the states";

@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
-What is verified stands in the design: under [plant] the plant, with [least, greatest] for each symbol
+What is verified is in the design: under [plant] the plant, with [least, greatest] for each symbol
 that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn and
 tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
 of them a function of the seed and its index alone, and run on both sides of Theorem 1, which must

@@ -159,7 +159,7 @@ fn part(text: &str, scenarios: u64) -> Result<Range<u64>, Failure> {
     });
     let Some((i, n)) = numbers else {
         return Err(Failure::because(
-            format!("--shard {text} is no part"),
+            format!("--shard {text} is not a part"),
             "write I/N, the I-th of N parts, I from 1 to N: --shard 3/64",
         ));
     };

@@ -118,7 +118,7 @@ fn judged((number, (objective, judged)): (usize, (&Objective, &Judged))) -> page
     }
 }
 
-/// The objective as it is told in text.
+/// The objective in words.
 fn formula(objective: &Objective) -> Math {
     let size = |of: Math| fenced("|", of, "|");
     let below = |left: Math, right: Math| relation(left, "\u{2264}", right);

@@ -18,7 +18,7 @@ use crate::cli::report::{Failure, Notice};
 /// Where the rows go.
 pub(super) struct Rows {
     out: Place,
-    /// The journal's file; none where `out` is no file that stays.
+    /// The journal's file; `None` if `out` is not a regular file.
     journal: Option<PathBuf>,
 }
 
@@ -136,7 +136,7 @@ pub(super) fn merge(
         for (_, path) in &found {
             let done = record::read(path, campaign, &mut |row| {
                 if row.index != next {
-                    let message = format!("scenario {} stands where {next} should", row.index);
+                    let message = format!("found scenario {}, expected {next}", row.index);
                     return Err(parquet::errors::ParquetError::General(message));
                 }
                 next += 1;

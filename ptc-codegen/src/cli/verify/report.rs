@@ -20,7 +20,7 @@ pub(super) struct Known<'a> {
     pub(super) proofs: &'a [Proof],
 }
 
-/// What is told in the end.
+/// The final report.
 pub(super) struct Summary {
     /// How much was run.
     pub(super) run: String,
@@ -66,7 +66,7 @@ pub(super) struct Trajectory {
 pub(super) const APART: &str =
     "a larger `until` under [verify] keeps away from where rounding is all that is left";
 
-/// Rows of the worst trajectory that are told.
+/// Rows of the worst trajectory that are shown.
 const SHOWN: usize = 8;
 
 /// The worst that was found of all objectives.
@@ -309,7 +309,7 @@ fn trajectory(
     (instants, ended.err())
 }
 
-/// A few instants, one of them the worst, which is told of it.
+/// A few instants, one of them the worst.
 pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
     let excess =
         |instant: &Instant| instant.excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -191,7 +191,7 @@ impl Writer<'_> {
             | Op::Rows { .. }
             | Op::Element(..)
             | Op::Unknown
-            | Op::Root(_) => fault(format!("{op:?} is no part of an expression")),
+            | Op::Root(_) => fault(format!("{op:?} is not a part of an expression")),
         }
     }
 

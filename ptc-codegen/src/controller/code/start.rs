@@ -14,7 +14,7 @@ use crate::program::digits::{self, Condition};
 use crate::request::What;
 
 impl Builder<'_> {
-    /// Parameters to fields, but for the call of `arm`.
+    /// Parameters to fields, without the call of `arm`.
     pub(super) fn init(&self) -> Vec<Statement> {
         let mut statements = Vec::new();
         for parameter in self.spec.run_time_parameters() {
@@ -102,7 +102,7 @@ impl Builder<'_> {
     fn number(&self, value: f64) -> Expr {
         match BigRational::from_float(value) {
             Some(exact) => Expr::Number(exact),
-            None => fault(format!("{value} is no bound")),
+            None => fault(format!("{value} is not a bound")),
         }
     }
 

@@ -50,7 +50,7 @@ pub(super) fn checks(test: &Test, copies: &BTreeMap<String, Expr>) -> Vec<Check>
     checks
 }
 
-/// What two tests of one parameter ask for.
+/// What two tests of one parameter require.
 fn both(first: &str, second: &str) -> String {
     match (first, second, first.strip_prefix(">= "), second.strip_prefix("<= ")) {
         (_, _, Some(least), Some(greatest)) => format!("from {least} to {greatest}"),
@@ -70,7 +70,7 @@ pub(super) fn copies(init: &[Statement]) -> BTreeMap<String, Expr> {
     init.iter().filter_map(copy).collect()
 }
 
-/// What a test asks for of the first parameter in it.
+/// What a test requires of the first parameter in it.
 fn legal(test: &Test, parameter: Option<&(String, Option<usize>)>) -> String {
     let text = |value: &Expr| match value {
         Expr::Number(number) => Some(decimal(number)),

@@ -108,12 +108,12 @@ pub(in crate::emit) trait Text {
     /// Whether it is no number.
     fn not_number(&self, value: &str) -> String;
 
-    /// What stands between tests that must all hold.
+    /// The operator between tests that must all hold.
     fn and(&self) -> &'static str {
         "&&"
     }
 
-    /// What stands between tests one of which must hold.
+    /// The operator between tests one of which must hold.
     fn or(&self) -> &'static str {
         "||"
     }
@@ -343,7 +343,7 @@ impl Lines {
         self.opened = true;
     }
 
-    /// Where the next line stands.
+    /// The place of the next line.
     pub(in crate::emit) fn here(&self) -> usize {
         self.lines.len()
     }

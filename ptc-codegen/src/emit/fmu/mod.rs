@@ -29,7 +29,7 @@ pub enum Version {
 }
 
 impl Version {
-    /// The headers of the interface, which an importer has; they stand in no FMU.
+    /// The headers of the interface, which an importer has; no FMU holds them.
     pub fn headers(self) -> Vec<File> {
         let headers: [(&str, &str); 3] = match self {
             Self::Two => [
@@ -271,7 +271,7 @@ struct Constant {
     literal: String,
 }
 
-/// A condition on a parameter, and what is told where it is not met.
+/// A condition on a parameter, and the message if it is not met.
 struct Judged {
     name: String,
     place: String,

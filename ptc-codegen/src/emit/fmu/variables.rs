@@ -7,7 +7,7 @@ use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
 use crate::request::Spec;
 
-/// A variable as both versions of modelDescription.xml tell it.
+/// A variable as both versions of modelDescription.xml describe it.
 pub(super) struct Variable {
     pub(super) name: String,
     /// Value reference, and in FMI 2.0 the index; 0 is time in FMI 3.0.

@@ -148,7 +148,7 @@ fn placed<'a>(
     })
 }
 
-/// The program around the controller in C; `timer` calls it at each sample where it is true.
+/// The program around the controller in C; if `timer` is true, a timer calls it at each sample.
 fn main_c(name: &str, config: &Config, timer: bool) -> File {
     match &config.clock {
         Clock::Time(time) => file(name, &MainC { config, time }),

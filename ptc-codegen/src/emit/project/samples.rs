@@ -27,7 +27,7 @@ pub(super) struct Samples {
     /// Values that are measured.
     pub(super) measured: usize,
     pub(super) delay: usize,
-    /// What is added to u; none where the controller knows no disturbance.
+    /// What is added to u; `None` if the controller knows no disturbance.
     pub(super) force: Option<String>,
     /// The plant in a line.
     pub(super) about: String,

@@ -10,7 +10,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Sampled, Spec};
 use crate::samples;
 
-/// Samples that are tried at most.
+/// Limit of samples that are tried.
 const TRIED: u32 = 10_000;
 
 /// Part of `u_max` that the start and the disturbance may take together.
@@ -51,7 +51,7 @@ struct Run {
 }
 
 impl Run {
-    /// None where a number is beyond doubles.
+    /// `None` if a number is beyond doubles.
     fn of(spec: &Spec, sampled: &Sampled, example: &Example) -> Option<Self> {
         let mut free = spec.clone();
         free.fixed.insert(Parameter::UMax, Fixed::Infinite);

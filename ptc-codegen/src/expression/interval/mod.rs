@@ -176,7 +176,7 @@ impl Interval {
         Self::new(BigFloat::from_f64(low, BITS), BigFloat::from_f64(high, BITS))
     }
 
-    /// Its ends, exactly; none where one of them is infinite.
+    /// Its ends, exactly; `None` if one of them is infinite.
     pub(crate) fn ends(&self) -> Option<(BigRational, BigRational)> {
         let exact = |end: &BigFloat| {
             let (words, _, sign, exponent, _) = end.as_raw_parts()?;

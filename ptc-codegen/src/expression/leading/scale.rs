@@ -30,7 +30,7 @@ impl Product {
         *self > Self([integer(0), integer(0), integer(0), integer(0)])
     }
 
-    /// It as a scale; none where that has one logarithm more than a scale.
+    /// It as a scale; `None` if that has one logarithm more than a scale.
     pub(super) fn scale(&self) -> Option<Scale> {
         let mut scale = Scale::one();
         for (depth, power) in self.0.iter().enumerate().filter(|(_, power)| !power.is_zero()) {
@@ -81,7 +81,7 @@ impl Scale {
         self.coefficient(0)
     }
 
-    /// The product that it is; none where there are exponentials or other than numbers as powers.
+    /// The product that it is; `None` if there are exponentials or other than numbers as powers.
     pub(super) fn product(&self) -> Option<Product> {
         let mut powers = [integer(0), integer(0), integer(0), integer(0)];
         let mut left = self.exponent.len();
@@ -103,7 +103,7 @@ impl Scale {
         }
     }
 
-    /// The product that decides how it grows, and whether it does; outermost none where it depends on
+    /// The product that decides how it grows, and whether it does; outermost `None` if it depends on
     /// the parameters.
     pub(super) fn leading(&self) -> Option<Option<(&Product, Ordering)>> {
         for (product, coefficient) in self.exponent.iter().rev() {
@@ -167,7 +167,7 @@ impl Scale {
         }
     }
 
-    /// Which of the two grows faster; none where it depends on the parameters or is not known.
+    /// Which of the two grows faster; `None` if it depends on the parameters or is not known.
     pub(super) fn compare(&self, other: &Self) -> Option<Ordering> {
         if self.fast != other.fast {
             return Some(self.fast.cmp(&other.fast));

@@ -91,7 +91,7 @@ impl Series {
         Some(Self { terms: self.terms.into_iter().map(term).collect::<Option<_>>()?, rest })
     }
 
-    /// The sum, with up to `most` terms; none where the parameters decide which term leads.
+    /// The sum, with up to `most` terms; `None` if the parameters decide which term leads.
     pub(super) fn plus(self, other: Self, walk: &Walk<'_>) -> Option<Self> {
         let mut rest = [self.rest, other.rest].concat();
         let mut heads = (self.terms.into_iter().peekable(), other.terms.into_iter().peekable());
@@ -171,7 +171,7 @@ impl Series {
     }
 
     /// The sum of c_j d^j over j >= 0, d being the series, which vanishes; `coefficient` gives c_j,
-    /// and none where that and all that follow are 0.
+    /// and `None` if that and all that follow are 0.
     pub(super) fn composed(
         &self,
         coefficient: &mut dyn FnMut(usize) -> Option<Expression>,

@@ -55,7 +55,7 @@ fn fixed(gains: Vec<BigRational>) -> FixedValues {
 }
 
 impl Reader<'_> {
-    /// The law; `n` is the order where it could be read, and `order` stands in for it.
+    /// The law; `n` is the order if it could be read, and `order` is used in its place.
     pub(super) fn law(&mut self, n: Option<usize>, order: usize, known: &[Parameter]) -> Law {
         let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
         match self.only_one(&["gains", "poles", "pi0"]) {
@@ -118,7 +118,7 @@ impl Reader<'_> {
         let mut poles = Vec::with_capacity(items.len());
         for (index, item) in items.iter().enumerate() {
             let Some(pole) = constant::complex(item) else {
-                let message = format!("{key}[{index}] = {} is no number", shown(&item.value));
+                let message = format!("{key}[{index}] = {} is not a number", shown(&item.value));
                 let help = "a pole is a number such as -4, or -1+2i".to_owned();
                 self.wrong(key, Some(item.place), message, help);
                 continue;

@@ -25,7 +25,7 @@ impl Reader<'_> {
     }
 
     /// The linear plant, and how many of the states that are estimated each row of C accounts for;
-    /// none where the plant is a chain, or was not read.
+    /// `None` if the plant is a chain, or was not read.
     pub(super) fn linear(
         &mut self,
         spec: &Spec,
@@ -240,7 +240,7 @@ impl Reader<'_> {
     }
 }
 
-/// The rows of a matrix, of which one may stand alone.
+/// The rows of a matrix; a single row needs no outer brackets.
 fn rows(node: &Node) -> &[Node] {
     match &node.value {
         Value::List(items) if items.iter().any(|item| matches!(item.value, Value::List(_))) => {

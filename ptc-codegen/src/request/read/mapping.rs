@@ -86,7 +86,7 @@ impl Reader<'_> {
                 "unknown-family",
                 "mu",
                 Some(node.place),
-                format!("`{}` is no known mapping", shorten(name)),
+                format!("unknown mapping `{}`", shorten(name)),
                 suggestion(meant, &format!("the families are {all}; or give an expression in t")),
             );
             return None;

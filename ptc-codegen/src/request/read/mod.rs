@@ -4,25 +4,23 @@ mod law;
 mod linear;
 mod mapping;
 mod parameters;
+mod promises;
 mod sampled;
 
 use std::collections::BTreeMap;
 
 pub(crate) use parameters::known;
 
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 
-use super::{After, Clock, Guard, MAX_ORDER, Promises, Spec, What};
+use super::{After, Clock, Guard, MAX_ORDER, Spec, What};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::family::Family;
-use crate::keys::{CHECKS, KEYS, KeyInfo};
+use crate::keys::{KEYS, KeyInfo};
 use crate::mapping::TimeMapping;
 use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
-use crate::syntax::{Node, Value, real};
-
-/// Most samples of delay.
-const MAX_DELAY: usize = 16;
+use crate::syntax::{Node, Value};
 
 /// One key with its value, as a front end found it. A key of a table of a design file is written
 /// `params.a` or `envelope.x_max`.
@@ -117,7 +115,7 @@ impl<'a> Reader<'a> {
 
     fn spec(&mut self) -> Option<Spec> {
         let n = self.order();
-        // With the order unknown, all else is still read, so that all mistakes are told at once.
+        // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let mapping = self.time_mapping(order);
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
@@ -169,7 +167,7 @@ impl<'a> Reader<'a> {
             true => self.sampled(&mut spec),
             false => self.not_sampled(),
         }
-        // A plant that is refused leaves a spec whose clock is not the one asked for.
+        // A plant that is refused leaves a spec with another clock than requested.
         if samples == spec.sampled().is_some() {
             self.representable(&spec);
         }
@@ -185,127 +183,6 @@ impl<'a> Reader<'a> {
             let help = "the infinite-time system holds mu'(t): give the mapping as mu";
             self.wrong("what", place, message, help.to_owned());
         }
-    }
-
-    /// Bounds and periods that checks hold the design to.
-    fn promises(&mut self, n: Option<usize>) -> Promises {
-        // A linear plant has as many sensors as C has rows.
-        let measured = self.rows_measured().or(n);
-        Promises {
-            sample_time: self.positive("sample_time"),
-            error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
-            noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
-            sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
-            u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
-            delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
-            x0_max: self.bounds("x0_max", n),
-            x_max: self.bounds("x_max", n),
-            allow: self.allowed(),
-        }
-    }
-
-    fn positive(&mut self, key: &'static str) -> Option<Fixed> {
-        let node = self.keys.get(key).copied()?;
-        let value = finite_positive(node);
-        if value.is_none() {
-            let message = format!("{key} = {} is no finite number > 0", shown(&node.value));
-            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
-            self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
-        }
-        value
-    }
-
-    fn u_step(&mut self, node: &Node) -> Option<Fixed> {
-        let value = not_negative(node);
-        if value.is_none() {
-            let message = format!("u_step = {} is no finite number >= 0", shown(&node.value));
-            let help = "give the step of the actuator, 0 for none".to_owned();
-            self.wrong("u_step", Some(node.place), message, help);
-        }
-        value
-    }
-
-    fn delay(&mut self, node: &Node) -> Option<usize> {
-        let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
-        if value.is_none() {
-            let message = format!("delay = {} is no number of samples", shown(&node.value));
-            let help = format!("delay is an integer 0..={MAX_DELAY}");
-            self.wrong("delay", Some(node.place), message, help);
-        }
-        value
-    }
-
-    /// One number for all states, or one for each.
-    fn one_or_each(
-        &mut self,
-        key: &'static str,
-        n: Option<usize>,
-        legal: fn(&Node) -> Option<Fixed>,
-        told: &str,
-    ) -> Vec<Fixed> {
-        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
-        let items = items(node);
-        if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
-            let n = n.unwrap_or_default();
-            let message = format!("{key}: {} numbers for {n} states", items.len());
-            let help = format!("give one number for all states, or one for each of x1..x{n}");
-            self.wrong(key, Some(node.place), message, help);
-            return Vec::new();
-        }
-        let mut numbers = Vec::with_capacity(items.len());
-        for item in items {
-            match legal(item) {
-                Some(value) => numbers.push(value),
-                None => {
-                    let message = format!("{key} = {} is not {told}", shown(&item.value));
-                    let help = KeyInfo::find(key).map_or("", |info| info.legal);
-                    self.wrong(key, Some(item.place), message, format!("{key} is {help}"));
-                }
-            }
-        }
-        numbers
-    }
-
-    fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
-        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
-        let items = items(node);
-        if n.is_some_and(|n| n != items.len()) {
-            let n = n.unwrap_or_default();
-            let message = format!("{} bounds for order n = {n}", items.len());
-            let help = format!("give one bound for each of x1..x{n}");
-            self.wrong(key, Some(node.place), message, help);
-            return Vec::new();
-        }
-        let mut bounds = Vec::with_capacity(items.len());
-        for (index, item) in items.iter().enumerate() {
-            match finite_positive(item) {
-                Some(value) => bounds.push(value),
-                None => {
-                    let message = format!("{key}[{index}] = {} is no bound", shown(&item.value));
-                    let help = "a bound is a finite number > 0".to_owned();
-                    self.wrong(key, Some(item.place), message, help);
-                }
-            }
-        }
-        bounds
-    }
-
-    fn allowed(&mut self) -> Vec<String> {
-        let Some(node) = self.keys.get("allow").copied() else { return Vec::new() };
-        let mut allowed = Vec::new();
-        for item in items(node) {
-            match &item.value {
-                Value::Word(word) if CHECKS.contains(&word.as_str()) => allowed.push(word.clone()),
-                other => {
-                    let word = if let Value::Word(word) = other { word } else { "" };
-                    let message = format!("{} is no check", shown(other));
-                    let all = format!("the checks are {}", CHECKS.join(", "));
-                    let help = suggestion(near_miss(word, CHECKS), &all);
-                    self.wrong("allow", Some(item.place), message, help);
-                }
-            }
-        }
-        allowed
     }
 
     fn wrong(&mut self, key: &str, place: Option<Place>, message: String, help: String) {
@@ -330,7 +207,8 @@ impl<'a> Reader<'a> {
         };
         let n = count(node, MAX_ORDER);
         if n.is_none() {
-            let message = format!("n = {} is no order that can be generated", shown(&node.value));
+            let message =
+                format!("n = {} is not an order that can be generated", shown(&node.value));
             let help = format!("n is an integer 1..={MAX_ORDER}");
             self.wrong("n", Some(node.place), message, help);
         }
@@ -392,20 +270,12 @@ impl<'a> Reader<'a> {
 /// Stands in for a mapping that could not be read while the rest of the spec is.
 const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
 
-/// The items of a list, or the one value that stands alone.
+/// The items of a list, or the value itself.
 fn items(node: &Node) -> &[Node] {
     match &node.value {
         Value::List(items) => items,
         _ => std::slice::from_ref(node),
     }
-}
-
-fn finite_positive(node: &Node) -> Option<Fixed> {
-    real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
-}
-
-fn not_negative(node: &Node) -> Option<Fixed> {
-    real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
 }
 
 /// An integer from 0 to `most`.

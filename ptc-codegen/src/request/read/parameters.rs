@@ -149,7 +149,7 @@ impl Reader<'_> {
                     spec.bounds.insert(parameter, (least, greatest));
                     return;
                 }
-                let message = format!("{key} is no pair of bounds");
+                let message = format!("{key} is not a pair of bounds");
                 let help = format!(
                     "bounds are [least, greatest] with least < greatest; {name} is {}",
                     domain.text()
@@ -208,7 +208,7 @@ impl Reader<'_> {
         for (parameter, value) in spec.fixed.iter().chain(bounds) {
             let shown = parameter.spelling();
             let (message, help) = if value.leaves(spec.precision) {
-                let message = format!("{shown} = {value} is no finite nonzero number in {name}");
+                let message = format!("{shown} = {value} is not a finite nonzero number in {name}");
                 (message, format!("give a value within the range of {name}"))
             } else if let Some(legal) = spec.ends_of_kind(*parameter)
                 && value.rounded(spec.precision).is_some_and(|v| !(legal.0..=legal.1).contains(&v))

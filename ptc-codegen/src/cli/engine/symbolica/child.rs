@@ -19,7 +19,7 @@ const PAUSE: Duration = Duration::from_millis(5);
 /// that it started may hold them open for as long as it likes.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// Last lines of a child that are told with an error.
+/// Last lines of a child that are shown with an error.
 const SAID: usize = 12;
 
 /// Why there is no answer.
@@ -47,7 +47,7 @@ impl fmt::Display for Wrong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Start(error) if error.kind() == io::ErrorKind::NotFound => {
-                f.write_str("the engine `symbolica` is a program of its own, `ptc-engine-symbolica`, which is not installed")
+                f.write_str("the engine `symbolica` needs the program `ptc-engine-symbolica`, which is not installed")
             }
             Self::Start(error) => write!(f, "Symbolica's process cannot be run: {error}"),
             Self::Place(path, error) => write!(f, "cannot lock {}: {error}", path.display()),
@@ -99,7 +99,7 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
     if let Some(mut input) = child.stdin.take() {
         let request = format!("{request}\n");
         thread::spawn(move || {
-            // A child that reads nothing is told of by how it ends.
+            // A child that reads nothing is reported by its exit status.
             let _ = input.write_all(request.as_bytes());
             // Where nobody waits any more, the pipe ends here.
             let _ = written.send(input);
@@ -135,7 +135,7 @@ pub(super) fn ask(mut command: Command, request: &str, limit: Duration) -> Resul
         let lines = answer.iter().chain(&said).cloned().collect::<Vec<_>>();
         Wrong::Garbled(lines.join("\n"))
     })?;
-    // Where the standard error is closed there is nobody left to tell.
+    // If the standard error is closed, there is nowhere to report it.
     let _ = io::stderr().write_all(said.join("\n").trim_matches('\n').as_bytes());
     let _ = io::stderr().write_all(b"\n");
     Ok(answer)

@@ -114,13 +114,13 @@ fn patience() -> Result<Duration, Failure> {
     })
 }
 
-/// What is told of a worker that gave no closed forms.
+/// The error of a worker that gave no closed forms.
 fn failure(wrong: &Wrong) -> Failure {
     let leave = "or leave `--engine` out";
     let help = match wrong {
         Wrong::Start(error) if error.kind() == ErrorKind::NotFound => format!(
-            "build it with `cargo install --path engines/symbolica`, which takes Rust 1.89 or later and what \
-             docs/engines.md tells of Symbolica's licence, or give its path in {PROGRAM_KEY}, {leave}"
+            "build it with `cargo install --path engines/symbolica`, which needs Rust 1.89 or later (see \
+             docs/engines.md for Symbolica's licence), or give its path in {PROGRAM_KEY}, {leave}"
         ),
         Wrong::Start(_) => format!("see that its file can be run, {leave}"),
         Wrong::Place(..) => {

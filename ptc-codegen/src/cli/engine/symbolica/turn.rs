@@ -17,7 +17,7 @@ pub(super) const FILE_KEY: &str = "PTC_ENGINE_LOCK";
 /// Time between two looks at the lock.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// After this time the user is told what is being waited for.
+/// Time after which a message says what is being waited for.
 const SILENCE: Duration = Duration::from_secs(2);
 
 /// The lock, which is given back when it is dropped, also by a process that is killed.

@@ -5,10 +5,10 @@
 //! product `*3` of so many operands, a power `^`, and functions of one operand by their names. Flat
 //! text needs no bound on its depth.
 
-/// What stands before an answer in its line: all other lines are what Symbolica tells a user.
+/// The prefix of an answer: all other lines are Symbolica's own messages.
 pub(super) const MARK: &str = "ptc-answer: ";
 
-/// What the engine ends with where it does not understand its request.
+/// The exit code of the engine for a request that it does not understand.
 pub(super) const REFUSED: u8 = 3;
 
 /// What expressions are read into.

@@ -1,4 +1,4 @@
-//! Conditions of `init` and `arm` as C writes them, for what stands around the controller.
+//! Conditions of `init` and `arm` as C writes them, for the files around the controller.
 
 use super::super::legal::{checks, copies};
 use super::super::text::Text;

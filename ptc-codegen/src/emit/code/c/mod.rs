@@ -24,7 +24,7 @@ pub(in crate::emit) struct Notes {
     pub(in crate::emit) predicates: String,
     /// Contracts by the names of functions, each a comment before a prototype.
     pub(in crate::emit) contracts: BTreeMap<&'static str, String>,
-    /// What stands before the tests of `init`.
+    /// The lines before the tests of `init`.
     pub(in crate::emit) before_tests: Option<&'static str>,
     /// The lines behind an iteration.
     pub(in crate::emit) behind: Option<Behind>,

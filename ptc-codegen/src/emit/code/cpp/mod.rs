@@ -19,7 +19,7 @@ pub(super) struct Cpp<'a> {
     code: &'a Code,
     /// What the function gives that is being printed.
     gives: Gives,
-    /// What stands around the name of a field.
+    /// The text around the name of a field.
     prefix: &'static str,
     suffix: &'static str,
     out: Lines,

@@ -24,7 +24,7 @@ pub(super) struct Python<'a> {
     copies: BTreeMap<String, Expr>,
     /// What the function gives that is being printed.
     gives: Gives,
-    /// What stands before the name of a field.
+    /// The text before the name of a field.
     owner: &'static str,
     out: Lines,
 }

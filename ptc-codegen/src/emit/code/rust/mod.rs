@@ -11,7 +11,7 @@ use crate::code::{Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::File;
 use crate::parameter::{Precision, type_name};
 
-/// The file of a controller, which stands alone.
+/// The self-contained file of a controller.
 pub(in crate::emit) fn file(code: &Code) -> File {
     let items = Rust::new(code, "").items();
     let text = module::text(&code.head, code.precision, &items);
@@ -25,7 +25,7 @@ pub(in crate::emit) fn items(code: &Code) -> String {
 
 pub(super) struct Rust<'a> {
     code: &'a Code,
-    /// Path of the types that the items stand on.
+    /// Path of the types that the items use.
     runtime: &'static str,
     /// What the function gives that is being printed.
     gives: Gives,
@@ -126,7 +126,7 @@ impl Block for Rust<'_> {
         ("// ", "")
     }
 
-    /// With its type where only literals stand in the value, which have none of their own.
+    /// With its type if the value holds only literals, which have no type.
     fn defined(&self, name: &str, shape: Shape, value: &Expr) -> String {
         match value.is_constant() {
             true => format!("{name}: {}", self.type_of(shape)),
@@ -235,7 +235,7 @@ impl Block for Rust<'_> {
     }
 }
 
-/// Columns of an array in one line, and of each of its elements where several stand in a line.
+/// Columns of an array in one line, and of each of its elements if several share a line.
 const ARRAY: usize = 60;
 const SHORT: usize = 10;
 

@@ -1,4 +1,4 @@
-//! The module around the items of a file that stands alone.
+//! The module around the items of a self-contained file.
 
 use askama::Template;
 
@@ -6,7 +6,7 @@ use crate::emit::{text_of, tidy};
 use crate::expression::Function;
 use crate::parameter::Precision;
 
-/// A module that stands alone: its head, the types that the items stand on, and the items.
+/// A self-contained module: its head, the types that the items use, and the items.
 pub(super) fn text(head: &[String], precision: Precision, items: &str) -> String {
     let calls = |function: &str| items.contains(&format!("math::{function}("));
     let names = Function::ALL.iter().map(|(name, _)| *name).chain(["pow"]);

@@ -146,7 +146,7 @@ impl Block for StructuredText<'_> {
         format!("{name} := {value};")
     }
 
-    /// All variables stand before the statements.
+    /// All variables are declared before the statements.
     fn declare(&self, _name: &str, _shape: Shape) -> Option<String> {
         None
     }
@@ -170,7 +170,7 @@ impl Block for StructuredText<'_> {
         }
     }
 
-    /// A function gives no array, so the loops stand where they are needed.
+    /// A function gives no array, so the loops are written where they are needed.
     fn rows(&mut self, name: &str, tail: &[Expr], weights: &[Expr]) {
         self.array("p", tail);
         self.array(name, weights);

@@ -1,15 +1,16 @@
 //! The clock in samples: its keys, and what it has no meaning for.
 
-use num_traits::{Signed, ToPrimitive, Zero};
+mod observer;
+
+use num_traits::{Signed, Zero};
 
 use super::{Reader, items, shown, whole};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
-use crate::algebra::{BigInt, BigRational, integer};
+use crate::algebra::{BigRational, integer};
 use crate::family::Family;
-use crate::linear;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Observer, Sampled, Spec, What};
+use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Sampled, Spec, What};
 use crate::syntax::{Value, constant, real};
 
 /// Most samples of delay that a controller keeps.
@@ -271,116 +272,6 @@ impl Reader<'_> {
                 self.wrong("deadbeat", Some(node.place), message, help);
             }
         }
-    }
-
-    /// The observer of `estimates` states, where there are any.
-    fn observer(
-        &mut self,
-        spec: &Spec,
-        estimates: Option<usize>,
-        blocks: &[usize],
-        a: Option<&BigRational>,
-    ) -> Option<Observer> {
-        let Some(estimates) = estimates else {
-            for key in ["observer_poles", "observer_samples", "observer_eps", "after_observer"] {
-                if let Some(node) = self.keys.get(key).copied() {
-                    let message = format!("`{key}` without an observer");
-                    let help = "every state is measured: leave it out, or give `measured`";
-                    self.wrong(key, Some(node.place), message, help.to_owned());
-                }
-            }
-            return None;
-        };
-        let (samples, eps) =
-            (self.observer_samples(spec, estimates), self.observer_eps(spec, estimates));
-        let Some(node) = self.keys.get("observer_poles").copied() else {
-            let message = "`observer_poles` is missing".to_owned();
-            let help = format!("give {estimates} poles, one for each state that is estimated");
-            self.found.push("missing-key", "observer_poles", None, message, help);
-            return None;
-        };
-        let (poles, mut gains) = self.pole_gains("observer_poles", Some(estimates), node);
-        if blocks.len() > 1 && poles.len() == estimates {
-            gains = self.gains_of_blocks("observer_poles", &poles, blocks, node);
-        }
-        let Some(a) = a else {
-            let place = self.keys.get("mu").map(|node| node.place);
-            let message = "an observer needs a rate that is fixed".to_owned();
-            self.wrong("mu", place, message, "give the mapping as exp(a=1)".to_owned());
-            return None;
-        };
-        let greatest = poles.iter().map(|(re, _)| -re / a).max()?;
-        let after = self.after_observer(spec, blocks);
-        Some(Observer { poles, blocks: blocks.to_vec(), gains, greatest, samples, eps, after })
-    }
-
-    /// The poles of the observer once the estimates are exact.
-    fn after_observer(&mut self, spec: &Spec, blocks: &[usize]) -> Vec<(BigRational, BigRational)> {
-        let key = "after_observer";
-        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
-        let (poles, _) = self.pole_gains(key, Some(blocks.iter().sum()), node);
-        if poles.is_empty() {
-            return poles;
-        }
-        if blocks.len() > 1 {
-            self.gains_of_blocks(key, &poles, blocks, node);
-        }
-        if let Some((re, _)) = poles.iter().find(|(re, _)| !re.is_negative()) {
-            let message = format!("after_observer: a real part of {}", constant::text(re));
-            let help = "the estimates stay only where all real parts are negative".to_owned();
-            self.wrong(key, Some(node.place), message, help);
-        }
-        let Some(h) = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number) else {
-            let message = "`after_observer` without `sample_time`".to_owned();
-            let help = "poles in 1/s become gains when the code is generated: give the period";
-            self.wrong(key, Some(node.place), message, help.to_owned());
-            return Vec::new();
-        };
-        if linear::sampled_poles(&poles, h).is_none() {
-            let message = "after_observer: a pole is too fast for `sample_time`".to_owned();
-            let help = "an error gone within a sample is as good: take a pole of -10/sample_time";
-            self.wrong(key, Some(node.place), message, help.to_owned());
-            return Vec::new();
-        }
-        poles
-    }
-
-    fn observer_samples(&mut self, spec: &Spec, estimates: usize) -> Option<u32> {
-        let node = self.keys.get("observer_samples").copied()?;
-        let order = spec.n + spec.promises.delay.unwrap_or(0);
-        let all = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
-        let most = all.map(|all| all - BigRational::from_integer(BigInt::from(order)));
-        let most = most.and_then(|most| most.to_usize()).unwrap_or(MAX_SAMPLES as usize - order);
-        let value = real(node).as_ref().and_then(Fixed::number).cloned();
-        match value.and_then(|value| whole(&value, most)) {
-            Some(count) if count >= estimates => u32::try_from(count).ok(),
-            _ => {
-                let message = format!("observer_samples = {}", shown(&node.value));
-                let help = format!(
-                    "give an integer {estimates}..={most}: the controller needs {order} samples of exact estimates to end at rest"
-                );
-                self.wrong("observer_samples", Some(node.place), message, help);
-                None
-            }
-        }
-    }
-
-    fn observer_eps(&mut self, spec: &Spec, estimates: usize) -> Option<Fixed> {
-        let node = self.keys.get("observer_eps").copied()?;
-        let Some(value) = super::finite_positive(node) else {
-            let message =
-                format!("observer_eps = {} is not a finite number > 0", shown(&node.value));
-            self.wrong("observer_eps", Some(node.place), message, "give a time in s".to_owned());
-            return None;
-        };
-        let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
-        let least = h.map(|h| BigRational::from_integer(BigInt::from(estimates)) * h);
-        if let Some(least) = least.filter(|least| value.number().is_some_and(|eps| eps < least)) {
-            let message = format!("observer_eps = {value} is less than {estimates} samples");
-            let help = format!("with less than {} its gains do not exist", constant::text(&least));
-            self.wrong("observer_eps", Some(node.place), message, help);
-        }
-        Some(value)
     }
 }
 

@@ -9,12 +9,16 @@
 //! operand = number | number "i" | name | name "(" arguments ")" | "(" sum ")" | "[" items "]"
 //! ```
 
+mod failure;
+mod scan;
+
 use std::ops::Range;
 
 use super::{Argument, Node, Operator, Value, number};
-use crate::diagnostic::{Diagnostic, LARGE, Place, shorten};
-use crate::limits::{HEIGHT, Limit, NESTING, TEXT};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::limits::{HEIGHT, NESTING, TEXT};
 use crate::parameter::Fixed;
+use failure::{Failure, beyond, expected};
 
 /// Parses the text of one value. `place` makes a place of a byte range of the text.
 ///
@@ -26,51 +30,10 @@ pub fn parse(
     place: &mut dyn FnMut(Range<usize>) -> Place,
 ) -> Result<Node, Diagnostic> {
     let mut parser = Parser { text, at: 0, height: 0, depth: 0, place };
-    parser.whole().map_err(|Failure { range, reason }| {
-        let (key, place) = (key.to_owned(), Some((parser.place)(range.clone())));
-        let expected = match reason {
-            Reason::Expected(expected) => expected,
-            Reason::Beyond(limit) => {
-                let message = match limit.what == TEXT.what {
-                    true => limit.exceeded(&shorten(&key), text.len()),
-                    false => limit.beyond(&shorten(&key)),
-                };
-                return Diagnostic { code: LARGE, key, place, message, help: limit.fix.to_owned() };
-            }
-        };
-        let found = text.get(range).filter(|s| !s.is_empty());
-        let found = found.map_or_else(|| "the end".to_owned(), |s| format!("`{}`", shorten(s)));
-        Diagnostic {
-            code: "syntax",
-            key,
-            place,
-            message: format!("found {found} where {expected} should be"),
-            help: "write a number, a name, a name with arguments such as `power(m=2)`, numbers separated by commas, or an expression such as `2*xi1 + sin(xi2)^2`"
-                .to_owned(),
-        }
+    parser.whole().map_err(|failure| {
+        let place = (parser.place)(failure.range.clone());
+        failure.diagnostic(key, text, place)
     })
-}
-
-/// Where the text is wrong, and why.
-struct Failure {
-    range: Range<usize>,
-    reason: Reason,
-}
-
-enum Reason {
-    /// What should be there.
-    Expected(&'static str),
-    /// A bound that the text exceeds.
-    Beyond(&'static Limit),
-}
-
-/// There should be something else at `range`.
-fn expected(range: Range<usize>, what: &'static str) -> Failure {
-    Failure { range, reason: Reason::Expected(what) }
-}
-
-fn beyond(range: Range<usize>, limit: &'static Limit) -> Failure {
-    Failure { range, reason: Reason::Beyond(limit) }
 }
 
 struct Parser<'a> {
@@ -243,7 +206,7 @@ impl Parser<'_> {
         Ok(Argument { name: None, value: self.sum()? })
     }
 
-    /// What stands one level deeper; the bound keeps the stack flat.
+    /// Parses one level deeper; the bound keeps the stack flat.
     fn nested<T>(&mut self, inner: fn(&mut Self) -> Result<T, Failure>) -> Result<T, Failure> {
         self.depth += 1;
         if !NESTING.admits(self.depth) {
@@ -277,55 +240,6 @@ impl Parser<'_> {
         }
         self.height = height + 1;
         Ok(items)
-    }
-    fn node(&mut self, value: Value, start: usize) -> Node {
-        let place = (self.place)(start..self.at);
-        Node { value, place }
-    }
-
-    fn take_word(&mut self) -> &str {
-        let rest = &self.text[self.at..];
-        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
-        self.at += end;
-        &rest[..end]
-    }
-
-    fn skip_space(&mut self) -> usize {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start().len();
-        self.at
-    }
-
-    fn peek(&mut self) -> Option<char> {
-        self.skip_space();
-        self.text[self.at..].chars().next()
-    }
-
-    fn eat(&mut self, wanted: char) -> bool {
-        let found = self.peek() == Some(wanted);
-        if found {
-            self.at += wanted.len_utf8();
-        }
-        found
-    }
-
-    fn end(&mut self) -> Result<(), Failure> {
-        match self.peek() {
-            None => Ok(()),
-            Some(_) => Err(expected(self.here(), "the end of the value")),
-        }
-    }
-
-    /// The range of the next word, number or other character.
-    fn here(&self) -> Range<usize> {
-        let rest = &self.text[self.at..];
-        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && !matches!(c, '_' | '.'));
-        let width = match end {
-            Some(0) => rest.chars().next().map_or(0, char::len_utf8),
-            Some(width) => width,
-            None => rest.len(),
-        };
-        self.at..self.at + width
     }
 }
 

@@ -1,0 +1,215 @@
+//! The names that have a meaning of their own in expressions: one table of what each means, and where.
+
+mod find;
+
+use super::{Expression, Variable};
+use crate::parameter::Parameter;
+
+pub(super) use find::{Found, find};
+
+/// What an expression is for, which decides the names it may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// mu(t), t the stretched time since the start.
+    Mu,
+    /// kappa(dt), dt the elapsed time.
+    Kappa,
+    /// pi0(xi, t), t the stretched time.
+    Law,
+    /// g(x, t), t the time.
+    InputGain,
+    /// A family's own kappa, in time-to-go T.
+    Family,
+    /// f(x, u, t) of the plant, t the time.
+    Drift,
+    /// The plant's own g(x, t), where it differs from the controller's.
+    PlantGain,
+    /// A bound of an objective over the time of a run.
+    Bound,
+    /// h(x, u, t) of an objective.
+    Objective,
+}
+
+use Subject::{Bound, Drift, Family, InputGain, Kappa, Law, Mu, Objective, PlantGain};
+
+impl Subject {
+    /// Key of the spec.
+    pub fn key(self) -> &'static str {
+        match self {
+            Mu => "mu",
+            Kappa | Family => "kappa",
+            Law => "pi0",
+            InputGain => "g",
+            Drift => "plant.f",
+            PlantGain => "plant.g",
+            Bound | Objective => "objective",
+        }
+    }
+}
+
+/// Where users write expressions, in the order of the documentation.
+const PLACES: [(Subject, &str); 8] = [
+    (Mu, "mu"),
+    (Kappa, "kappa"),
+    (Law, "pi0"),
+    (InputGain, "g"),
+    (Drift, "plant.f"),
+    (PlantGain, "plant.g"),
+    (Objective, "h"),
+    (Bound, "zeta, upsilon, low, high"),
+];
+
+/// What a name stands for.
+#[derive(Clone, Copy)]
+enum Sense {
+    Variable(Variable),
+    /// A letter and an index from 1 to n, with `_0` behind where it is latched at t0.
+    Indexed(fn(usize) -> Variable),
+    Parameter(Parameter),
+    /// A gain k_i: no expression uses it, and in pi0, which takes the place of gains, the name is free.
+    Gain,
+    Pi,
+}
+
+/// A name, its meaning, and the places where it has that meaning.
+struct NameInfo {
+    /// The name; of an indexed one, the one with the index 1.
+    name: &'static str,
+    meaning: &'static str,
+    sense: Sense,
+    /// A word for it where a list is short of space; empty where none is needed.
+    short: &'static str,
+    places: &'static [Subject],
+}
+
+const fn info(
+    name: &'static str,
+    meaning: &'static str,
+    short: &'static str,
+    sense: Sense,
+    places: &'static [Subject],
+) -> NameInfo {
+    NameInfo { name, meaning, sense, short, places }
+}
+
+/// Places that look at the state of the plant.
+const OF_STATE: &[Subject] = &[InputGain, Drift, PlantGain, Objective];
+/// All places outside the mapping, which is fixed before the controller has a start or a bound.
+const OUTSIDE_MAPPING: &[Subject] = &[Law, InputGain, Drift, PlantGain, Objective, Bound];
+const EVERYWHERE: &[Subject] =
+    &[Mu, Kappa, Family, Law, InputGain, Drift, PlantGain, Objective, Bound];
+
+/// The table. A name with several meanings has a row for each.
+#[rustfmt::skip]
+static NAMES: [NameInfo; 17] = [
+    info("x1", "state of the plant", "", Sense::Indexed(Variable::State), OF_STATE),
+    info("xi1", "state in stretched time, xi = BB_n x", "", Sense::Indexed(Variable::Xi), &[Law]),
+    info("u", "input of the plant", "", Sense::Variable(Variable::Control), &[Drift, Objective]),
+    info("t", "stretched time since the start", "stretched time since the start", Sense::Variable(Variable::SinceStart), &[Mu]),
+    info("t", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law]),
+    info("t", "time", "time", Sense::Variable(Variable::Time), &[InputGain, Drift, PlantGain, Objective, Bound]),
+    info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, InputGain]),
+    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, InputGain, Drift, PlantGain, Objective, Bound]),
+    info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
+    info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
+    info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
+    info("eps", "time-to-go at which the gains are held", "", Sense::Parameter(Parameter::Eps), OUTSIDE_MAPPING),
+    info("u_max", "bound of abs(u)", "", Sense::Parameter(Parameter::UMax), OUTSIDE_MAPPING),
+    info("x1_0", "state of the plant at t0", "", Sense::Indexed(Variable::StateAtStart), &[Law, InputGain, Drift, PlantGain, Objective]),
+    info("xi1_0", "xi at t0", "", Sense::Indexed(Variable::XiAtStart), &[Law]),
+    info("k1", "gains of xi1..xin, given by `gains` or `poles`", "", Sense::Gain, &[]),
+    info("pi", "the circle constant", "", Sense::Pi, EVERYWHERE),
+];
+
+impl NameInfo {
+    /// Index in a name of this form, and whether it is spelt as it should be.
+    fn index(&self, name: &str) -> Option<(usize, bool)> {
+        let (stem, tail) = self.name.split_once('1')?;
+        let lower = name.to_ascii_lowercase();
+        let rest = lower.strip_prefix(stem)?.strip_suffix(tail)?;
+        let digits = rest.strip_prefix('_').unwrap_or(rest);
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let index = digits.parse().unwrap_or(usize::MAX);
+        Some((index, name == self.with_index(index)))
+    }
+
+    fn with_index(&self, index: usize) -> String {
+        self.name.replacen('1', &index.to_string(), 1)
+    }
+
+    fn is_indexed(&self) -> bool {
+        matches!(self.sense, Sense::Indexed(_) | Sense::Gain)
+    }
+
+    /// The name as a reader finds it: `x1..xn`.
+    fn shown(&self) -> String {
+        match self.is_indexed() {
+            true => format!("{}..{}", self.name, self.name.replacen('1', "n", 1)),
+            false => self.name.to_owned(),
+        }
+    }
+
+    /// Its meaning, and the places where it has it.
+    fn explained(&self) -> String {
+        let places = PLACES.iter().filter(|(place, _)| self.places.contains(place));
+        let places: Vec<_> = places.map(|(_, name)| *name).collect();
+        match places.is_empty() {
+            true => self.meaning.replace('`', ""),
+            false => format!("{} (in {})", self.meaning.replace('`', ""), places.join(", ")),
+        }
+    }
+
+    /// What says the same where the name has no meaning.
+    fn instead(&self, subject: Subject, index: usize) -> Option<String> {
+        let of_state = OF_STATE.contains(&subject);
+        let text = match (self.name, subject) {
+            ("T", Kappa | InputGain | Drift | PlantGain) => "tau - dt".to_owned(),
+            ("t", Kappa) => "dt".to_owned(),
+            ("dt" | "t_kappa", Mu) => "t".to_owned(),
+            ("t_kappa", Drift | PlantGain | Objective | Bound) => return None,
+            ("x1", Law) => format!("xi{index}"),
+            ("xi1", _) if of_state => format!("x{index}"),
+            ("xi1_0", _) if of_state => format!("x{index}_0"),
+            _ => return None,
+        };
+        Some(text)
+    }
+}
+
+impl Sense {
+    fn expression(self, index: usize) -> Expression {
+        match self {
+            Self::Variable(variable) => variable.into(),
+            Self::Indexed(variable) => variable(index).into(),
+            Self::Parameter(parameter) => parameter.into(),
+            Self::Pi | Self::Gain => Expression::Pi,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = include_str!("../../../../docs/expressions.md");
+
+    #[test]
+    fn the_page_has_the_table() {
+        let mut table = "| name | meaning | in |\n| --- | --- | --- |\n".to_owned();
+        for info in &NAMES {
+            let shown = info.shown().replace("..", "`..`");
+            let places = PLACES.iter().filter(|(place, _)| info.places.contains(place));
+            let places: Vec<_> =
+                places.map(|(_, name)| format!("`{}`", name.replace(", ", "`, `"))).collect();
+            let places = match (places.len(), info.sense) {
+                (_, Sense::Gain) => "none; in `pi0` a free name".to_owned(),
+                (all, _) if all == PLACES.len() => "all".to_owned(),
+                _ => places.join(", "),
+            };
+            table += &format!("| `{shown}` | {} | {places} |\n", info.meaning);
+        }
+        assert!(PAGE.contains(&table), "docs/expressions.md has no such table:\n{table}");
+    }
+}

@@ -1,0 +1,153 @@
+//! Functions of series, by the differential equations that they satisfy.
+
+use super::Series;
+use crate::expression::Function;
+use crate::lower::builder::Builder;
+use crate::lower::coefficients::Coefficient;
+use crate::program::{Op, Value};
+
+impl Builder<'_> {
+    pub(super) fn function(&mut self, function: Function, a: Series) -> Series {
+        if function == Function::Ln {
+            let (leading, terms) = self.leading(a);
+            let offset = self.push(Op::Call(Function::Ln, leading));
+            return Series { offset: Some(offset), ..self.logarithm(&terms) };
+        }
+        let inner = self.plain(&a);
+        let at = self.coefficient(&inner[0]);
+        if let Function::Abs | Function::Sign = function {
+            let sign = Some(self.push(Op::Call(Function::Sign, at)));
+            if function == Function::Abs {
+                return Series::new(sign, inner);
+            }
+            let mut one = vec![Coefficient::integer(0); inner.len()];
+            one[0] = Coefficient::integer(1);
+            return Series::new(sign, one);
+        }
+        let value = self.push(Op::Call(function, at));
+        match function {
+            Function::Exp => {
+                let one = Coefficient::integer(1);
+                Series::new(Some(value), self.integrated(&inner, one))
+            }
+            Function::Sin | Function::Cos | Function::Sinh | Function::Cosh => {
+                self.oscillation(function, value, &inner)
+            }
+            Function::Tan | Function::Tanh => {
+                self.slope_of_square(value, &inner, function == Function::Tanh)
+            }
+            _ => self.inverse_of_square(value, &inner, function == Function::Atanh),
+        }
+    }
+
+    /// ln(1 + a_1 z + ...): k w_k = k a_k - sum_{j<k} j w_j a_(k-j).
+    fn logarithm(&mut self, a: &[Coefficient]) -> Series {
+        let mut terms = vec![Coefficient::integer(0)];
+        for (k, term) in a.iter().enumerate().skip(1) {
+            let mut index = |_: &mut Self, j| Coefficient::index(j);
+            let sum = self.convolution(&terms, a, k, 1..=k - 1, &mut index);
+            let share = self.over(&sum, &Coefficient::index(k));
+            terms.push(self.minus(term, &share));
+        }
+        Series::new(None, terms)
+    }
+
+    /// w with w' = a' w: k w_k = sum_j j a_j w_(k-j).
+    fn integrated(&mut self, a: &[Coefficient], first: Coefficient) -> Vec<Coefficient> {
+        let mut terms = vec![first];
+        for k in 1..a.len() {
+            terms.push(self.next_term(a, &terms, k));
+        }
+        terms
+    }
+
+    /// (1/k) sum_j j a_j w_(k-j).
+    fn next_term(&mut self, a: &[Coefficient], w: &[Coefficient], k: usize) -> Coefficient {
+        let mut index = |_: &mut Self, j| Coefficient::index(j);
+        let sum = self.convolution(a, w, k, 1..=k, &mut index);
+        self.over(&sum, &Coefficient::index(k))
+    }
+
+    /// sin, cos, sinh or cosh, together with the one that is its derivative up to sign.
+    fn oscillation(&mut self, function: Function, value: Value, a: &[Coefficient]) -> Series {
+        let (partner, sign) = match function {
+            Function::Sin => (Function::Cos, -1),
+            Function::Cos => (Function::Sin, -1),
+            Function::Sinh => (Function::Cosh, 1),
+            _ => (Function::Sinh, 1),
+        };
+        let at = self.coefficient(&a[0]);
+        let partner_value = self.push(Op::Call(partner, at));
+        let mut own = vec![Coefficient::Value(value)];
+        let mut other = vec![Coefficient::Value(partner_value)];
+        // sin' = cos and cos' = -sin: the sign belongs to the derivative of the cosine.
+        let (own_sign, other_sign) = match function {
+            Function::Cos => (sign, 1),
+            _ => (1, sign),
+        };
+        for k in 1..a.len() {
+            let next_own = self.next_term(a, &other, k);
+            let next_other = self.next_term(a, &own, k);
+            own.push(self.times(&Coefficient::integer(own_sign), &next_own));
+            other.push(self.times(&Coefficient::integer(other_sign), &next_other));
+        }
+        Series::new(None, own)
+    }
+
+    /// tan: w' = a' (1 + w^2); tanh: w' = a' (1 - w^2).
+    fn slope_of_square(&mut self, value: Value, a: &[Coefficient], minus: bool) -> Series {
+        let mut terms = vec![Coefficient::Value(value)];
+        let mut slope = Vec::with_capacity(a.len());
+        for k in 0..a.len() {
+            if k > 0 {
+                terms.push(self.next_term(a, &slope, k));
+            }
+            slope.push(self.one_and_square(&terms, k, minus));
+        }
+        Series::new(None, terms)
+    }
+
+    /// Term k of 1 + w^2 or 1 - w^2.
+    fn one_and_square(&mut self, w: &[Coefficient], k: usize, minus: bool) -> Coefficient {
+        let mut one = |_: &mut Self, _| Coefficient::integer(1);
+        let square = self.convolution(w, w, k, 0..=k, &mut one);
+        let unit = Coefficient::integer(i64::from(k == 0));
+        if minus { self.minus(&unit, &square) } else { self.plus(&unit, &square) }
+    }
+
+    /// w = atan(p/q): w' = (p' q - p q')/(p^2 + q^2).
+    pub(super) fn angle(&mut self, p: &Series, q: &Series) -> Series {
+        let (p, q) = (self.plain(p), self.plain(q));
+        let [over, under] = [&p[0], &q[0]].map(|first| self.coefficient(first));
+        let ratio = self.div(over, under);
+        let mut terms = vec![Coefficient::Value(self.push(Op::Call(Function::Atan, ratio)))];
+        let (p_square, q_square) = (self.product(&p, &p), self.product(&q, &q));
+        let squares = p_square.iter().zip(&q_square);
+        let divisor: Vec<_> = squares.map(|(p, q)| self.plus(p, q)).collect();
+        for k in 1..p.len() {
+            let mut index = |_: &mut Self, j| Coefficient::index(j);
+            let ahead = self.convolution(&p, &q, k, 1..=k, &mut index);
+            let back = self.convolution(&q, &p, k, 1..=k, &mut index);
+            let turn = self.minus(&ahead, &back);
+            let sum = self.convolution(&terms, &divisor, k, 1..=k - 1, &mut index);
+            let rest = self.minus(&turn, &sum);
+            let share = self.over(&rest, &Coefficient::index(k));
+            terms.push(self.over(&share, &divisor[0]));
+        }
+        Series::new(None, terms)
+    }
+
+    /// atan: w' = a'/(1 + a^2); atanh: w' = a'/(1 - a^2).
+    fn inverse_of_square(&mut self, value: Value, a: &[Coefficient], minus: bool) -> Series {
+        let divisor: Vec<_> = (0..a.len()).map(|k| self.one_and_square(a, k, minus)).collect();
+        let mut terms = vec![Coefficient::Value(value)];
+        for (k, term) in a.iter().enumerate().skip(1) {
+            let mut index = |_: &mut Self, j| Coefficient::index(j);
+            let sum = self.convolution(&terms, &divisor, k, 1..=k - 1, &mut index);
+            let share = self.over(&sum, &Coefficient::index(k));
+            let rest = self.minus(term, &share);
+            terms.push(self.over(&rest, &divisor[0]));
+        }
+        Series::new(None, terms)
+    }
+}

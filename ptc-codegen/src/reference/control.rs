@@ -1,0 +1,95 @@
+//! u by Theorem 1.
+
+use astro_float_num::BigFloat;
+
+use super::Call;
+use super::law::{Leaves, Term, larger};
+use super::long::{Arithmetic, double};
+use super::mapping::Point;
+use crate::expression::{Expression, Variable};
+use crate::parameter::Parameter;
+use crate::request::{Feedback, Spec};
+
+impl Arithmetic {
+    /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), with the mapping at the time of
+    /// the call and, where a state is latched, at the start.
+    pub(super) fn control(
+        &mut self,
+        spec: &Spec,
+        call: &Call<'_>,
+        to_go: &BigFloat,
+        [point, at_start]: [&Point; 2],
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Option<Term> {
+        let n = spec.n;
+        let xi = self.stretched_state(point, call.x);
+        let starts = self.stretched_state(at_start, call.x0);
+        let start = self.double(parameter(Parameter::StartTime));
+        let stretched = Term {
+            value: self.add(&point.stretched, &start),
+            size: self.add(&point.stretched.abs(), &start.abs()),
+        };
+        let time = self.double(call.t);
+        let elapsed = self.sub(&time, &start);
+        let bits = self.bits();
+        let states = |x: &[f64], j: usize| double(x[j - 1], bits);
+        let number = |p| double(parameter(p), bits);
+        let variable = |v: Variable| match v {
+            Variable::SinceStart => Term::given(point.stretched.clone()),
+            Variable::StretchedTime => stretched.clone(),
+            Variable::Time => Term::given(time.clone()),
+            Variable::Elapsed => Term::given(elapsed.clone()),
+            Variable::TimeToGo => Term::given(to_go.clone()),
+            // No expression of a controller knows its own result.
+            Variable::Control => Term::given(double(f64::NAN, bits)),
+            Variable::State(j) => Term::given(states(call.x, j)),
+            Variable::StateAtStart(j) => Term::given(states(call.x0, j)),
+            Variable::Xi(j) => xi[j - 1].clone(),
+            Variable::XiAtStart(j) => starts[j - 1].clone(),
+        };
+        let leaves = Leaves { parameter: &number, variable: &variable };
+        let law = match (&spec.feedback, call.law) {
+            (Feedback::Linear, _) => linear(n),
+            (Feedback::Expression(law), _) => law.clone(),
+            (Feedback::Extern, law) => law?.clone(),
+        };
+        let mut u = self.term(&law, &leaves);
+        // A law that is a number alone is still a term of u.
+        u.size = larger(&u.size, &u.value);
+        let drift = (1..=n).map(|j| self.mul(&point.bell[n][j - 1], &self.double(call.x[j - 1])));
+        let drift: Vec<_> = drift.collect();
+        for term in &drift {
+            u.value = self.sub(&u.value, term);
+            u.size = self.add(&u.size, &term.abs());
+        }
+        let factor = (0..n).fold(self.integer(1), |power, _| self.mul(&power, &point.slope));
+        u = Term { value: self.mul(&factor, &u.value), size: self.mul(&factor, &u.size).abs() };
+        if let Some(gain) = &spec.input_gain {
+            let gain = self.term(gain, &leaves);
+            let value = self.div(&u.value, &gain.value);
+            let by_gain = self.mul(&value, &gain.size).abs();
+            let size = self.div(&self.add(&u.size, &by_gain), &gain.value.abs());
+            u = Term { value, size };
+        }
+        Some(u)
+    }
+
+    /// xi = BB_n x.
+    fn stretched_state(&self, point: &Point, x: &[f64]) -> Vec<Term> {
+        let entry = |i: usize, j: usize| self.mul(&point.bell[i][j], &self.double(x[j]));
+        let zero = || Term { value: self.integer(0), size: self.integer(0) };
+        let row = |i: usize| {
+            (0..=i).map(|j| entry(i, j)).fold(zero(), |sum, term| Term {
+                value: self.add(&sum.value, &term),
+                size: self.add(&sum.size, &term.abs()),
+            })
+        };
+        (0..x.len()).map(row).collect()
+    }
+}
+
+/// pi0 = -(k_1 xi_1 + ... + k_n xi_n).
+fn linear(n: usize) -> Expression {
+    let term = |i| Expression::from(Parameter::Gain(i)).mul(Variable::Xi(i).into());
+    (1..=n).map(term).reduce(Expression::add).unwrap_or(Expression::integer(0)).neg()
+}

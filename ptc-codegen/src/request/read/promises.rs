@@ -1,0 +1,144 @@
+//! Bounds and periods that checks hold the design to.
+
+use num_traits::Signed;
+
+use super::{Reader, items, shown, suggestion, whole};
+use crate::diagnostic::near_miss;
+use crate::keys::{CHECKS, KeyInfo};
+use crate::parameter::Fixed;
+use crate::request::Promises;
+use crate::syntax::{Node, Value, real};
+
+/// Most samples of delay.
+const MAX_DELAY: usize = 16;
+
+impl Reader<'_> {
+    /// Bounds and periods that checks hold the design to.
+    pub(super) fn promises(&mut self, n: Option<usize>) -> Promises {
+        // A linear plant has as many sensors as C has rows.
+        let measured = self.rows_measured().or(n);
+        Promises {
+            sample_time: self.positive("sample_time"),
+            error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
+            noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
+            sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
+            u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
+            delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
+            x0_max: self.bounds("x0_max", n),
+            x_max: self.bounds("x_max", n),
+            allow: self.allowed(),
+        }
+    }
+
+    fn positive(&mut self, key: &'static str) -> Option<Fixed> {
+        let node = self.keys.get(key).copied()?;
+        let value = finite_positive(node);
+        if value.is_none() {
+            let message = format!("{key} = {} is not a finite number > 0", shown(&node.value));
+            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+            self.wrong(key, Some(node.place), message, format!("{key} is {legal}"));
+        }
+        value
+    }
+
+    fn u_step(&mut self, node: &Node) -> Option<Fixed> {
+        let value = not_negative(node);
+        if value.is_none() {
+            let message = format!("u_step = {} is not a finite number >= 0", shown(&node.value));
+            let help = "give the step of the actuator, 0 for none".to_owned();
+            self.wrong("u_step", Some(node.place), message, help);
+        }
+        value
+    }
+
+    fn delay(&mut self, node: &Node) -> Option<usize> {
+        let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
+        if value.is_none() {
+            let message = format!("delay = {} is not a number of samples", shown(&node.value));
+            let help = format!("delay is an integer 0..={MAX_DELAY}");
+            self.wrong("delay", Some(node.place), message, help);
+        }
+        value
+    }
+
+    /// One number for all states, or one for each.
+    fn one_or_each(
+        &mut self,
+        key: &'static str,
+        n: Option<usize>,
+        legal: fn(&Node) -> Option<Fixed>,
+        told: &str,
+    ) -> Vec<Fixed> {
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let items = items(node);
+        if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
+            let n = n.unwrap_or_default();
+            let message = format!("{key}: {} numbers for {n} states", items.len());
+            let help = format!("give one number for all states, or one for each of x1..x{n}");
+            self.wrong(key, Some(node.place), message, help);
+            return Vec::new();
+        }
+        let mut numbers = Vec::with_capacity(items.len());
+        for item in items {
+            match legal(item) {
+                Some(value) => numbers.push(value),
+                None => {
+                    let message = format!("{key} = {} is not {told}", shown(&item.value));
+                    let help = KeyInfo::find(key).map_or("", |info| info.legal);
+                    self.wrong(key, Some(item.place), message, format!("{key} is {help}"));
+                }
+            }
+        }
+        numbers
+    }
+
+    fn bounds(&mut self, key: &'static str, n: Option<usize>) -> Vec<Fixed> {
+        let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        let items = items(node);
+        if n.is_some_and(|n| n != items.len()) {
+            let n = n.unwrap_or_default();
+            let message = format!("{} bounds for order n = {n}", items.len());
+            let help = format!("give one bound for each of x1..x{n}");
+            self.wrong(key, Some(node.place), message, help);
+            return Vec::new();
+        }
+        let mut bounds = Vec::with_capacity(items.len());
+        for (index, item) in items.iter().enumerate() {
+            match finite_positive(item) {
+                Some(value) => bounds.push(value),
+                None => {
+                    let message = format!("{key}[{index}] = {} is not a bound", shown(&item.value));
+                    let help = "a bound is a finite number > 0".to_owned();
+                    self.wrong(key, Some(item.place), message, help);
+                }
+            }
+        }
+        bounds
+    }
+
+    fn allowed(&mut self) -> Vec<String> {
+        let Some(node) = self.keys.get("allow").copied() else { return Vec::new() };
+        let mut allowed = Vec::new();
+        for item in items(node) {
+            match &item.value {
+                Value::Word(word) if CHECKS.contains(&word.as_str()) => allowed.push(word.clone()),
+                other => {
+                    let word = if let Value::Word(word) = other { word } else { "" };
+                    let message = format!("{} is not a check", shown(other));
+                    let all = format!("the checks are {}", CHECKS.join(", "));
+                    let help = suggestion(near_miss(word, CHECKS), &all);
+                    self.wrong("allow", Some(item.place), message, help);
+                }
+            }
+        }
+        allowed
+    }
+}
+
+pub(super) fn finite_positive(node: &Node) -> Option<Fixed> {
+    real(node).filter(|value| value.number().is_some_and(Signed::is_positive))
+}
+
+fn not_negative(node: &Node) -> Option<Fixed> {
+    real(node).filter(|value| value.number().is_some_and(|value| !value.is_negative()))
+}

@@ -1,0 +1,55 @@
+//! Where a text is wrong, and the diagnostic of it.
+
+use std::ops::Range;
+
+use crate::diagnostic::{Diagnostic, LARGE, Place, shorten};
+use crate::limits::{Limit, TEXT};
+
+/// Where the text is wrong, and why.
+pub(super) struct Failure {
+    pub(super) range: Range<usize>,
+    reason: Reason,
+}
+
+enum Reason {
+    /// What should be there.
+    Expected(&'static str),
+    /// A bound that the text exceeds.
+    Beyond(&'static Limit),
+}
+
+/// There should be something else at `range`.
+pub(super) fn expected(range: Range<usize>, what: &'static str) -> Failure {
+    Failure { range, reason: Reason::Expected(what) }
+}
+
+pub(super) fn beyond(range: Range<usize>, limit: &'static Limit) -> Failure {
+    Failure { range, reason: Reason::Beyond(limit) }
+}
+
+impl Failure {
+    /// The diagnostic for `key`, whose text is `text`.
+    pub(super) fn diagnostic(self, key: &str, text: &str, place: Place) -> Diagnostic {
+        let (key, place) = (key.to_owned(), Some(place));
+        let expected = match self.reason {
+            Reason::Expected(expected) => expected,
+            Reason::Beyond(limit) => {
+                let message = match limit.what == TEXT.what {
+                    true => limit.exceeded(&shorten(&key), text.len()),
+                    false => limit.beyond(&shorten(&key)),
+                };
+                return Diagnostic { code: LARGE, key, place, message, help: limit.fix.to_owned() };
+            }
+        };
+        let found = text.get(self.range).filter(|s| !s.is_empty());
+        let found = found.map_or_else(|| "the end".to_owned(), |s| format!("`{}`", shorten(s)));
+        Diagnostic {
+            code: "syntax",
+            key,
+            place,
+            message: format!("found {found} where {expected} should be"),
+            help: "write a number, a name, a name with arguments such as `power(m=2)`, numbers separated by commas, or an expression such as `2*xi1 + sin(xi2)^2`"
+                .to_owned(),
+        }
+    }
+}

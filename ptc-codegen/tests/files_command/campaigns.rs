@@ -1,0 +1,164 @@
+//! Rows of a campaign: interrupted, damaged, foreign, printed.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use super::support::{command_in, folder_with, run_in};
+use super::{DESIGN, names, stage};
+
+#[test]
+fn an_interrupt_of_the_search_runs_no_scenario_again() {
+    // Each objective has a search of its own.
+    let objective = DESIGN.find("[[objective]]").map_or("", |at| &DESIGN[at..]);
+    let design = format!("{DESIGN}{}", objective.repeat(60)).replace("search = 4", "search = 400");
+    let folder = folder_with("files_searched", "stage.toml", design);
+    let arguments = ["verify", "stage.toml", "--out", "rows.parquet"];
+    let rows = || fs::read(folder.join("rows.parquet.chunks")).expect("the rows are kept");
+    let mut kept: Option<Vec<u8>> = None;
+    for _ in 0..2 {
+        let mut child =
+            command_in(&folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
+        while !folder.join("rows.parquet").exists() {
+            assert!(child.try_wait().expect("a state").is_none(), "it is still running");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().expect("killed");
+        assert!(!child.wait().expect("ended").success(), "killed in its search");
+        fs::remove_file(folder.join("rows.parquet")).expect("the rows were whole");
+        // The first line names the process.
+        let after: Vec<u8> = rows().splitn(2, |byte| *byte == b'\n').last().expect("rows").into();
+        assert!(kept.is_none_or(|kept| kept == after));
+        kept = Some(after);
+    }
+    assert_eq!(run_in(&folder, &arguments).0, Some(0));
+    assert_eq!(names(&folder), ["rows.parquet", "stage.toml"]);
+}
+
+/// Starts a campaign and waits until some of its rows are kept.
+fn interrupted(folder: &Path, out: &str, signal: &str) {
+    let arguments = ["verify", "stage.toml", "--scenarios=20000", "--out", out];
+    let mut child = command_in(folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
+    let journal = folder.join(format!("{out}.chunks"));
+    let began = Instant::now();
+    let size = || fs::metadata(&journal).map_or(0, |there| there.len());
+    while size() < 6000 && began.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
+    assert!(kill.expect("runs").success());
+    assert!(!child.wait().expect("ends").success());
+    assert!(journal.exists() && !folder.join(out).exists());
+}
+
+#[test]
+fn one_process_at_a_time_has_a_campaign() {
+    let folder = stage("owned");
+    let arguments = ["verify", "stage.toml", "--scenarios=20000", "--out", "rows.parquet"];
+    let mut first = command_in(&folder, &arguments).stdout(Stdio::null()).spawn().expect("runs");
+    let journal = folder.join("rows.parquet.chunks");
+    while fs::metadata(&journal).map_or(0, |there| there.len()) < 1000 {
+        assert!(first.try_wait().expect("a state").is_none(), "it is still running");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    for more in [&["--seed=3"][..], &[]] {
+        let (code, printed, wrong) = run_in(&folder, &[&arguments[..], more].concat());
+        assert_eq!((code, printed.as_str()), (Some(2), ""));
+        let owner = format!(
+            "rows.parquet.chunks is in use by another run of verify, process {}",
+            first.id()
+        );
+        assert!(wrong.contains(&owner), "{wrong}");
+    }
+    first.kill().expect("killed");
+    first.wait().expect("ended");
+    // Its lock has ended with it.
+    let (code, _, wrong) = run_in(&folder, &[&arguments[..], &["--seed=3"]].concat());
+    assert_eq!(code, Some(2));
+    assert!(wrong.contains("another campaign") && wrong.contains("seed = 3"), "{wrong}");
+}
+
+#[test]
+fn what_is_not_its_own_is_never_removed() {
+    let folder = stage("foreign");
+    let verify = ["verify", "stage.toml", "--out", "rows.parquet"];
+    let journal = folder.join("rows.parquet.chunks");
+    fs::create_dir(&journal).expect("a folder");
+    fs::write(journal.join("mine"), "precious").expect("a file");
+    let (code, _, wrong) = run_in(&folder, &verify);
+    assert_eq!(code, Some(2));
+    assert!(wrong.contains("rows.parquet.chunks is a folder"), "{wrong}");
+    assert_eq!(fs::read_to_string(journal.join("mine")).expect("there"), "precious");
+    fs::remove_dir_all(&journal).expect("removed");
+    fs::write(&journal, "precious").expect("a file");
+    let (code, _, wrong) = run_in(&folder, &verify);
+    assert_eq!(code, Some(2));
+    assert!(wrong.contains("rows.parquet.chunks is not a file of this program"), "{wrong}");
+    assert_eq!(fs::read_to_string(&journal).expect("there"), "precious");
+    assert_eq!(names(&folder), ["rows.parquet.chunks", "stage.toml"]);
+}
+
+#[test]
+fn a_signal_keeps_the_rows_and_leaves_nothing_else() {
+    let folder = stage("signals");
+    for signal in ["-TERM", "-INT", "-HUP", "-KILL"] {
+        interrupted(&folder, "rows.parquet", signal);
+        assert_eq!(names(&folder), ["rows.parquet.chunks", "stage.toml"], "{signal}");
+        fs::remove_file(folder.join("rows.parquet.chunks")).expect("removed");
+    }
+}
+
+#[test]
+fn damage_is_told_by_name() {
+    let folder = stage("damage");
+    interrupted(&folder, "rows.parquet", "-KILL");
+    let journal = folder.join("rows.parquet.chunks");
+    let whole = fs::read(&journal).expect("rows");
+    let resume = ["verify", "stage.toml", "--scenarios=20000", "--out", "rows.parquet"];
+    let small = ["verify", "stage.toml", "--out", "part.parquet"];
+    assert_eq!(run_in(&folder, &small).0, Some(0));
+    let part = fs::read(folder.join("part.parquet")).expect("rows");
+    let merge = ["verify", "stage.toml", "--merge", "part.parquet"];
+    assert_eq!(run_in(&folder, &merge).0, Some(0));
+    // A few bits of each; `cargo assure attack` goes through more.
+    for (file, bytes, arguments) in
+        [("rows.parquet.chunks", whole, &resume[..]), ("part.parquet", part, &merge)]
+    {
+        for place in 0..12 {
+            let mut damaged = bytes.clone();
+            // In the journal up to its third record, as what is last may be half there.
+            let byte = place * bytes.len().min(5000) / 12;
+            damaged[byte] ^= 1 << (place % 8);
+            fs::write(folder.join(file), &damaged).expect("written");
+            let (code, printed, wrong) = run_in(&folder, arguments);
+            assert_eq!((code, printed.as_str()), (Some(2), ""), "byte {byte} of {file}: {wrong}");
+            assert!(wrong.contains(file), "byte {byte} of {file}: {wrong}");
+            assert!(fs::read(folder.join(file)).expect("there") == damaged, "it is left as it is");
+        }
+    }
+}
+
+#[test]
+fn rows_can_be_printed() {
+    let folder = stage("printed");
+    let verify = ["verify", "stage.toml", "--out"];
+    let (code, verdict, _) = run_in(&folder, &[&verify[..], &["rows.parquet"]].concat());
+    assert_eq!(code, Some(0));
+    let mut child = command_in(&folder, &[&verify[..], &["-"]].concat())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("runs");
+    let mut rows = Vec::new();
+    child.stdout.take().expect("a pipe").read_to_end(&mut rows).expect("read");
+    let told: Vec<_> = BufReader::new(child.stderr.take().expect("a pipe"))
+        .lines()
+        .map_while(Result::ok)
+        .collect();
+    assert!(rows == fs::read(folder.join("rows.parquet")).expect("there"));
+    assert_eq!(format!("{}\n", told.join("\n")), verdict);
+    assert!(child.wait().expect("ends").success());
+    assert_eq!(names(&folder), ["rows.parquet", "stage.toml"]);
+}

@@ -1,0 +1,67 @@
+//! Designs that are refused.
+
+use super::read;
+
+#[test]
+fn weights_that_overflow_are_refused() {
+    let keys = [
+        ("n", "4"),
+        ("mu", "exp(a=1)"),
+        ("clock", "samples"),
+        ("tau", "1e-9"),
+        ("sample_time", "1e-11"),
+        ("poles", "-5,-6,-7,-8"),
+    ];
+    for (precision, refused) in [("f64", false), ("f32", true)] {
+        let mut keys = keys.to_vec();
+        keys.push(("precision", precision));
+        let spec = read(&keys).expect("a legal design");
+        let found = ptc_codegen::generate(&spec, ptc_codegen::emit::Language::C);
+        assert_eq!(found.is_err(), refused, "{precision}");
+        if let Err(found) = found {
+            assert_eq!(found[0].code, "overflow");
+            assert!(found[0].message.contains("too large for f32"), "{}", found[0].message);
+        }
+    }
+}
+
+#[test]
+fn mistakes_are_named() {
+    let stage = [
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("clock", "samples"),
+        ("tau", "1"),
+        ("sample_time", "0.01"),
+        ("poles", "-3,-4"),
+    ];
+    let cases: [(&str, &str, &str); 17] = [
+        ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
+        ("tau", "0.01", "too few to come to rest"),
+        ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),
+        ("measured", "x2", "name the measured states from x1 on"),
+        ("measured", "x1", "`observer_poles` is missing"),
+        ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
+        ("disturbance", "ramp", "is not one of none, constant"),
+        ("delay", "5", "at most 4 samples of delay"),
+        ("delay", "1", "give 3 poles"),
+        ("deadbeat", "1", "give an integer of at least 2"),
+        ("g", "x1", "takes a constant input gain"),
+        ("f", "x1", "f is the known constant"),
+        ("t0", "1", "arm the controller at the tick"),
+        ("after", "extern", "no user-defined law after the deadline"),
+        ("guard", "result", "has the guards full and none"),
+        ("eps", "2", "not below tau"),
+        ("clock", "ticks", "is not one of time, samples"),
+    ];
+    for (key, value, wanted) in cases {
+        let mut keys: Vec<_> = stage.iter().copied().filter(|(own, _)| *own != key).collect();
+        keys.push((key, value));
+        let found = read(&keys).expect_err(&format!("{key} = {value}"));
+        assert!(found.contains(wanted), "{key} = {value}: {found}");
+    }
+    let mut keys: Vec<_> = stage.iter().copied().filter(|(own, _)| *own != "clock").collect();
+    keys.push(("measured", "x1"));
+    let found = read(&keys).expect_err("no clock in samples");
+    assert!(found.contains("needs a clock in samples"), "{found}");
+}

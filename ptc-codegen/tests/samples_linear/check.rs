@@ -1,0 +1,52 @@
+//! The check `loop` against simulated runs.
+
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::plant::Plant;
+use ptc_codegen::simulate::{Loop, Sampled, Values};
+
+use super::read;
+
+/// The worst case of the check is the worst corner of simulated runs.
+#[test]
+fn the_check_and_the_simulation_judge_one_plant() {
+    for (own, n) in [
+        (
+            "sample_time = 0.001\ntau = 0.1\ndelay = 1\npoles = [-4,-5,-6,-7]\neps = 0.03\n\
+          measured = [\"x1\"]\nobserver_poles = [-4,-5,-6]\nobserver_eps = 0.02\n\
+          [plant]\nA = [[0,1,0],[0,-0.5,1500],[0,-15,-600]]\nB = [0,0,500]\n",
+            3,
+        ),
+        (
+            "sample_time = 0.01\ntau = 0.4\npoles = [-3,-4]\neps = 0.1\n\
+          [plant]\nA = [[0,1],[49,0]]\nB = [0,-1.3]\nC = [[1,0.5],[0.2,-1]]\n",
+            2,
+        ),
+    ] {
+        let corner = vec!["0.5"; n].join(",");
+        let spec = read(&format!("x0_max = [{corner}]\nerror = 1e9\n{own}")).expect("a design");
+        let report = examine(&spec);
+        let worst = report.worst.unwrap_or_else(|| panic!("{:?}", report.outcomes));
+        let mut most = vec![0.0_f64; n];
+        let delay = spec.promises.delay.unwrap_or(0);
+        let (period, tau) = if n == 3 { (0.001, 0.1) } else { (0.01, 0.4) };
+        let around = Loop { period, delay, ..Loop::default() };
+        let plant = Plant::default();
+        let values = Values::of(&spec, &plant);
+        for signs in 0..1_u32 << n {
+            let x0: Vec<_> = (0..n).map(|j| if signs >> j & 1 == 0 { 0.5 } else { -0.5 }).collect();
+            let mut end = Vec::new();
+            let mut run = Sampled::new(&spec, &plant).expect("a loop");
+            run.run(&values, &x0, &around, &mut |sample| {
+                if (sample.t - tau).abs() < 1e-9 {
+                    end = sample.x.to_vec();
+                }
+            })
+            .expect("a run");
+            most.iter_mut().zip(&end).for_each(|(most, x)| *most = most.max(x.abs()));
+        }
+        for (bound, most) in worst.states.iter().zip(&most) {
+            assert!((bound.x0 / most - 1.0).abs() < 1e-6, "{bound:?} {most}");
+            assert!(bound.rounding < 0.05 * bound.x0, "{bound:?}");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Keys, design files and what is fixed when the code is generated.
+
+use ptc::{Error, Status};
+
+use super::{PtcExp2, assert_close, exp_2};
+
+ptc::ptc_controller!(n = 2, mu = exp(a = 1), name = Roll, gains = [6, 5], u_max = inf);
+ptc::ptc_controller!(file = "tests/designs/roll.toml");
+ptc::ptc_controller!(
+    file = "tests/designs/roll.toml",
+    name = Yaw,
+    mu = rational,
+    params.eps = 1e-3
+);
+ptc::ptc_controller!(n = 2, mu = power(a = 1), name = power_of_m, tau = 2, t0 = -1, eps = 1e-3);
+ptc::ptc_controller!(n = 1, mu = exp_sum(3), u_max = inf);
+ptc::ptc_controller!(n = 1, mu = exp_sum(rates = [0.5, 1.5]), name = rates_fixed, u_max = inf);
+ptc::ptc_controller!(
+    n = 1,
+    mu = exp(a = 1),
+    name = bare,
+    gains = [2],
+    tau = 1,
+    t0 = 0,
+    eps = 1e-3,
+    u_max = inf
+);
+
+#[test]
+fn a_design_file_is_its_keys() {
+    let of_file = RollOfFile::new(RollOfFileParams { t0: 0.0 }).expect("a parameter");
+    let roll = Roll::new(RollParams { tau: 2.0, t0: 0.0, eps: 1e-2 }).expect("parameters");
+    let x = [0.3, -0.7];
+    for t in [0.0, 1.25, 1.995, 3.0] {
+        assert_eq!(of_file.step(t, &x).expect("a control"), roll.step(t, &x).expect("a control"));
+    }
+    // Keys beside the file stand for those in it: at 5 ms before the end its eps would hold.
+    let yaw = Yaw::new(YawParams { t0: 0.0, a: 1.0 }).expect("parameters");
+    assert_eq!(yaw.step(1.995, &x).expect("a control").status, Status::Ok);
+    assert_eq!(of_file.step(1.995, &x).expect("a control").status, Status::Hold);
+}
+
+/// A literal of the parameters names every field, so these compile only if the fields are those.
+#[test]
+fn what_is_fixed_is_no_parameter() {
+    let roll = Roll::new(RollParams { tau: 1.0, t0: 0.0, eps: 1e-4 });
+    let roll = roll.expect("parameters in their domains");
+    let free = PtcExp2::new(exp_2()).expect("parameters in their domains");
+    let x = [0.3, -0.7];
+    let found = roll.step(0.5, &x).expect("a control");
+    let wanted = free.step(0.5, &x).expect("a control");
+    assert_close(found.u, wanted.u, 1e-14, 0.5);
+
+    let power = PowerOfM::new(PowerOfMParams { u_max: 1.0, m: 2.0, k: [1.0, 2.0] });
+    let power = power.expect("parameters in their domains");
+    assert_eq!(power.step(-1.5, &x).map(|_| ()), Err(Error::Input));
+    assert_eq!(power.step(1.0, &[0.0; 2]).map(|c| c.status), Ok(Status::Hold));
+
+    let sum = PtcExpSum1Params { tau: 1.0, t0: 0.0, eps: 1e-4, rates: [1.0; 3], k: [1.0] };
+    let sum = PtcExpSum1::new(sum).expect("parameters in their domains");
+    // Equal rates are the exp family: u = -k x/(a T).
+    assert_close(sum.step(0.5, &[1.0]).expect("a control").u, -2.0, 1e-13, 0.5);
+
+    let rates = RatesFixed::new(RatesFixedParams { tau: 1.0, t0: 0.0, eps: 1e-4, k: [1.0] });
+    let u = rates.expect("parameters in their domains").step(0.0, &[1.0]).expect("a control").u;
+    // mu'(0) = tau (0.5 + 1.5)/2.
+    assert_close(u, -1.0, 1e-13, 0.0);
+
+    let bare = Bare::new(BareParams {}).expect("parameters in their domains");
+    assert_close(bare.step(0.5, &[1.0]).expect("a control").u, -4.0, 1e-14, 0.5);
+}
+
+/// What a macro_rules macro passes on is read as if it were written there.
+#[test]
+fn arguments_come_from_other_macros_too() {
+    macro_rules! of_order {
+        ($n:literal, $name:ident, $tau:expr) => {
+            ptc::ptc_controller!(n = $n, mu = tanh, name = $name, tau = $tau);
+        };
+    }
+    of_order!(2, inner, 2.5);
+    let params = InnerParams { t0: 0.0, eps: 1e-3, u_max: 1.0, a: 1.0, k: [1.0, 2.0] };
+    assert!(Inner::new(params).is_ok());
+}
