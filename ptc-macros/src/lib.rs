@@ -6,7 +6,7 @@ mod input;
 
 use proc_macro2::TokenStream;
 use ptc_codegen::diagnostic::Diagnostic;
-use ptc_codegen::{macro_items, request};
+use ptc_codegen::{macro_items, plant};
 
 #[allow(missing_docs)] // Told where users meet it, at the re-export of `ptc`.
 #[proc_macro]
@@ -16,8 +16,8 @@ pub fn ptc_controller(tokens: proc_macro::TokenStream) -> proc_macro::TokenStrea
 
 fn expand(tokens: TokenStream) -> TokenStream {
     let input = input::read(tokens);
-    let items = match request::read(&input.entries) {
-        Ok(spec) if input.wrong.is_empty() => macro_items(&spec).and_then(|text| lex(&text)),
+    let items = match plant::read_design(&input.entries) {
+        Ok((spec, _)) if input.wrong.is_empty() => macro_items(&spec).and_then(|text| lex(&text)),
         Ok(_) => Err(Vec::new()),
         Err(found) => Err(found),
     };

@@ -103,6 +103,7 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "from_noise": each(&|bound| bound.noise.iter().sum()),
         "from_noise_of": worst.states.iter().map(|bound| &bound.noise).collect::<Vec<_>>(),
         "from_u_step": each(&|bound| bound.actuator),
+        "from_f": each(&|bound| bound.force),
         "from_rounding": each(&|bound| bound.rounding),
         "u": worst.way.as_ref().map(|way| way.u),
         "x": worst.way.as_ref().map(|way| &way.x),

@@ -9,7 +9,7 @@ use ptc_codegen::internal::INTERNAL;
 use ptc_codegen::keys::{KEYS, KeyInfo};
 use ptc_codegen::limits::ENTRIES;
 use ptc_codegen::plant::{self, Plant};
-use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::request::{Entry, Spec};
 use ptc_codegen::syntax::parse;
 
 use super::report::{Exit, Failure, Notice, Quote, quoted};
@@ -201,11 +201,7 @@ impl Parsed<'_> {
 
     /// The same with the plant, if the design has one.
     pub(crate) fn read_with_plant(&self) -> Result<(Spec, Option<Plant>), Failure> {
-        let read = read(&self.entries).and_then(|spec| {
-            let plant = plant::read(&self.entries, &spec)?;
-            Ok((spec, plant))
-        });
-        match read {
+        match plant::read_design(&self.entries) {
             Ok(both) => self.finish(Some(both), Vec::new()),
             Err(found) => self.finish(None, found),
         }

@@ -11,18 +11,33 @@
 //! f is 0 and g the controller's own unless they are given; a g that differs is an error of the
 //! gain. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
 
+mod force;
 mod read;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+#[cfg(feature = "lab")]
+pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};
 
+use crate::diagnostic::Diagnostic;
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::Spec;
+use crate::request::{self, Entry, Spec};
 
 /// The table of a design file that holds the plant.
 pub const TABLE: &str = "plant";
+
+/// Reads a design: its controller, which knows what the plant is bounded by, and the plant, if it has one.
+///
+/// # Errors
+/// Every mistake in the controller, else every mistake in the table `[plant]`.
+pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
+    let mut spec = request::read(entries)?;
+    let plant = read(entries, &spec)?;
+    spec.promises.truth = plant.as_ref().map(|plant| plant.truth(&spec, entries));
+    Ok((spec, plant))
+}
 
 /// What moves the state of a chain of integrators.
 #[derive(Clone, Debug, PartialEq, Eq)]

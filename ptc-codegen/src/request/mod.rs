@@ -90,6 +90,26 @@ pub struct Promises {
     pub x_max: Vec<Fixed>,
     /// Checks that may fail.
     pub allow: Vec<String>,
+    /// What moves the plant beside u; `None` for a chain with f = 0 and the controller's own g.
+    pub truth: Option<Truth>,
+}
+
+/// What the sampled loop knows of the plant of a design.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Truth {
+    /// f is `middle`, and as far from it as both others together; g is a number.
+    Bounded {
+        /// The middle of f.
+        middle: BigRational,
+        /// How far f may be from there for all of a run.
+        constant: BigRational,
+        /// How far it may be from that, as any signal.
+        varying: BigRational,
+        /// The true g; `None` for the controller's own.
+        gain: Option<BigRational>,
+    },
+    /// Why it knows less.
+    Unknown(String),
 }
 
 /// What a call of the controller is given beside the state.

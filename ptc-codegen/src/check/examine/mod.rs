@@ -26,7 +26,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::request::{After, Clock, Feedback, Spec, What};
+use crate::request::{After, Clock, Feedback, Spec, Truth, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -163,8 +163,10 @@ fn superseded(outcome: Outcome, decided: bool) -> Outcome {
 /// Where eps is open and something disturbs the loop, the eps whose worst final error is least.
 fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
     let promises = &spec.promises;
-    let disturbed =
-        !promises.noise.is_empty() || !promises.sensor_step.is_empty() || promises.u_step.is_some();
+    let disturbed = !promises.noise.is_empty()
+        || !promises.sensor_step.is_empty()
+        || promises.u_step.is_some()
+        || matches!(promises.truth, Some(Truth::Bounded { .. }));
     let open = !spec.fixed.contains_key(&Parameter::Eps);
     if !disturbed || !open || known::lacking(spec).is_some() {
         return;

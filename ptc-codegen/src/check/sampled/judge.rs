@@ -7,6 +7,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::chain::{Chain, Gains};
 use super::emitted;
+use super::force::Force;
 use super::gains::gains;
 use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
@@ -15,7 +16,7 @@ use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::Spec;
+use crate::request::{Spec, Truth};
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
@@ -67,9 +68,10 @@ impl<'a> Loop<'a> {
         if promises.x0_max.is_empty() {
             return Err("`x0_max` is not given".to_owned());
         }
-        let gain = match &spec.input_gain {
-            None => BigRational::from_integer(1.into()),
-            Some(g) => g.number().cloned().ok_or("the input gain g is not a number")?,
+        let gain = match (&promises.truth, &spec.input_gain) {
+            (Some(Truth::Bounded { gain: Some(gain), .. }), _) => gain.clone(),
+            (_, None) => BigRational::from_integer(1.into()),
+            (_, Some(g)) => g.number().cloned().ok_or("the input gain g is not a number")?,
         };
         let count = &tau / &h;
         let samples = count.round();
@@ -116,7 +118,21 @@ impl<'a> Loop<'a> {
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
         sampled.noise = (0..self.chain.sensors()).map(noise).collect();
         sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
+        sampled.force = self.force();
         sampled
+    }
+
+    /// What moves the plant beside u, if that is bounded and not 0.
+    fn force(&self) -> Option<Force> {
+        let Some(Truth::Bounded { middle, constant, varying, .. }) = &self.spec.promises.truth
+        else {
+            return None;
+        };
+        let [middle, constant, varying] =
+            [middle, constant, varying].map(|part| part.to_f64().unwrap_or(f64::INFINITY));
+        let of_one = Chain::new(self.spec.n, self.period, Range::from(1.0), 0);
+        let force = Force { middle, constant, varying, column: of_one.input };
+        (force.most() > 0.0).then_some(force)
     }
 
     /// The loop with the emitted program.
@@ -176,14 +192,19 @@ impl<'a> Loop<'a> {
                 way.u_attained = way.u_attained.max(bound.attained());
             }
             for i in 0..n {
-                let mut take = |output: &Output| {
+                let mut take = |output: &Output, more: f64| {
                     let bound = sampled.bound(output, k, Some(&fading));
-                    way.x[i] = way.x[i].max(bound.total());
+                    way.x[i] = way.x[i].max(bound.total() + more);
                 };
-                take(&sampled.state(i + 1));
-                // Between samples the states of a chain are polynomials.
+                take(&sampled.state(i + 1), 0.0);
+                // Between samples the states of a chain are polynomials, to which f adds at most what
+                // it does in a whole sample.
                 if k < self.samples && self.chain.outputs.is_none() {
-                    self.between(sampled, i).iter().for_each(take);
+                    let more = sampled.force.as_ref().map_or(0.0, |force| {
+                        let (value, error) = force.column[i];
+                        force.most() * (value + error)
+                    });
+                    self.between(sampled, i).iter().for_each(|output| take(output, more));
                 }
             }
         }
@@ -191,8 +212,9 @@ impl<'a> Loop<'a> {
         finite.then_some(way)
     }
 
-    /// The inner control points of x_{i+1} between two samples in Bernstein's form, of which it is a
-    /// convex combination together with its values at the samples.
+    /// The control points of x_{i+1} between two samples in Bernstein's form, of which it is a convex
+    /// combination: the inner ones, as the others are its values at the samples. With an f, which those
+    /// at the end of the sample hold, the last one too.
     fn between(&self, sampled: &Sampled, i: usize) -> Vec<Output> {
         let (n, size) = (self.spec.n, sampled.size());
         let degree = n - i;
@@ -214,7 +236,8 @@ impl<'a> Loop<'a> {
             }
             output
         };
-        (1..degree).map(point).collect()
+        let last = degree + usize::from(sampled.force.is_some());
+        (usize::from(sampled.force.is_none())..last).map(point).collect()
     }
 
     /// The eps whose worst final error is least, in parts of `error` where that is given.

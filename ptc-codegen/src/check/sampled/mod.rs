@@ -1,13 +1,14 @@
 //! The loop that runs: the emitted law, called once a sample, its output held in between.
 //!
 //! For a linear law the loop is linear, and the worst that bounded noise, steps of sensors and
-//! actuator, delay and the state at the start can do is a finite sum (`worst`), attained by the signs
+//! actuator, delay, the plant's f and the state at the start can do is a finite sum (`worst`), attained by the signs
 //! of its terms. The gains are those of the emitted program with its rounding (`gains`, `rounded`),
 //! the chain between two samples is exact (`chain`), and what the arithmetic of the sum itself may
 //! lose is bounded with the transitions of the loop (`transition`).
 
 mod chain;
 mod emitted;
+mod force;
 mod gains;
 mod judge;
 mod outcome;

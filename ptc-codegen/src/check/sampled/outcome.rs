@@ -3,12 +3,13 @@
 use num_traits::ToPrimitive;
 
 use super::judge::{Loop, Worst};
+use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::Spec;
+use crate::request::{Spec, Truth};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
@@ -44,13 +45,22 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let told =
         |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
+    let unknown = match &spec.promises.truth {
+        Some(Truth::Unknown(why)) => Some(why),
+        _ => None,
+    };
     let (verdict, summary) = match () {
         () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
         () if clipped => (
             Verdict::Undecided,
             format!("u may be clipped, and the bounds hold only without: {}", told(state)),
         ),
-        () if most <= 1.0 => (Verdict::Sound, all),
+        () if most <= 1.0 => match unknown {
+            Some(why) => {
+                (Verdict::Undecided, format!("with f = 0 and the law's own g {all}: {why}"))
+            }
+            None => (Verdict::Sound, all),
+        },
         () if share(&proved).1 > 1.0 => {
             (Verdict::Refuted, format!("{}, above error = {}", told(state), digits(wanted[state])))
         }
@@ -110,16 +120,42 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         absent => format!("; without {}, not given", absent.join(", ")),
     };
     let start = match (spec.sampled(), spec.fixed.get(&Parameter::StartTime)) {
-        (Some(own), _) if own.disturbance => "d = 0 (its bound is not given)".to_owned(),
+        (Some(own), _) if own.disturbance && spec.promises.truth.is_none() => {
+            "d = 0 (its bound is not given)".to_owned()
+        }
         (Some(_), _) => "at any tick".to_owned(),
         (None, Some(start)) => format!("t0 = {start}"),
         (None, None) => "t0 = 0 (left to run time)".to_owned(),
     };
     let plant = match linear(spec) {
         true => format!("the plant x' = A x + B u over {samples} samples"),
-        false => format!("the chain of integrators over {samples} samples, f = 0"),
+        false => format!("the chain of integrators over {samples} samples, {}", force(spec)),
     };
     format!("{plant}, {start}{absent}")
+}
+
+/// What f and g of the plant are taken as.
+fn force(spec: &Spec) -> String {
+    let Some(Truth::Bounded { middle, constant, varying, gain }) = &spec.promises.truth else {
+        return "f = 0".to_owned();
+    };
+    let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
+    let own = gain.as_ref().map(|gain| format!(", g = {}", number(gain))).unwrap_or_default();
+    let zero = BigRational::default();
+    let f = match () {
+        () if *constant == zero && *varying == zero => format!("f = {}", number(middle)),
+        () => {
+            let most = constant + varying;
+            let signal = match (*constant == zero, *varying == zero) {
+                (_, true) => "constant",
+                (true, _) => "any signal",
+                _ => "in part constant",
+            };
+            let [low, high] = [middle - &most, middle + &most].each_ref().map(number);
+            format!("f in [{low}, {high}], {signal}")
+        }
+    };
+    format!("{f}{own}")
 }
 
 /// Whether the plant is not a chain.
@@ -142,6 +178,9 @@ fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     if bound.actuator > 0.0 {
         parts.push(format!("{} steps of the actuator", digits(bound.actuator)));
     }
+    if bound.force > 0.0 {
+        parts.push(format!("{} f", digits(bound.force)));
+    }
     parts.push(format!("{} rounding", digits(bound.rounding)));
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
@@ -157,7 +196,8 @@ fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
 fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     let bound = &worst.states[state];
     let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, noise_of(spec, j)));
-    let others = [(bound.x0, "x0".to_owned()), (bound.actuator, "u_step".to_owned())];
+    let others = [(bound.x0, "x0"), (bound.actuator, "u_step"), (bound.force, "f")];
+    let others = others.map(|(part, cause)| (part, cause.to_owned()));
     let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
     let largest = largest.map(|(part, cause)| {
         let percent = digits((100.0 * part / bound.attained()).round());

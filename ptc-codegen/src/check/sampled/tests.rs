@@ -1,6 +1,7 @@
 //! Worst cases against independent values in long arithmetic.
 
 use super::chain::Chain;
+use super::force::Force;
 use super::gains::gains;
 use super::worst::{Sampled, Signals};
 use crate::expression::interval::Interval;
@@ -125,6 +126,82 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
         }
     }
     assert!(checked >= 15, "{checked}");
+}
+
+/// What an f of 1 for a moment makes of the states at sample `at`, with a part of sample `k` left.
+fn kick(sampled: &Sampled, (k, left): (usize, f64), at: usize) -> Vec<f64> {
+    let (n, delay) = (sampled.chain.n, sampled.chain.delay);
+    let h = sampled.chain.shares[1];
+    let mut term = 1.0;
+    let mut x = vec![0.0; n];
+    for i in (0..n).rev() {
+        x[i] = term;
+        term *= left * h / (n - i) as f64;
+    }
+    let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
+    for k in k + 1..at {
+        let gains = sampled.step(k).u.of_state.iter().map(|(gain, _)| gain);
+        late.push_back(gains.zip(&x).map(|(gain, x)| gain * x).sum());
+        let u = late.pop_front().expect("an input");
+        let shares = &sampled.chain.shares;
+        let next = |i: usize| {
+            let chain: f64 = (i..n).map(|j| shares[j - i] * x[j]).sum();
+            chain + shares[n - i] * sampled.chain.gain * u
+        };
+        x = (0..n).map(next).collect();
+    }
+    x
+}
+
+#[test]
+fn a_force_within_bounds_does_what_all_its_kicks_do() {
+    for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 1)] {
+        let samples = 40;
+        let mut spec = Spec::new(n, Family::Exp);
+        spec.fixed.insert(Parameter::A, number("1").expect("1"));
+        spec.fixed.insert(Parameter::Tau, number("1").expect("1"));
+        spec.fixed.insert(Parameter::Eps, number("0.3").expect("eps"));
+        spec.fixed.insert(Parameter::UMax, Fixed::Infinite);
+        for (i, gain) in (1..).zip(poles.split(',')) {
+            spec.fixed.insert(Parameter::Gain(i), number(gain).expect("a gain"));
+        }
+        let h = Range::from(1.0) / Range::from(samples as f64);
+        let rows = gains(&spec, None, h, samples).expect("gains");
+        let chain = Chain::new(n, h, Range::from(1.0), delay);
+        let mut sampled = Sampled::new(chain.clone(), &rows);
+        let force = |middle, constant, varying| Force {
+            middle,
+            constant,
+            varying,
+            column: chain.input.clone(),
+        };
+        let parts = 400;
+        let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
+        for k in 0..samples {
+            for part in 0..parts {
+                let left = (f64::from(part) + 0.5) / f64::from(parts);
+                let kick = kick(&sampled, (k, left), samples);
+                for (i, x) in kick.iter().enumerate() {
+                    let own = x * h.middle() / f64::from(parts);
+                    (sums[i], sizes[i]) = (sums[i] + own, sizes[i] + own.abs());
+                }
+            }
+        }
+        for i in 0..n {
+            let output = sampled.state(i + 1);
+            let mut bound = |force: Force| {
+                sampled.force = Some(force);
+                let fading = sampled.fading(Some(&output), samples);
+                sampled.bound(&output, samples, fading.as_ref())
+            };
+            let all = bound(force(-2.0, 0.5, 0.1));
+            let expected = 2.5 * sums[i].abs() + 0.1 * sizes[i];
+            assert!((all.force / expected - 1.0).abs() < 1e-5, "n = {n}, x{}: {all:?}", i + 1);
+            let varying = bound(force(0.0, 0.0, 1.0));
+            assert!((varying.force / sizes[i] - 1.0).abs() < 1e-5, "n = {n}: {varying:?}");
+            assert!(varying.rounding < 1e-7 * varying.force, "n = {n}: {varying:?}");
+        }
+    }
 }
 
 /// The state at sample `at` under the given signals, from the chain's own definition.

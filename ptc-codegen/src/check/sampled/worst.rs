@@ -9,6 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::chain::{Chain, Gains, Step, Unit};
+use super::force::Force;
 use super::transition::growth;
 
 /// A linear loop with the bounds of what disturbs it.
@@ -29,6 +30,8 @@ pub(super) struct Sampled {
     pub(super) noise: Vec<f64>,
     /// Bound of the error of the actuator: half its step.
     pub(super) actuator: f64,
+    /// What moves the plant beside u.
+    pub(super) force: Option<Force>,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds).
@@ -47,6 +50,8 @@ pub struct Bound {
     pub noise: Vec<f64>,
     /// From the steps of the actuator.
     pub actuator: f64,
+    /// From f of the plant.
+    pub force: f64,
     /// From rounding in the emitted program, and the room that the proof takes.
     pub rounding: f64,
 }
@@ -59,7 +64,7 @@ impl Bound {
 
     /// What the worst signals reach at least.
     pub fn attained(&self) -> f64 {
-        self.x0 + self.noise.iter().sum::<f64>() + self.actuator
+        self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
     }
 }
 
@@ -117,7 +122,7 @@ impl Sampled {
             Unit::Power(_) => None,
         };
         let gains = units[..chain.n].iter().filter_map(gained).collect();
-        Self { chain, steps, acting, units, gains, x0, noise, actuator: 0.0 }
+        Self { chain, steps, acting, units, gains, x0, noise, actuator: 0.0, force: None }
     }
 
     /// Length of the state.
@@ -221,8 +226,16 @@ impl Sampled {
         }
         let mut before = Vec::new();
         let mut seen = Vec::new();
+        let (mut constant, mut varying) = (0.0, [0.0; 2]);
         for k in (0..at).rev() {
             let step = self.step(k);
+            if let Some(force) = &self.force {
+                constant += force.signed(&row);
+                if force.varying > 0.0 {
+                    let size = force.size(&self.chain, &row);
+                    varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
+                }
+            }
             let by = |column: &Vec<(f64, f64)>| -> f64 {
                 row.iter().zip(column).map(|(p, (b, _))| p * b).sum()
             };
@@ -231,7 +244,8 @@ impl Sampled {
             self.add(&mut bound, &seen);
             if let Some(fading) = fading {
                 let scale = &fading.scales[k + 1];
-                for (column, limit) in step.columns.iter().zip(self.limits()) {
+                let force = self.force.iter().map(|force| (&force.column, force.most()));
+                for (column, limit) in step.columns.iter().zip(self.limits()).chain(force) {
                     let reach = column.iter().zip(scale);
                     let reach =
                         reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
@@ -245,6 +259,12 @@ impl Sampled {
             std::mem::swap(&mut row, &mut before);
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
+        if let Some(force) = &self.force {
+            let [least, most] = varying;
+            bound.force =
+                (force.middle.abs() + force.constant) * constant.abs() + force.varying * least;
+            rounding += force.varying * (most - least);
+        }
         if let Some(fading) = fading {
             let scale = fading.scales[0].iter().zip(&self.x0);
             rounding += off * fading.growth * scale.map(|(d, x0)| d * x0).fold(0.0, f64::max);

@@ -27,6 +27,8 @@ impl Reader<'_> {
             x0_max: self.bounds("x0_max", n),
             x_max: self.bounds("x_max", n),
             allow: self.allowed(),
+            // Read with the table [plant].
+            truth: None,
         }
     }
 

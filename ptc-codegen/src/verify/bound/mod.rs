@@ -22,7 +22,7 @@ mod rounding;
 mod series;
 mod weight;
 
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 
 use cell::{BEYOND, Drift, Loop};
 use clock::Clock;
@@ -39,6 +39,7 @@ use crate::expression::normal::normal;
 use crate::expression::range::Range;
 use crate::expression::{Expression, existence};
 use crate::parameter::{Fixed, Parameter};
+use crate::plant::{Bounded, force};
 use crate::request::Feedback;
 
 /// Cells of T/tau at which the loop may be looked at, for all objectives together.
@@ -255,44 +256,17 @@ fn spent(share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
 
 /// The middle of f, how far it may be from there for all of a run, and how far from that.
 fn drift(campaign: &Campaign, values: &Values) -> Result<[BigRational; 3], String> {
-    let known = campaign.plant.f.substitute(&|e| match e {
-        Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
-        _ => None,
-    });
     let of_constants =
         campaign.intervals.iter().map(|(symbol, interval)| (*symbol, *interval, true));
     let of_signals = campaign.disturbances.iter().map(|(symbol, interval, signals)| {
         (*symbol, *interval, signals.iter().all(|signal| *signal == Signal::Constant))
     });
-    let bounded: Vec<_> = of_constants.chain(of_signals).collect();
-    let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
-    let other = || format!("f = {} is not a sum of bounded symbols", campaign.plant.f);
-    // f with one of them 1, and the others 0.
-    let with = |one: Option<Parameter>| {
-        let value = |e: &Expression| {
-            let (symbol, ..) = bounded.iter().find(|(symbol, ..)| is(e, *symbol))?;
-            Some(Expression::integer(i64::from(one == Some(*symbol))))
-        };
-        let f = normal(&known.substitute(&value));
-        f.number().cloned().ok_or_else(other)
+    let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is not a number");
+    let one = |(symbol, (low, high), is_constant): (Parameter, (f64, f64), bool)| {
+        Ok::<Bounded, &str>((symbol, [exact(low)?, exact(high)?], is_constant))
     };
-    let exact = |value: f64| BigRational::from_float(value).ok_or("a bound of f is no number");
-    let alone = with(None)?;
-    let (mut middle, mut constant, mut varying) = (alone.clone(), integer(0), integer(0));
-    let mut rest = known.clone().sub(Expression::Number(alone.clone()));
-    for (symbol, (low, high), is_constant) in &bounded {
-        let share = with(Some(*symbol))? - &alone;
-        let [low, high] = [exact(*low)?, exact(*high)?];
-        middle += &share * (&low + &high) / integer(2);
-        let most = if *is_constant { &mut constant } else { &mut varying };
-        *most += (&share * (&high - &low) / integer(2)).abs();
-        rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
-    }
-    let needs = existence::needs(&campaign.plant.f);
-    if normal(&rest) != Expression::integer(0) || !needs.is_empty() {
-        return Err(other());
-    }
-    Ok([middle, constant, varying])
+    let bounded = of_constants.chain(of_signals).map(one).collect::<Result<Vec<_>, _>>()?;
+    force(&campaign.plant.f, values, &bounded)
 }
 
 /// The middle of an interval, as one.

@@ -1,0 +1,83 @@
+//! What a bounded f makes of a sum over the states within a sample.
+//!
+//! An f of 1 for a moment, with r of the sample left, moves x_i by r^(n-i)/(n-i)!. A row p sees of it
+//! the polynomial sum_i p_i r^(n-i)/(n-i)!, and of all |f| <= 1 that sees most which turns with its
+//! sign: the integral of its size.
+
+use super::chain::{Chain, Near};
+
+/// Halvings of a sample after which a root of the polynomial is close enough.
+const DEPTH: u32 = 40;
+
+/// What the root is close enough for, as a part of the integral.
+const CLOSE: f64 = 1e-10;
+
+/// Bounds of f, and what a constant f of 1 makes of the states in a sample.
+#[derive(Clone, Debug)]
+pub(super) struct Force {
+    pub(super) middle: f64,
+    /// How far f may be from the middle for all of a run.
+    pub(super) constant: f64,
+    /// How far it may be from that, as any signal.
+    pub(super) varying: f64,
+    pub(super) column: Vec<Near>,
+}
+
+impl Force {
+    /// The greatest |f|.
+    pub(super) fn most(&self) -> f64 {
+        self.middle.abs() + self.constant + self.varying
+    }
+
+    /// What a constant f of 1 adds to the sum of a row in a sample.
+    pub(super) fn signed(&self, row: &[f64]) -> f64 {
+        row.iter().zip(&self.column).map(|(p, (b, _))| p * b).sum()
+    }
+
+    /// Two numbers between which is the most that any |f| <= 1 adds, of a chain.
+    pub(super) fn size(&self, chain: &Chain, row: &[f64]) -> [f64; 2] {
+        let n = chain.n;
+        // The polynomial by the part of the sample that is left, in Bernstein's form.
+        let mut points = vec![0.0; n];
+        let mut ratio = vec![1.0; n];
+        for (m, point) in points.iter_mut().enumerate() {
+            for (j, part) in ratio.iter_mut().enumerate().take(m + 1) {
+                // choose(m, j)/choose(n - 1, j)
+                if j > 0 {
+                    *part = (0..j).map(|l| real(m - l) / real(n - 1 - l)).product();
+                }
+                *point += *part * row[n - 1 - j] * chain.shares[j];
+            }
+        }
+        let length = chain.shares.get(1).copied().unwrap_or_default();
+        let enough = CLOSE * points.iter().map(|point| point.abs()).sum::<f64>() / real(n);
+        size(&points, DEPTH, enough).map(|part| part * length)
+    }
+}
+
+/// Bounds of the mean of the size of a polynomial in Bernstein's form: the mean of its points is its
+/// own mean, and that of their sizes no less than the mean of its size.
+fn size(points: &[f64], depth: u32, enough: f64) -> [f64; 2] {
+    let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / real(points.len());
+    let least = mean(&mut points.iter().copied()).abs();
+    let most = mean(&mut points.iter().map(|point| point.abs()));
+    if most - least <= enough || depth == 0 {
+        return [least, most];
+    }
+    // De Casteljau: the points of both halves.
+    let mut row = points.to_vec();
+    let (mut left, mut right) = (vec![row[0]], vec![row[row.len() - 1]]);
+    while row.len() > 1 {
+        row = row.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+        left.push(row[0]);
+        right.push(row[row.len() - 1]);
+    }
+    right.reverse();
+    let [a, b] = [left, right].map(|half| size(&half, depth - 1, enough));
+    [0, 1].map(|end| 0.5 * (a[end] + b[end]))
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn real(count: usize) -> f64 {
+    count as f64
+}

@@ -1,0 +1,101 @@
+//! An f that is a sum of bounded symbols: within which numbers it stays, for a run and at any time.
+
+use std::collections::BTreeMap;
+
+use num_traits::Signed;
+
+use super::Plant;
+use crate::algebra::{BigRational, integer};
+use crate::expression::normal::normal;
+use crate::expression::{Expression, existence};
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Entry, Spec, Truth};
+use crate::syntax::{Node, Value};
+
+/// A symbol with its least and greatest value, and whether it is constant for all of a run.
+pub(crate) type Bounded = (Parameter, [BigRational; 2], bool);
+
+/// The middle of `f`, how far it may be from there for all of a run, and how far from that at any
+/// time.
+///
+/// # Errors
+/// That f is not a sum of bounded symbols.
+pub(crate) fn force(
+    f: &Expression,
+    values: &BTreeMap<Parameter, BigRational>,
+    bounded: &[Bounded],
+) -> Result<[BigRational; 3], String> {
+    let known = f.substitute(&|e| match e {
+        Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+        _ => None,
+    });
+    let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
+    let other = || format!("f = {f} is not a sum of bounded symbols");
+    // f with one of them 1, and the others 0.
+    let with = |one: Option<Parameter>| {
+        let value = |e: &Expression| {
+            let (symbol, ..) = bounded.iter().find(|(symbol, ..)| is(e, *symbol))?;
+            Some(Expression::integer(i64::from(one == Some(*symbol))))
+        };
+        let f = normal(&known.substitute(&value));
+        f.number().cloned().ok_or_else(other)
+    };
+    let alone = with(None)?;
+    let (mut middle, mut constant, mut varying) = (alone.clone(), integer(0), integer(0));
+    let mut rest = known.clone().sub(Expression::Number(alone.clone()));
+    for (symbol, [low, high], is_constant) in bounded {
+        let share = with(Some(*symbol))? - &alone;
+        middle += &share * (low + high) / integer(2);
+        let most = if *is_constant { &mut constant } else { &mut varying };
+        *most += (&share * (high - low) / integer(2)).abs();
+        rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
+    }
+    if normal(&rest) != Expression::integer(0) || !existence::needs(f).is_empty() {
+        return Err(other());
+    }
+    Ok([middle, constant, varying])
+}
+
+impl Plant {
+    /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
+    pub(super) fn truth(&self, spec: &Spec, entries: &[Entry]) -> Truth {
+        let fixed = spec.fixed.iter().chain(&self.fixed);
+        let values: BTreeMap<_, _> =
+            fixed.filter_map(|(name, value)| Some((*name, value.number()?.clone()))).collect();
+        // A symbol that no signal moves is one number for all of a run.
+        let moves = |symbol: &Parameter| {
+            let own = format!("disturbance.{}", symbol.spelling());
+            let mut given = entries.iter().filter(|entry| entry.key == own);
+            given.any(|entry| !is_constant(&entry.value))
+        };
+        let bounded = self.bounds.iter().filter_map(|(symbol, (low, high))| {
+            let ends = [low, high].map(|end| Fixed::number(end).cloned());
+            let [low, high] = ends.map(Option::unwrap_or_default);
+            Some((*symbol, [low, high], !moves(symbol)))
+        });
+        let force = force(&self.f, &values, &bounded.collect::<Vec<_>>());
+        let gain = self.g.as_ref().map(|g| {
+            let known = g.substitute(&|e| match e {
+                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+                _ => None,
+            });
+            let number = normal(&known).number().cloned();
+            number.ok_or_else(|| format!("the plant's g = {g} is not a number"))
+        });
+        match (force, gain.transpose()) {
+            (Ok([middle, constant, varying]), Ok(gain)) => {
+                Truth::Bounded { middle, constant, varying, gain }
+            }
+            (Err(why), _) | (_, Err(why)) => Truth::Unknown(why),
+        }
+    }
+}
+
+/// Whether a value of `[disturbance]` is the word `constant` alone.
+fn is_constant(node: &Node) -> bool {
+    match &node.value {
+        Value::Word(word) => word == "constant",
+        Value::List(items) => items.iter().all(is_constant),
+        _ => false,
+    }
+}
