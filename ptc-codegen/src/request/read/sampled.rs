@@ -43,7 +43,13 @@ impl Reader<'_> {
     }
 
     /// The keys of the other clock.
-    pub(super) fn not_sampled(&mut self) {
+    pub(super) fn not_sampled(&mut self, spec: &Spec) {
+        if spec.what == What::Observer {
+            let place = self.keys.get("what").map(|node| node.place);
+            let message = "an observer alone needs a clock in samples".to_owned();
+            let help = "give `clock` = samples, what is measured, `observer_poles` and `observer_samples` beside it";
+            self.wrong("what", place, message, help.to_owned());
+        }
         for key in OWN {
             if let Some(node) = self.keys.get(key).copied() {
                 let message = format!("`{key}` needs a clock in samples");
@@ -98,6 +104,7 @@ impl Reader<'_> {
         };
         let least = sampled.least_samples(spec.n);
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
+        let samples = samples.filter(|_| spec.what != What::Observer);
         if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
             let place = self.keys.get("tau").map(|node| node.place);
             let message = format!("tau is {samples} samples, too few to come to rest");
@@ -108,6 +115,9 @@ impl Reader<'_> {
         }
         spec.clock = Clock::Samples(Box::new(sampled));
         self.deadbeat(spec, spec.n + delay);
+        if spec.what == What::Observer {
+            self.observer_alone(spec);
+        }
     }
 
     fn gain(&mut self, spec: &Spec) -> BigRational {
@@ -282,6 +292,10 @@ impl Reader<'_> {
         a: Option<&BigRational>,
     ) -> Option<Observer> {
         let Some(estimates) = estimates else {
+            if spec.what == What::Observer {
+                self.nothing_to_estimate();
+                return None;
+            }
             for key in ["observer_poles", "observer_samples", "observer_eps", "after_observer"] {
                 if let Some(node) = self.keys.get(key).copied() {
                     let message = format!("`{key}` without an observer");
@@ -346,6 +360,9 @@ impl Reader<'_> {
     }
 
     fn observer_samples(&mut self, spec: &Spec, estimates: usize) -> Option<u32> {
+        if spec.what == What::Observer {
+            return self.samples_alone(spec, estimates, MAX_SAMPLES);
+        }
         let node = self.keys.get("observer_samples").copied()?;
         let order = spec.n + spec.promises.delay.unwrap_or(0);
         let all = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
