@@ -22,6 +22,9 @@ const STAGE: [(&str, &str); 6] = [
 /// The design of the README.
 const ENCODER: &str = include_str!("../../../examples/encoder.toml");
 
+/// Keys in place of those of the stage, and parts of what is told.
+type Mistake = (&'static [(&'static str, &'static str)], &'static [&'static str]);
+
 fn with(changes: &[(&str, &str)]) -> String {
     let kept = STAGE.iter().filter(|(key, _)| changes.iter().all(|(own, _)| own != key));
     let given = kept.chain(changes).filter(|(_, value)| !value.is_empty());
@@ -30,7 +33,7 @@ fn with(changes: &[(&str, &str)]) -> String {
 
 #[test]
 fn mistakes_are_named() {
-    let cases: [(&[(&str, &str)], &[&str]); 20] = [
+    let cases: [Mistake; 20] = [
         (&[("observer_poles", "")], &["`observer_poles` is missing", "give 2 poles"]),
         (&[("observer_poles", "[-4]")], &["1 poles for 2 values that are estimated"]),
         (&[("observer_samples", "")], &["`observer_samples` is missing", "integer 2..=2147483648"]),
@@ -136,7 +139,7 @@ fn what_needs_a_law_is_refused() {
     assert!(found[0].message.contains("a project holds a controller, not an observer alone"));
     assert!(ptc_codegen::generate_selftest(&spec).is_err());
     let folder =
-        folder_with("observer_refused", "encoder.toml", &format!("what = \"observer\"\n{ENCODER}"));
+        folder_with("observer_refused", "encoder.toml", format!("what = \"observer\"\n{ENCODER}"));
     for (arguments, wanted) in [
         (
             &["simulate", "encoder.toml", "--x0", "1,0"][..],
