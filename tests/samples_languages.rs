@@ -346,7 +346,22 @@ fn what_a_language_cannot_say_is_refused() {
         let keys = [("n", "2"), ("mu", "exp"), ("clock", "samples"), ("name", name)];
         spec(&keys)
     };
+    let observer = |length: usize| {
+        let name = "a".repeat(length);
+        spec(&[
+            ("what", "observer"),
+            ("n", "2"),
+            ("mu", "exp(a=1)"),
+            ("clock", "samples"),
+            ("name", name.as_str()),
+            ("disturbance", "constant"),
+            ("observer_poles", "-4,-5"),
+            ("observer_samples", "9"),
+        ])
+    };
+    assert!(ptc_codegen::generate(&observer(42), Language::Matlab).is_ok());
     let cases = [
+        (Language::Matlab, observer(43), "name", "longer than the 63 characters"),
         (Language::Fmu3, of("time_to_go"), "name", "meaning of its own in fmu3"),
         (Language::Fmu2, of("time_to_go"), "name", "meaning of its own in fmu2"),
         (Language::Python, of("lambda"), "name", "meaning of its own in python"),
