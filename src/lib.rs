@@ -93,7 +93,7 @@ pub use error::Error;
 /// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
-/// | `what` | what is generated | `controller`, or `associated`: the infinite-time system on which pi0 is designed | `controller` |
+/// | `what` | what is generated | `controller`; `associated`: the infinite-time system on which pi0 is designed; `observer`: the observer in samples alone | `controller` |
 /// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
@@ -120,7 +120,7 @@ pub use error::Error;
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
 /// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |
-/// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all |
+/// | `observer_samples` | samples after which the estimates are exact; with `clock = samples` | an integer | half of all; none with `what = observer` |
 /// | `observer_eps` | time-to-go in s at which the gains of the observer are held; with `clock = samples` | a number > 0 | |
 /// | `after_observer` | poles of the observer in 1/s once the estimates are exact; with `clock = samples` | one for each state that is estimated, with real parts < 0 | the last gains stay |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |

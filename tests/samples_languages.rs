@@ -26,7 +26,7 @@ const STEPS: usize = 14;
 
 type Keys = &'static [(&'static str, &'static str)];
 
-const DESIGNS: [Keys; 14] = [
+const DESIGNS: [Keys; 18] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
     &[
@@ -128,6 +128,51 @@ const DESIGNS: [Keys; 14] = [
         ("precision", "f32"),
         ("after", "zero"),
     ],
+    &[
+        ("what", "observer"),
+        ("n", "3"),
+        ("mu", "exp(a=1)"),
+        ("measured", "x1"),
+        ("observer_poles", "-4,-5+i,-5-i"),
+        ("observer_samples", "12"),
+    ],
+    &[
+        ("what", "observer"),
+        ("n", "2"),
+        ("mu", "exp(a=1.5)"),
+        ("precision", "f32"),
+        ("measured", "x1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6"),
+        ("observer_samples", "9"),
+        ("observer_eps", "0.05"),
+        ("delay", "2"),
+        ("f", "-9.81"),
+        ("g", "0.5"),
+    ],
+    &[
+        ("what", "observer"),
+        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
+        ("B", "[0,0,500]"),
+        ("C", "[[1,0,0],[0,0,1]]"),
+        ("mu", "exp(a=1)"),
+        ("sample_time", "1e-3"),
+        ("delay", "1"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5,-6,-7"),
+        ("observer_samples", "20"),
+        ("after_observer", "-90+20i,-90-20i,-100,-120"),
+    ],
+    &[
+        ("what", "observer"),
+        ("n", "2"),
+        ("mu", "exp(a=1)"),
+        ("guard", "none"),
+        ("measured", "x1,x2"),
+        ("disturbance", "constant"),
+        ("observer_poles", "-4,-5"),
+        ("observer_samples", "8"),
+    ],
 ];
 
 /// A name of its own, long for one of them, so that its signatures are.
@@ -219,7 +264,8 @@ fn calls(design: &Design, random: &mut Random) -> Vec<Call> {
         let mut k = start;
         for _ in 0..STEPS {
             let measured = design.measured();
-            let x = (0..measured).map(|_| value(random, 9)).collect();
+            let numbers = measured + usize::from(design.observes());
+            let x = (0..numbers).map(|_| value(random, 9)).collect();
             calls.push(Call::Step(k, x));
             k = match random.below(8) {
                 0 => k.wrapping_add(random.below(1 << 32) as u32),
@@ -286,7 +332,11 @@ fn every_language_gives_the_bits_of_the_interpreter() {
 /// Its parser takes seconds for each file.
 #[test]
 fn structured_text_gives_the_bits_of_the_interpreter() {
-    agree("samples_structured_text", &[1, 9], &[(Language::StructuredText, in_structured_text)]);
+    agree(
+        "samples_structured_text",
+        &[1, 9, 15],
+        &[(Language::StructuredText, in_structured_text)],
+    );
 }
 
 /// What is refused, by key and a part of the message.
@@ -296,7 +346,22 @@ fn what_a_language_cannot_say_is_refused() {
         let keys = [("n", "2"), ("mu", "exp"), ("clock", "samples"), ("name", name)];
         spec(&keys)
     };
+    let observer = |length: usize| {
+        let name = "a".repeat(length);
+        spec(&[
+            ("what", "observer"),
+            ("n", "2"),
+            ("mu", "exp(a=1)"),
+            ("clock", "samples"),
+            ("name", name.as_str()),
+            ("disturbance", "constant"),
+            ("observer_poles", "-4,-5"),
+            ("observer_samples", "9"),
+        ])
+    };
+    assert!(ptc_codegen::generate(&observer(42), Language::Matlab).is_ok());
     let cases = [
+        (Language::Matlab, observer(43), "name", "longer than the 63 characters"),
         (Language::Fmu3, of("time_to_go"), "name", "meaning of its own in fmu3"),
         (Language::Fmu2, of("time_to_go"), "name", "meaning of its own in fmu2"),
         (Language::Python, of("lambda"), "name", "meaning of its own in python"),

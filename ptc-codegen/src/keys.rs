@@ -43,8 +43,8 @@ pub static KEYS: [KeyInfo; 37] = [
     },
     KeyInfo {
         key: "what",
-        meaning: "what is generated: the controller, or the infinite-time system on which pi0 is designed",
-        legal: "controller or associated",
+        meaning: "what is generated: the controller, the infinite-time system on which pi0 is designed, or the observer alone",
+        legal: "controller, associated or observer",
         example: "associated",
     },
     KeyInfo {
@@ -201,7 +201,7 @@ pub static KEYS: [KeyInfo; 37] = [
     KeyInfo {
         key: "observer_samples",
         meaning: "samples after which the estimates are exact; with clock = samples",
-        legal: "an integer; by default half of the samples",
+        legal: "an integer; by default half of the samples, without a default for what = observer",
         example: "200",
     },
     KeyInfo {

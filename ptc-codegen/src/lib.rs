@@ -52,7 +52,7 @@ use expansion::Expanded;
 use internal::{fault, guarded};
 use law::Law;
 use program::{Op, Program, number, passes};
-use request::Spec;
+use request::{Spec, What};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -223,12 +223,13 @@ fn in_range(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
     if let Some(lost) = sampled.and_then(|code| code.out_of_range()) {
         let precision = spec.precision.name();
+        let of = if spec.what == What::Observer { "observer" } else { "law" };
         let size = if lost.numer().bits() > lost.denom().bits() { "large" } else { "small" };
         found.push(
             "overflow",
             "sample_time",
             None,
-            format!("a weight of the law is too {size} for {precision} with the values that are fixed"),
+            format!("a weight of the {of} is too {size} for {precision} with the values that are fixed"),
             "the weights hold the gains over powers of the sample period up to the order of the loop: take a longer period, a lower order, other units, or f64",
         );
     }

@@ -136,16 +136,21 @@ fn a_controller_in_continuous_time() {
     walk(TIME, &folder("time"));
 }
 
-/// The timer interrupt needs a board: it is compiled, and not run.
+/// The timer interrupts need a board: they are compiled, and not run.
 #[test]
-fn a_timer_interrupt() {
+fn timer_interrupts() {
     let folder = folder("samples");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
     let emit = "ptc-codegen emit encoder.toml --disturbance constant --lang c -o out";
     printed(emit, &folder);
-    let [program] = &blocks_of(SAMPLES, "c")[..] else { panic!("one program") };
-    fs::write(folder.join("board.c"), program).expect("writable");
-    shell("cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iout -c board.c", &folder);
+    printed(&format!("{emit} --what observer"), &folder);
+    let programs = blocks_of(SAMPLES, "c");
+    assert_eq!(programs.len(), 2);
+    for program in programs {
+        fs::write(folder.join("board.c"), program).expect("writable");
+        let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iout -c board.c";
+        shell(strict, &folder);
+    }
 }
 
 /// What `line` prints in `folder`; a refused design is no failure.

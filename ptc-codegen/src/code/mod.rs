@@ -219,6 +219,11 @@ impl Code {
         format!("Takes the parameters and arms at params.t0 (or the fixed t0){latching}.")
     }
 
+    /// What it is, in a word.
+    pub fn noun(&self) -> &'static str {
+        if self.function("update").is_some() { "observer" } else { "controller" }
+    }
+
     /// The function called `name`.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)

@@ -32,7 +32,7 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
     arm_requires.push(format!("requires self == \\null || {name}_set(self);"));
     let step = match spec.what {
         What::Associated => ("rate", rate(&name, n, &state("xi"))),
-        What::Controller => ("step", step(spec, full, &state("x"))),
+        _ => ("step", step(spec, full, &state("x"))),
     };
     let contracts = [
         ("init", comment(&requires(&init, true), "*self", &built)),

@@ -29,13 +29,20 @@ const LONGEST: usize = 63;
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     let name = spec.name();
-    let longest = LONGEST - "_init".len();
-    if name.len() > longest {
+    let function = match spec.sampled() {
+        Some(sampled) if sampled.disturbance => "_disturbance",
+        Some(sampled) if sampled.observes() => "_estimate",
+        _ => "_init",
+    };
+    // What is generated beside a controller has a suffix of its own.
+    let suffix = spec.name.as_ref().map_or(0, |own| name.len() - own.len());
+    let longest = LONGEST - function.len() - suffix;
+    if name.len() + function.len() > LONGEST {
         found.push(
             "bad-value",
             "name",
             None,
-            format!("{name}_init is longer than the {LONGEST} characters that MATLAB reads"),
+            format!("{name}{function} is longer than the {LONGEST} characters that MATLAB reads"),
             format!("give a name of at most {longest} characters"),
         );
     }

@@ -16,6 +16,7 @@ mod formulas;
 mod header;
 mod literal;
 mod matlab;
+mod observed;
 mod outline;
 mod plant;
 mod project;
@@ -171,6 +172,10 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     if spec.what == What::Associated {
         let message = format!("{what} holds a controller, not the infinite-time system");
         against("what", message, "leave `what` out, or emit C or Rust");
+    }
+    if spec.what == What::Observer {
+        let message = format!("{what} holds a controller, not an observer alone");
+        against("what", message, "leave `what` out, or emit the observer in a language");
     }
     if spec.feedback == Feedback::Extern {
         against("pi0", format!("{what} cannot call a user-defined pi0"), own);

@@ -1,11 +1,11 @@
 //! The program of a controller in samples, with its head.
 
-use super::{Language, code, header, plant};
+use super::{Language, code, header, observed, plant};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Guard, Sampled, Spec};
+use crate::request::{After, Guard, Observer, Sampled, Spec, What};
 use crate::samples;
 
 /// The program; `None` if the clock is time.
@@ -22,8 +22,10 @@ pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
 fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let spec = &report.spec;
     let (name, n, order) = (spec.name(), spec.n, spec.loop_order());
+    let alone = sampled.observer.as_ref().filter(|_| spec.what == What::Observer);
+    let kind = if alone.is_some() { "observer" } else { "controller" };
     let mut lines = vec![
-        format!("Prescribed-time controller {name}: order n = {n}, clock in samples."),
+        format!("Prescribed-time {kind} {name}: order n = {n}, clock in samples."),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
         format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
@@ -42,11 +44,10 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
     rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));
-    rest.push("Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned());
-    rest.push(match &sampled.linear {
-        Some(_) => format!("Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1),
-        None => format!("Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.", order - 1),
-    });
+    match alone {
+        Some(observer) => rest.extend(observed::purpose(sampled, observer)),
+        None => rest.extend(purpose(sampled, order)),
+    }
     rest.push(String::new());
     rest.push("Parameters:".to_owned());
     for parameter in spec.parameters() {
@@ -57,10 +58,29 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
             None => format!("  {symbol} [{unit}]: {meaning}"),
         });
     }
-    rest.extend(behaviour(spec, sampled, language));
+    rest.extend(match alone {
+        Some(observer) => observed::behaviour(spec, sampled, observer, language),
+        None => behaviour(spec, sampled, language),
+    });
     rest.extend(header::checks(report));
     lines.extend(rest.iter().flat_map(|line| header::wrap(line)));
     lines
+}
+
+/// What becomes of the plant, and by which law.
+fn purpose(sampled: &Sampled, order: usize) -> [String; 2] {
+    let goal = "Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
+    let law = match &sampled.linear {
+        Some(_) => format!(
+            "Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.",
+            order - 1
+        ),
+        None => format!(
+            "Law: with M samples to go and z = S x, u h^{order} = sum of row_j z_j h^(j-1)/((M-j+1)...(M-{})); the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.",
+            order - 1
+        ),
+    };
+    [goal, law]
 }
 
 fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> {
@@ -80,24 +100,42 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
             Some(samples) => format!("{samples}"),
             None => "N/2".to_owned(),
         };
-        let then = match observer.after.is_empty() {
-            true => {
-                "with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat"
-            }
-            false => "from there on the observer has the poles after_observer",
-        };
+        let then = then(observer);
         lines.push(format!("The estimates are exact from sample {until} after the start on where the measurement is; {then}."));
     }
     lines.push(match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => "u is not clipped.",
         _ => "|u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it lasts.",
     }.to_owned());
-    let pointers = language == Language::C;
-    lines.push(match (spec.guard, pointers) {
-        (Guard::Full, true) => "Guard full: what is measured is finite and no pointer is NULL, or the call is refused (status E_INPUT).",
-        (Guard::Full, false) => "Guard full: what is measured is finite, or the call is refused (INPUT).",
-        (Guard::Result | Guard::None, true) => "Guard none: finite measurements and valid pointers are the responsibility of the caller.",
-        (Guard::Result | Guard::None, false) => "Guard none: finite measurements are the responsibility of the caller.",
-    }.to_owned());
+    lines.push(guard(spec, language, ["what is measured is", "measurements"]));
     lines
+}
+
+/// What follows the round of an observer.
+pub(super) fn then(observer: &Observer) -> &'static str {
+    match observer.after.is_empty() {
+        true => {
+            "with noise or sensor_step given, or observer_eps, the gains of the observer are then held below deadbeat"
+        }
+        false => "from there on the observer has the poles after_observer",
+    }
+}
+
+/// What is checked of the arguments, in two grammars.
+pub(super) fn guard(spec: &Spec, language: Language, [given, arguments]: [&str; 2]) -> String {
+    let pointers = language == Language::C;
+    match (spec.guard, pointers) {
+        (Guard::Full, true) => format!(
+            "Guard full: {given} finite and no pointer is NULL, or the call is refused (status E_INPUT)."
+        ),
+        (Guard::Full, false) => {
+            format!("Guard full: {given} finite, or the call is refused (INPUT).")
+        }
+        (Guard::Result | Guard::None, true) => format!(
+            "Guard none: finite {arguments} and valid pointers are the responsibility of the caller."
+        ),
+        (Guard::Result | Guard::None, false) => {
+            format!("Guard none: finite {arguments} are the responsibility of the caller.")
+        }
+    }
 }

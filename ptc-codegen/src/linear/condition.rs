@@ -40,13 +40,14 @@ pub(crate) enum Ill {
     Unobservable { condition: f64, mode: Option<Complex<f64>> },
 }
 
-/// Examines a plant sampled with period `h`, whose input acts `delay` samples late; `disturbed` with
-/// a constant that is added to the input and observed. Gives how many of the states that are
-/// estimated each row of C accounts for; nothing where it shows all of them.
+/// Examines a plant sampled with period `h`, whose input acts `delay` samples late, none where it
+/// does not control; `disturbed` with a constant that is added to the input and observed. Gives how
+/// many of the states that are estimated each row of C accounts for; nothing where it shows all of
+/// them.
 pub(crate) fn examine(
     plant: &Linear,
     h: &BigRational,
-    delay: usize,
+    delay: Option<usize>,
     disturbed: bool,
     precision: Precision,
 ) -> Result<Vec<usize>, Ill> {
@@ -55,14 +56,8 @@ pub(crate) fn examine(
         Precision::F32 => 1e4,
     };
     let pair = Pair::linear(plant, h).ok_or(Ill::Fast)?;
-    let late = pair.delayed(delay);
-    let coupled = Coupled::new(plant, h, late.order());
-    let reached = |step: &Matrix| powers(&step.transpose(), &late.gamma, late.order());
-    let condition = condition(reached(&late.phi), &Coupled::none(late.order()))
-        .max(self::condition(reached(&late.step()), &coupled.dual()));
-    if condition > limit || condition.is_nan() {
-        let mode = mode(plant, h, &pair, std::slice::from_ref(&pair.gamma), false);
-        return Err(Ill::Uncontrollable { condition, mode });
+    if let Some(delay) = delay {
+        controllable(plant, h, &pair, delay, limit)?;
     }
     if rank(&plant.c) < plant.c.len() {
         return Err(Ill::Dependent);
@@ -96,6 +91,26 @@ pub(crate) fn examine(
         true => unseen(condition),
         false => Ok(outputs.blocks),
     }
+}
+
+/// Whether the input of `pair`, a plant sampled with period `h`, controls it `delay` samples late.
+fn controllable(
+    plant: &Linear,
+    h: &BigRational,
+    pair: &Pair,
+    delay: usize,
+    limit: f64,
+) -> Result<(), Ill> {
+    let late = pair.delayed(delay);
+    let coupled = Coupled::new(plant, h, late.order());
+    let reached = |step: &Matrix| powers(&step.transpose(), &late.gamma, late.order());
+    let condition = condition(reached(&late.phi), &Coupled::none(late.order()))
+        .max(self::condition(reached(&late.step()), &coupled.dual()));
+    if condition > limit || condition.is_nan() {
+        let mode = mode(plant, h, pair, std::slice::from_ref(&pair.gamma), false);
+        return Err(Ill::Uncontrollable { condition, mode });
+    }
+    Ok(())
 }
 
 /// row, row A, ..., row A^(count-1).

@@ -15,8 +15,10 @@ impl Spec {
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
         }
-        if self.what == What::Associated {
-            words.push("--what associated".to_owned());
+        match self.what {
+            What::Controller => {}
+            What::Associated => words.push("--what associated".to_owned()),
+            What::Observer => words.push("--what observer".to_owned()),
         }
         if let Clock::Samples(sampled) = &self.clock {
             words.extend(self.sampled_words(sampled));

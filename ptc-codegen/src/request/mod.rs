@@ -67,6 +67,8 @@ pub enum What {
     Controller,
     /// The right-hand side of the associated infinite-time system, on which pi0 is designed.
     Associated,
+    /// The observer in samples alone, for a law of the user's.
+    Observer,
 }
 
 /// What the design promises beyond the code, for the checks at generation.
@@ -308,13 +310,15 @@ impl Spec {
         }
     }
 
-    /// Name of what is generated: for a controller the given one, else `ptc_<family><n>`.
+    /// Name of what is generated: for a controller the given one, else `ptc_<family><n>`; with a
+    /// suffix for what is generated of the same design beside it.
     pub fn name(&self) -> String {
         let own = format!("ptc_{}{}", self.mapping_name(), self.n);
         let name = self.name.clone().unwrap_or(own);
         match self.what {
             What::Controller => name,
             What::Associated => format!("{name}_associated"),
+            What::Observer => format!("{name}_observer"),
         }
     }
 
@@ -326,7 +330,10 @@ impl Spec {
     /// Every parameter of the controller, fixed or not, in the order in which it is emitted.
     pub fn parameters(&self) -> Vec<Parameter> {
         if let Clock::Samples(sampled) = &self.clock {
-            return sampled.parameters(self.n);
+            return match self.what {
+                What::Observer => vec![Parameter::SampleTime, Parameter::A],
+                What::Controller | What::Associated => sampled.parameters(self.n),
+            };
         }
         let mut all = vec![Parameter::Tau, Parameter::StartTime];
         if self.what == What::Controller {
@@ -368,6 +375,20 @@ impl Spec {
             let message = format!("{what} does not know a clock in samples yet");
             let help = "leave `clock` out, or emit and simulate it alone";
             found.push("clock", "clock", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
+    /// Refuses an observer alone for what runs a law.
+    ///
+    /// # Errors
+    /// That `what` needs a law.
+    pub fn needs_law(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.what == What::Observer {
+            let message = format!("{what} needs a law, and an observer alone has none");
+            let help = "leave `what` out for the controller of the design, or emit the observer and call it from a program of yours";
+            found.push("not-alone", "what", None, message, help);
         }
         found.finish(Some(()))
     }

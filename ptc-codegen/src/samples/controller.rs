@@ -1,4 +1,4 @@
-//! The controller in samples as one program.
+//! The controller in samples, or its observer alone, as one program.
 
 use std::ops::{Div, Mul, Neg};
 
@@ -9,7 +9,7 @@ use crate::code::{
     Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{After, Guard, Sampled, Spec};
+use crate::request::{After, Guard, Sampled, Spec, What};
 
 /// The parts of the program while it is being put together.
 pub(super) struct Builder<'a> {
@@ -20,7 +20,7 @@ pub(super) struct Builder<'a> {
     pub(super) values: Vec<(String, Shape, Expr)>,
 }
 
-/// The controller of a spec whose clock is in samples.
+/// The controller of a spec whose clock is in samples, or the observer where that is all it asks for.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
     let mut builder = Builder { spec, sampled, fields: Vec::new(), values: Vec::new() };
     let functions = builder.functions();
@@ -100,6 +100,11 @@ impl Builder<'_> {
 
     fn functions(&mut self) -> Vec<Function> {
         let start = self.keep_count("start", "tick at which it was armed", Expr::Count(0));
+        if self.spec.what == What::Observer {
+            let mut functions = vec![self.arm(), self.update(&start)];
+            functions.extend(self.estimates());
+            return functions;
+        }
         let samples = self.samples();
         let samples = match samples {
             Expr::Count(_) => samples,
@@ -114,13 +119,20 @@ impl Builder<'_> {
     }
 
     fn arm(&self) -> Function {
-        let kept = match self.sampled.observes() || self.sampled.delay > 0 {
-            true => " Estimates and inputs under way are kept.",
-            false => "",
+        let kept = match (self.sampled.observes(), self.sampled.delay > 0) {
+            (true, false) if self.spec.what == What::Observer => " The estimates are kept.",
+            (false, false) => "",
+            _ => " Estimates and inputs under way are kept.",
+        };
+        let starts = match (self.spec.what, self.sampled.observer_samples()) {
+            (What::Observer, Some(samples)) => {
+                format!("Starts a round of {samples} samples at tick `k`.")
+            }
+            _ => "Starts again: the deadline is N samples after tick `k`.".to_owned(),
         };
         Function {
             name: "arm",
-            about: format!("Starts again: the deadline is N samples after tick `k`.{kept}"),
+            about: format!("{starts}{kept}"),
             owner: Owner::Controller,
             access: Access::Change,
             arguments: vec![Variable::new("k", Shape::Count, "tick")],
@@ -133,33 +145,61 @@ impl Builder<'_> {
         }
     }
 
-    /// Inputs that are remembered, the latest first.
+    /// Inputs that are remembered, the latest first. An observer alone is given the last one.
     pub(super) fn remembered(&self) -> usize {
-        self.sampled.delay + usize::from(self.sampled.observes())
+        let last = self.sampled.observes() && self.spec.what != What::Observer;
+        self.sampled.delay + usize::from(last)
+    }
+
+    /// That `arguments` are finite, where they are checked.
+    pub(super) fn finite(&self, arguments: impl Iterator<Item = Expr>) -> Option<Statement> {
+        let tests = || arguments.map(Test::Finite).collect();
+        self.guarded().then(|| Statement::Require(Test::All(tests()), Status::Input))
+    }
+
+    /// The samples since the start.
+    pub(super) fn elapsed(start: &Expr) -> Statement {
+        let elapsed = Expr::local("k").count_sub(start.clone());
+        Statement::Let("elapsed".to_owned(), Shape::Count, elapsed)
+    }
+
+    /// The fields of the inputs under way, the first of them of `latest` samples ago.
+    pub(super) fn remember_inputs(&mut self, latest: usize) {
+        for i in 1..=self.remembered() {
+            let about = match i - 1 + latest {
+                1 => "input of the last sample".to_owned(),
+                ago => format!("input of {ago} samples ago"),
+            };
+            self.remember(&format!("u{i}"), &about);
+        }
+    }
+
+    /// The latest input is `u`, and the others are a sample older.
+    pub(super) fn shift_inputs(&self, u: &Expr) -> Vec<Statement> {
+        let of = |i: usize| if i == 0 { u.clone() } else { Expr::field(format!("u{i}")) };
+        let set = |i: usize| Statement::Set(Place::Field(format!("u{i}")), of(i - 1));
+        (1..=self.remembered()).rev().map(set).collect()
     }
 
     fn step(&mut self, start: &Expr, samples: &Expr) -> Function {
         let measured = self.sampled.measured;
         let given = if self.sampled.measures_states() { "x" } else { "y" };
-        let mut body = Vec::new();
-        if self.guarded() {
-            let finite = (0..measured).map(|j| Test::Finite(Expr::Element(given.to_owned(), j)));
-            body.push(Statement::Require(Test::All(finite.collect()), Status::Input));
-        }
         let (real, count) = (Shape::Real, Shape::Count);
-        let elapsed = Expr::local("k").count_sub(start.clone());
-        body.push(Statement::Let("elapsed".to_owned(), count, elapsed));
+        let element = |j| Expr::Element(given.to_owned(), j);
+        let mut body: Vec<_> = self.finite((0..measured).map(element)).into_iter().collect();
+        body.push(Self::elapsed(start));
         let left = samples.clone().count_left(Expr::local("elapsed"));
         body.push(Statement::Let("left".to_owned(), count, left));
-        for i in 1..=self.remembered() {
-            let about = match i {
-                1 => "input of the last sample".to_owned(),
-                i => format!("input of {i} samples ago"),
-            };
-            self.remember(&format!("u{i}"), &about);
-        }
+        self.remember_inputs(1);
         if self.sampled.observes() {
-            body.extend(self.observe(samples));
+            let end = match self.sampled.observer_samples() {
+                Some(samples) => Expr::Count(samples),
+                // Half of the time for either: the controller has time to bring down what
+                // rounding leaves of the estimates.
+                None => samples.clone().count_half(),
+            };
+            let acting = Expr::field(format!("u{}", self.remembered()));
+            body.extend(self.observe(&end, &acting));
         } else {
             let states = self.states(given);
             let states = states.into_iter().zip(1..);
@@ -181,32 +221,16 @@ impl Builder<'_> {
         if zero {
             ways.insert(0, (over(), Status::After));
         }
-        for i in (1..=self.remembered()).rev() {
-            let earlier = if i == 1 { u.clone() } else { Expr::field(format!("u{}", i - 1)) };
-            body.push(Statement::Set(Place::Field(format!("u{i}")), earlier));
-        }
+        body.extend(self.shift_inputs(&u));
         if self.sampled.observes() {
-            for name in self.estimated() {
-                let value = Expr::local(name.clone());
-                body.push(Statement::Set(Place::Field(format!("{name}_hat")), value));
-                if self.sampled.linear.is_some() {
-                    let next = Expr::local(format!("{name}_on"));
-                    body.push(Statement::Set(Place::Field(format!("{name}_next")), next));
-                }
-            }
-            body.push(Statement::Set(Place::Field("seen".to_owned()), Expr::Count(1)));
+            body.extend(self.keep_estimates());
         }
         let changes = self.remembered() > 0;
         let about = match changes {
             true => "Call it once for each tick.",
             false => "",
         };
-        let what = match (self.sampled.measures_states(), &self.sampled.linear) {
-            (true, None) => "the state x = (x1, x1', ...)",
-            (true, Some(_)) => "the state x",
-            (false, None) => "what is measured, y = (x1, ...)",
-            (false, Some(_)) => "what is measured, y = C x",
-        };
+        let what = self.given();
         Function {
             name: "step",
             about: format!("u from tick `k`, which may wrap, and {what}. {about}"),
@@ -230,6 +254,16 @@ impl Builder<'_> {
                 },
             ),
             guarded: self.guarded(),
+        }
+    }
+
+    /// What is measured, in words.
+    pub(super) fn given(&self) -> &'static str {
+        match (self.sampled.measures_states(), &self.sampled.linear) {
+            (true, None) => "the state x = (x1, x1', ...)",
+            (true, Some(_)) => "the state x",
+            (false, None) => "what is measured, y = (x1, ...)",
+            (false, Some(_)) => "what is measured, y = C x",
         }
     }
 

@@ -14,7 +14,7 @@ use crate::code::{
 use crate::internal::fault;
 use crate::linear::{Pair, sampled_poles};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Observer, Sampled};
+use crate::request::{Observer, Sampled, What};
 
 /// A part of N_o at which the gains of the observer stay once it is through.
 const HELD_PART: i64 = 8;
@@ -40,19 +40,20 @@ impl<'a> Builder<'a> {
         if self.sampled.linear.is_some() { 1 } else { self.sampled.measured }
     }
 
-    /// The estimates from what is measured.
-    pub(super) fn observe(&mut self, samples: &Expr) -> Vec<Statement> {
+    /// The estimates from what is measured; its round ends at sample `end`, and `acting` is the
+    /// input that acted since the last sample.
+    pub(super) fn observe(&mut self, end: &Expr, acting: &Expr) -> Vec<Statement> {
         let seen = self.keep_count("seen", "1 once y has been measured", Expr::Count(0));
         let unseen = Test::CountEqual(seen, Expr::Count(0));
         match &self.sampled.linear {
-            Some(plant) => self.predicted(plant, samples, unseen),
-            None => self.corrected(samples, unseen),
+            Some(plant) => self.predicted(plant, end, acting, unseen),
+            None => self.corrected(end, acting, unseen),
         }
     }
 
     /// The estimates of a chain: predicted, then corrected by what is measured now. `unseen`
     /// holds at the first measurement.
-    fn corrected(&mut self, samples: &Expr, unseen: Test) -> Vec<Statement> {
+    fn corrected(&mut self, end: &Expr, acting: &Expr, unseen: Test) -> Vec<Statement> {
         let (measured, real) = (self.sampled.measured, Shape::Real);
         let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain);
         let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
@@ -62,7 +63,6 @@ impl<'a> Builder<'a> {
             self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
         }
         let power = |j: usize| pair.powers[j];
-        let acting = Expr::field(format!("u{}", self.remembered()));
         for i in 0..order {
             let terms: Vec<_> = (0..order)
                 .filter(|j| *pair.phi.at(i, *j) != BigRational::default())
@@ -97,8 +97,10 @@ impl<'a> Builder<'a> {
             fault("a chain is not observable")
         };
         let units = (0..order).map(|i| self.period(power(i) - power(0))).collect();
-        body.extend(self.gains(&[Named { of: String::new(), injection, units }], &switch, samples));
-        for j in 1..measured {
+        body.extend(self.gains(&[Named { of: String::new(), injection, units }], &switch, end));
+        // The law takes the others as they are measured.
+        let others = if self.spec.what == What::Observer { 1..1 } else { 1..measured };
+        for j in others {
             let value = Expr::Element("y".to_owned(), j - 1);
             body.push(Statement::Let(format!("x{j}"), real, value));
         }
@@ -137,12 +139,12 @@ impl<'a> Builder<'a> {
     }
 
     /// The gains l1.. of the observer at this sample, of each injection; `switch` is the number of
-    /// samples to go at which deadbeat takes over.
+    /// samples to go to `round` at which deadbeat takes over.
     pub(super) fn gains(
         &mut self,
         injections: &[Named],
         switch: &BigInt,
-        samples: &Expr,
+        round: &Expr,
     ) -> Vec<Statement> {
         let observer = self.observer();
         let orders = injections.iter().map(|own| own.injection.end[0].len());
@@ -152,15 +154,9 @@ impl<'a> Builder<'a> {
         let place = |own: &Named, i: usize| format!("l{}{}", own.of, i + 1);
         let set = |name: String, value| Statement::Set(Place::Local(name), value);
         let observer_eps = observer.eps.as_ref().and_then(Fixed::number);
-        let observer_samples = match self.sampled.observer_samples() {
-            Some(samples) => Expr::Count(samples),
-            // Half of the time for either: the controller has time to bring down what rounding
-            // leaves of the estimates.
-            None => samples.clone().count_half(),
-        };
         // Where `init` sets N, it is a field by now.
         let mut body = Vec::new();
-        let left = observer_samples.clone().count_left(Expr::local("elapsed"));
+        let left = round.clone().count_left(Expr::local("elapsed"));
         body.push(Statement::Let("left_o".to_owned(), Shape::Count, left));
         let from = BigRational::from_integer(switch.clone());
         let going = Expr::local("left_o").real();
@@ -173,7 +169,7 @@ impl<'a> Builder<'a> {
             }
             // Deadbeat for good would pass every quantum of a sensor on.
             (None, true) => {
-                let part = observer_samples.real().div(Expr::integer(HELD_PART));
+                let part = round.clone().real().div(Expr::integer(HELD_PART));
                 let held = part.max(Expr::Number(&from + integer(1)));
                 let over = Test::CountEqual(Expr::local("left_o"), Expr::Count(0));
                 Expr::choose(over, held, going)
@@ -245,6 +241,20 @@ impl<'a> Builder<'a> {
         let test = Test::Less(Expr::Number(from), Expr::local("o0"));
         body.extend(finished(vec![Statement::If(test, known, ended)]));
         body
+    }
+
+    /// The estimates go into fields.
+    pub(super) fn keep_estimates(&self) -> Vec<Statement> {
+        let set = |name: String, value| Statement::Set(Place::Field(name), value);
+        let mut statements = Vec::new();
+        for name in self.estimated() {
+            statements.push(set(format!("{name}_hat"), Expr::local(name.clone())));
+            if self.sampled.linear.is_some() {
+                statements.push(set(format!("{name}_next"), Expr::local(format!("{name}_on"))));
+            }
+        }
+        statements.push(set("seen".to_owned(), Expr::Count(1)));
+        statements
     }
 
     /// The functions that give the estimates.

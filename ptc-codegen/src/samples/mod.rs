@@ -5,8 +5,10 @@
 //! `exp` (`rows`) are exact in it with falling powers of time-to-go in place of powers:
 //! u = sum_j row_j z_j/((T - (j-1) h) ... (T - (m-1) h)). By duality the same rows give an observer
 //! (`observer`). [`controller()`] stages both into one imperative program: `start` is its `init`,
-//! `feedback` and `estimates` are parts of its `step`.
+//! `feedback` and `estimates` are parts of its `step`. `alone` makes a program of the observer without
+//! a law, of the same parts.
 
+mod alone;
 mod controller;
 mod estimates;
 mod feedback;

@@ -34,7 +34,8 @@ impl Builder<'_> {
     pub(super) fn predicted(
         &mut self,
         plant: &Linear,
-        samples: &Expr,
+        end: &Expr,
+        acting: &Expr,
         unseen: Test,
     ) -> Vec<Statement> {
         let real = Shape::Real;
@@ -48,7 +49,6 @@ impl Builder<'_> {
             self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
             self.remember(&format!("{name}_next"), &format!("prediction of {name} without u"));
         }
-        let acting = Expr::field(format!("u{}", self.remembered()));
         let measured = |l: usize| Expr::Element("y".to_owned(), l);
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         let mut body = vec![Statement::Note("The estimates; at first what y shows.".to_owned())];
@@ -81,7 +81,7 @@ impl Builder<'_> {
         for (mixed, l) in mixed.into_iter().zip(1..) {
             body.push(Statement::Let(format!("off{l}"), real, mixed));
         }
-        body.extend(self.gains(&injections, &switch, samples));
+        body.extend(self.gains(&injections, &switch, end));
         for (i, name) in names.iter().enumerate() {
             let mut sum = Expr::integer(0);
             for j in 0..names.len() {

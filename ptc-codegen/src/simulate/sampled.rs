@@ -16,7 +16,7 @@ use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::reference::Status;
-use crate::request::Spec;
+use crate::request::{Spec, What};
 use crate::samples;
 
 /// Sample times, sensors and actuator of a sampled loop.
@@ -127,6 +127,10 @@ impl Sampled {
             let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
             return Ok(Self { n: spec.n, controller, moved });
         };
+        if spec.what == What::Observer {
+            let message = "an observer alone closes no loop";
+            return Err(Failure::input(message, "leave `what` out: the controller is simulated"));
+        }
         let code = Arc::new(samples::controller(spec, sampled, Vec::new()));
         let controller = Kind::Samples(code, spec.run_time_parameters().collect());
         if let Some(plant) = &sampled.linear {

@@ -51,9 +51,14 @@ for line in sys.stdin:
         if word == "A":
             held[at].arm(k)
             continue
-        u, status = held[at].step(k, [number(one) for one in rest[1:]])
-        assert type(u) is real, (module, type(u))
-        values = [u]
+        given_now = [number(one) for one in rest[1:]]
+        if hasattr(held[at], "update"):
+            status, values = held[at].update(k, given_now[:-1], given_now[-1]), []
+            assert type(status) is module.Status, (module, type(status))
+        else:
+            u, status = held[at].step(k, given_now)
+            assert type(u) is real, (module, type(u))
+            values = [u]
         for name in given:
             value = np.atleast_1d(getattr(held[at], name)())
             assert value.dtype == real, (module, value.dtype)
@@ -119,7 +124,7 @@ def called(at, **inputs):
     memory.update(inputs)
     unit.execute(memory)
     return memory
-units, held, layouts, givens, reals, inputs = [], [], [], [], [], []
+units, held, layouts, givens, reals, inputs, observes = [], [], [], [], [], [], []
 for folder, name, kind, real, layout, given in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
@@ -129,6 +134,7 @@ for folder, name, kind, real, layout, given in DESIGNS:
     givens.append(given)
     reals.append(getattr(np, real))
     inputs.append("y" if "y" in unit.kinds else "x")
+    observes.append(kind.endswith("Observer"))
 for line in sys.stdin:
     word, *rest = line.split()
     if word == "D":
@@ -153,8 +159,10 @@ for line in sys.stdin:
     if word == "A":
         assert called(at, arm=True, k=k)["status"] == 0
         continue
-    memory = called(at, k=k, **{inputs[at]: [real(number(one)) for one in rest[1:]]})
-    values = [memory["u"]]
+    numbers = [real(number(one)) for one in rest[1:]]
+    last = {"u": numbers.pop()} if observes[at] else {}
+    memory = called(at, k=k, **{inputs[at]: numbers}, **last)
+    values = [] if observes[at] else [memory["u"]]
     for name in givens[at]:
         value = memory[name]
         values.extend(value if isinstance(value, list) else [value])
@@ -183,7 +191,7 @@ function drive(designs)
             at = str2double(words{2}) + 1;
             d = designs{at};
             addpath(d.folder);
-            [init, arm, step] = deal(str2func([d.name '_init']), str2func([d.name '_arm']), str2func([d.name '_step']));
+            [init, arm, step] = deal(str2func([d.name '_init']), str2func([d.name '_arm']), str2func([d.name '_' d.call]));
             given = cellfun(@(f) str2func([d.name '_' f]), d.given, 'UniformOutput', false);
         case 'I'
             params = struct();
@@ -210,13 +218,19 @@ function drive(designs)
                 self{at} = arm(self{at}, k);
             else
                 x = cellfun(@hex2num, words(3:end));
-                if d.changes
+                if strcmp(d.call, 'update')
+                    [status, self{at}] = step(self{at}, k, x(1:end - 1), x(end));
+                elseif d.changes
                     [u, status, self{at}] = step(self{at}, k, x);
                 else
                     [u, status] = step(self{at}, k, x);
                 end
-                if ~isa(u, d.real) || ~isa(status, 'int32') error('types'); end
-                text = [sprintf('S %d', status) show(u)];
+                if ~isa(status, 'int32') error('types'); end
+                text = sprintf('S %d', status);
+                if ~strcmp(d.call, 'update')
+                    if ~isa(u, d.real) error('types'); end
+                    text = [text show(u)];
+                end
                 for j = 1:numel(given)
                     values = given{j}(self{at});
                     if ~isa(values, d.real) error('types'); end
@@ -242,19 +256,20 @@ pub(crate) fn in_octave(folder: &Path, designs: &[Design]) -> Option<Vec<String>
             design.parameters().map(|(_, shape)| length(shape).to_string()).collect();
         let given: Vec<_> = design.given().map(|(f, _)| format!("'{}'", f.name)).collect();
         let real = if design.code.precision == Precision::F32 { "single" } else { "double" };
-        let step = design.code.function("step").expect("a step");
+        let step = design.called();
         let changes = step.access == Access::Change;
         writeln!(
             table,
             "designs{{{}}} = struct('folder', '{}', 'name', '{}', 'real', '{real}', 'names', {{{{{}}}}}, \
-             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {});",
+             'lengths', [{}], 'given', {{{{{}}}}}, 'changes', {}, 'call', '{}');",
             i + 1,
             design.folder.display(),
             design.code.name,
             names.join(", "),
             lengths.join(", "),
             given.join(", "),
-            u8::from(changes)
+            u8::from(changes),
+            step.name
         )
         .expect("a string");
     }

@@ -33,7 +33,7 @@ pub(crate) struct Design {
     pub(crate) folder: PathBuf,
 }
 
-/// What is done with a controller.
+/// What is done with a controller. An observer is given u behind what is measured.
 #[derive(Clone, Debug)]
 pub(crate) enum Call {
     Init(Vec<f64>),
@@ -50,10 +50,20 @@ impl Design {
         type_name(&self.code.name)
     }
 
-    /// How many numbers a step is given.
+    /// Whether it is an observer alone.
+    pub(crate) fn observes(&self) -> bool {
+        self.code.function("update").is_some()
+    }
+
+    /// What is called at each tick.
+    fn called(&self) -> &Function {
+        let name = if self.observes() { "update" } else { "step" };
+        self.code.function(name).expect("a call for each tick")
+    }
+
+    /// How many measured values a step is given.
     pub(crate) fn measured(&self) -> usize {
-        let step = self.code.function("step").expect("a step");
-        let lengths = step.arguments.iter().filter_map(|a| match a.shape {
+        let lengths = self.called().arguments.iter().filter_map(|a| match a.shape {
             Shape::Reals(length) => Some(length),
             _ => None,
         });
@@ -62,7 +72,8 @@ impl Design {
 
     /// What it gives beside u, with the lengths of arrays.
     fn given(&self) -> impl Iterator<Item = (&Function, Option<usize>)> {
-        let others = self.code.functions.iter().filter(|f| !["step", "arm"].contains(&f.name));
+        let others =
+            self.code.functions.iter().filter(|f| ![self.called().name, "arm"].contains(&f.name));
         others.map(|function| match function.results[0].shape {
             Shape::Reals(length) => (function, Some(length)),
             _ => (function, None),
@@ -102,9 +113,14 @@ impl Design {
                 }
                 (Call::Step(k, x), Some(instance)) => {
                     let (k, x) = ([f64::from(*k)], x.as_slice());
-                    let outcome = instance.call("step", &[("k", &k), ("x", x), ("y", x)]);
-                    let u = outcome.results.get("u").map_or(0.0, |u| u[0]);
-                    let mut line = format!("S {} {}", outcome.status.number(), word(u));
+                    let (y, last) = x.split_at(self.measured());
+                    let given = [("k", &k[..]), ("x", y), ("y", y), ("u", last)];
+                    let outcome = instance.call(self.called().name, &given);
+                    let mut line = format!("S {}", outcome.status.number());
+                    if !self.observes() {
+                        let u = outcome.results.get("u").map_or(0.0, |u| u[0]);
+                        write!(line, " {}", word(u)).expect("a string");
+                    }
                     for (function, _) in self.given() {
                         for value in instance.call(function.name, &[]).results.values().flatten() {
                             write!(line, " {}", word(*value)).expect("a string");

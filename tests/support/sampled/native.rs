@@ -97,13 +97,20 @@ pub(crate) fn in_c(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let step = match design.observes() {
+            true => format!(
+                "{real} u = ({real})number(); printf(\"S %d\", (int){name}_update(&self{i}, k, x, u));"
+            ),
+            false => format!(
+                "{real} u = 77; printf(\"S %d\", (int){name}_step(&self{i}, k, x, &u)); show((double)u);"
+            ),
+        };
         write!(
             main,
             "static {name} self{i};\n\
              static int init{i}(void) {{ {name}_params p; memset(&p, 0, sizeof p); {}return (int){name}_init(&self{i}, &p); }}\n\
              static void arm{i}(uint32_t k) {{ (void){name}_arm(&self{i}, k); }}\n\
-             static void step{i}(uint32_t k) {{ {real} x[{m}]; {real} u = 77; {read}\
-             printf(\"S %d\", (int){name}_step(&self{i}, k, x, &u)); show((double)u); {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ {real} x[{m}]; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");
@@ -146,13 +153,20 @@ pub(crate) fn in_cpp(folder: &Path, designs: &[Design]) -> Option<Vec<String>> {
             })
             .collect();
         let read: String = (0..m).map(|j| format!("x[{j}] = ({real})number(); ")).collect();
+        let step = match design.observes() {
+            true => format!(
+                "const auto u = static_cast<{real}>(number()); printf(\"S %d\", static_cast<int>(self{i}.update(k, x, u)));"
+            ),
+            false => format!(
+                "const auto r = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(r.status)); show(double(r.u));"
+            ),
+        };
         write!(
             main,
             "static ptc::{kind} self{i};\n\
              static int init{i}() {{ ptc::{kind}Params p{{}}; {}return static_cast<int>(self{i}.init(p)); }}\n\
              static void arm{i}(uint32_t k) {{ self{i}.arm(k); }}\n\
-             static void step{i}(uint32_t k) {{ std::array<{real}, {m}> x{{}}; {read}\
-             const auto r = self{i}.step(k, x); printf(\"S %d\", static_cast<int>(r.status)); show(double(r.u)); {given}printf(\"\\n\"); }}\n",
+             static void step{i}(uint32_t k) {{ std::array<{real}, {m}> x{{}}; {read}{step} {given}printf(\"\\n\"); }}\n",
             c_parameters(design)
         )
         .expect("a string");

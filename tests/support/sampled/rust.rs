@@ -23,16 +23,20 @@ trait Design {
     fn arm(&mut self, k: u32);
     fn step(&mut self, k: u32, words: &mut dyn Iterator<Item = &'static str>);
 }
+macro_rules! status {
+    ($module:ident, $status:expr) => {{
+        use $module::Status;
+        match $status { Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3 }
+    }};
+}
 macro_rules! outcome {
     ($module:ident, $call:expr) => {{
-        use $module::{Error, Status};
+        use $module::Error;
         match $call {
-            Ok(control) => (match control.status {
-                Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3,
-            }, f64::from(control.u)),
-            Err(Error::Param) => (-1, 0.0),
-            Err(Error::Input) => (-2, 0.0),
-            Err(Error::Range) => (-3, 0.0),
+            Ok(given) => Ok(given),
+            Err(Error::Param) => Err(-1),
+            Err(Error::Input) => Err(-2),
+            Err(Error::Range) => Err(-3),
         }
     }};
 }
@@ -80,6 +84,15 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
             })
             .collect();
         let x = (0..m).map(value).collect::<Vec<_>>().join(", ");
+        let step = match design.observes() {
+            true => format!(
+                "let y = [{x}]; let u = {}; let status = outcome!({name}, this.update(k, &y, u)).map_or_else(|e| e, |s| status!({name}, s)); print!(\"S {{status}}\");",
+                value(0)
+            ),
+            false => format!(
+                "let (status, u) = outcome!({name}, this.step(k, &[{x}])).map_or_else(|e| (e, 0.0), |c| (status!({name}, c.status), f64::from(c.u))); print!(\"S {{status}}\"); show(u);"
+            ),
+        };
         let path = design.folder.join(format!("{name}.rs"));
         write!(
             text,
@@ -90,8 +103,8 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
              match {name}::{kind}::new({name}::{kind}Params {{ {fields}}}) {{ Ok(made) => {{ self.0 = Some(made); 0 }}, Err(_) => -1 }} }}\n\
              fn arm(&mut self, k: u32) {{ self.0.as_mut().unwrap().arm(k); }}\n\
              fn step(&mut self, k: u32, words: &mut dyn Iterator<Item = &'static str>) {{\n\
-             let this = self.0.as_mut().unwrap(); let (status, u) = outcome!({name}, this.step(k, &[{x}]));\n\
-             print!(\"S {{status}}\"); show(u); {given}println!(); }} }}\n",
+             let this = self.0.as_mut().unwrap(); {step}\n\
+             {given}println!(); }} }}\n",
             path.display()
         )
         .expect("a string");

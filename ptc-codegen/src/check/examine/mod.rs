@@ -22,6 +22,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
 use crate::family::Family;
+use crate::keys::CHECKS;
 use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
@@ -125,6 +126,19 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
 /// error of a period or of eps has nothing to say.
 fn in_samples(spec: &Spec) -> Report {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
+    if spec.what == What::Observer {
+        let alone =
+            |name: &&'static str| Outcome::not_checked(name, "an observer alone has no law");
+        let mut outcomes = vec![membership(&continuous)];
+        outcomes.extend(CHECKS[1..].iter().map(alone));
+        return Report {
+            spec: spec.clone(),
+            expanded: None,
+            outcomes,
+            greatest: None,
+            worst: None,
+        };
+    }
     let (growth, _) = check_growth(&continuous);
     let exact = |name| Outcome::not_checked(name, "the law is exact in samples, at any period");
     let continued = Spec { after: After::Hold, ..spec.clone() };

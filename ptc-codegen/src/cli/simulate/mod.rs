@@ -33,6 +33,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
+        if let Err(found) = spec.needs_law("simulate") {
+            return given.finish(None, found);
+        }
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
             note("the design has no [plant]: the plant is the chain of integrators, f = 0");

@@ -124,8 +124,8 @@ impl Builder<'_> {
         }
         let mut statements = vec![Statement::Require(Test::All(given), Status::Param)];
         let tests = match self.spec.what {
-            What::Controller => vec![Test::Finite(Expr::local("deadline"))],
             What::Associated => Vec::new(),
+            _ => vec![Test::Finite(Expr::local("deadline"))],
         };
         statements.extend(self.fields(self.body(Routine::Arm), true, tests));
         let latching = if self.spec.latches() { ", latching the state x0" } else { "" };

@@ -8,8 +8,10 @@ use crate::expression::Function as Math;
 pub(super) enum Gives {
     /// Nothing.
     Nothing,
-    /// Its status.
+    /// Its status, which is `Ok` unless it failed.
     Status,
+    /// Its status, one of several where it did not fail.
+    Progress,
     /// u and its status.
     Control,
     /// An array and its status.
@@ -28,6 +30,7 @@ impl Gives {
         let ranges = function.failures.contains(&Status::Range);
         match shape {
             None if function.failures.is_empty() => Self::Nothing,
+            None if ranges => Self::Progress,
             None => Self::Status,
             Some(Shape::Gains) => Self::Gains,
             Some(Shape::Reals(_)) if ranges => Self::Rate,

@@ -232,6 +232,12 @@ pub(in crate::emit) trait Text {
     }
 }
 
+/// A word that begins a sentence.
+pub(super) fn capital(word: &str) -> String {
+    let (first, rest) = word.split_at(word.len().min(1));
+    format!("{}{rest}", first.to_ascii_uppercase())
+}
+
 /// Without the brackets around the whole, where those of a statement or a call are enough.
 pub(super) fn bare(test: String) -> String {
     let inner = test.strip_prefix('(').and_then(|inner| inner.strip_suffix(')'));

@@ -7,7 +7,7 @@ use crate::algebra::{BigRational, integer};
 use crate::diagnostic::digits;
 use crate::linear::{self, Ill, Linear};
 use crate::parameter::Fixed;
-use crate::request::{Pole, Spec, gains};
+use crate::request::{Pole, Spec, What, gains};
 use crate::syntax::{Node, Value, real};
 
 /// Largest order of a linear plant.
@@ -84,6 +84,8 @@ impl Reader<'_> {
             self.found.push("missing-key", "sample_time", None, message, help.to_owned());
         }
         let (plant, h) = (Linear { a: a_rows?, b: b?, c: c? }, h?);
+        // Nothing has to be controlled for an observer alone.
+        let delay = (spec.what != What::Observer).then_some(delay);
         match linear::examine(&plant, &h, delay, disturbance, spec.precision) {
             Ok(blocks) => Some((plant, blocks)),
             Err(ill) => {

@@ -1,5 +1,6 @@
 //! From keys and values to a [`Spec`]: all mistakes at once, none left for later stages.
 
+mod alone;
 mod law;
 mod linear;
 mod mapping;
@@ -121,8 +122,14 @@ impl<'a> Reader<'a> {
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();
-        let what = self
-            .choice("what", &[("controller", What::Controller), ("associated", What::Associated)]);
+        let what = self.choice(
+            "what",
+            &[
+                ("controller", What::Controller),
+                ("associated", What::Associated),
+                ("observer", What::Observer),
+            ],
+        );
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let guard = self.choice(
@@ -165,7 +172,7 @@ impl<'a> Reader<'a> {
         self.parameters(&mut spec, complete);
         match samples {
             true => self.sampled(&mut spec),
-            false => self.not_sampled(),
+            false => self.not_sampled(&spec),
         }
         // A plant that is refused leaves a spec with another clock than requested.
         if samples == spec.sampled().is_some() {

@@ -1,5 +1,7 @@
 //! The header: types and prototypes.
 
+use super::super::gives::Gives;
+use super::super::text::capital;
 use super::C;
 use crate::code::{Function, Shape, Variable};
 
@@ -51,6 +53,9 @@ impl C<'_> {
         };
         let failed = match function.results.as_slice() {
             _ if function.failures.is_empty() => String::new(),
+            [] if Gives::of(function) == Gives::Progress => {
+                " On a negative status nothing has changed.".to_owned()
+            }
             [] => " PTC_OK, or PTC_E_PARAM with *self untouched.".to_owned(),
             [result] => match result.shape {
                 Shape::Real => " On a negative status u is 0 and nothing has changed.".to_owned(),
@@ -72,9 +77,10 @@ impl C<'_> {
             self.out.line("char none; /* every parameter is fixed */");
         }
         self.out.close(format!("}} {name}_params;\n"));
-        self.out.line(
-            "/* Controller: set by init, changed by arm and by what takes it without const. */",
-        );
+        let noun = capital(code.noun());
+        self.out.line(format!(
+            "/* {noun}: set by init, changed by arm and by what takes it without const. */"
+        ));
         self.out.open(format!("typedef struct {name} {{"));
         self.members(&code.fields);
         self.out.close(format!("}} {name};\n"));

@@ -14,8 +14,8 @@ impl C<'_> {
     pub(super) fn source(mut self) -> String {
         let code = self.code;
         let name = &code.name;
-        self.out
-            .line(format!("/* Prescribed-time controller {name}: see {name}.h. DO NOT EDIT. */"));
+        let noun = code.noun();
+        self.out.line(format!("/* Prescribed-time {noun} {name}: see {name}.h. DO NOT EDIT. */"));
         self.out.line(format!("#include \"{name}.h\"\n\n#include <math.h>\n#include <stddef.h>"));
         let counts = |statement: &Statement| {
             matches!(statement, Statement::Solve(_) | Statement::Rows { .. })

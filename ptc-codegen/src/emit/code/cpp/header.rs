@@ -2,7 +2,7 @@
 
 use super::super::block::Block;
 use super::super::gives::{Gives, calls_library};
-use super::super::text::Text;
+use super::super::text::{Text, capital};
 use super::Cpp;
 use crate::code::{Code, Expr, Owner, Shape, Statement, Variable};
 use crate::expression::Function as Math;
@@ -76,7 +76,9 @@ impl Cpp<'_> {
 
     fn class(&mut self, kind: &str) {
         let code = self.code;
-        self.out.line("\n/// Controller: set by init, changed by arm and by what is not const.");
+        let noun = capital(code.noun());
+        self.out
+            .line(format!("\n/// {noun}: set by init, changed by arm and by what is not const."));
         self.out.open(format!("class {kind} {{"));
         self.out.leave();
         self.out.open("public:");

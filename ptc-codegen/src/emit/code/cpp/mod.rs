@@ -139,7 +139,7 @@ impl Block for Cpp<'_> {
         };
         self.out.line(match self.gives {
             Gives::Nothing => return,
-            Gives::Status => format!("return {status};"),
+            Gives::Status | Gives::Progress => format!("return {status};"),
             Gives::Control => format!("return {{{values}, {status}}};"),
             Gives::Rate => format!("return {{{{{{{values}}}}}, {status}}};"),
             Gives::Gains => format!("gains.status = {status};"),
@@ -185,7 +185,7 @@ impl<'a> Cpp<'a> {
         let given = given.unwrap_or_default();
         let result = match self.gives {
             Gives::Nothing => "void".to_owned(),
-            Gives::Status => "Status".to_owned(),
+            Gives::Status | Gives::Progress => "Status".to_owned(),
             Gives::Control => format!("Control<{real}>"),
             Gives::Rate => format!("Rate<{given}>"),
             Gives::Gains | Gives::Array | Gives::Number => given,
@@ -209,7 +209,9 @@ impl<'a> Cpp<'a> {
         for callback in &function.callbacks {
             self.out.words("/// ", &format!("`{}`: {}", callback.name, callback.about));
         }
-        if function.failures.contains(&Status::Range) {
+        if self.gives == Gives::Progress {
+            self.out.line("/// On a negative status nothing has changed.");
+        } else if function.failures.contains(&Status::Range) {
             self.out.line("/// On a negative status u is 0 and nothing has changed.");
         } else if self.gives == Gives::Status {
             self.out.line("/// Ok, or Param with nothing changed.");

@@ -9,7 +9,7 @@ use crate::code::{Access, Function, Owner, Shape, Statement, Status};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
-        let code = self.code;
+        let (code, noun) = (self.code, self.code.noun());
         let (name, upper) = (&code.name, code.name.to_uppercase());
         let mut list = vec![if code.parameters.is_empty() { "~" } else { "params" }];
         let state = code.start.as_ref().and_then(|start| start.state.as_ref());
@@ -18,7 +18,7 @@ impl Matlab<'_> {
         self.out.line(format!("function self = {name}_init({list}) %#codegen"));
         self.out.words("%", &format!("{upper}_INIT  {}", code.starts()));
         self.out.line("%");
-        self.out.words("%   ", &format!("self = {name}_init({given}) is the controller, for the functions that stand beside this one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an error {name}:param, which names what is wrong and what is legal."));
+        self.out.words("%   ", &format!("self = {name}_init({given}) is the {noun}, for the functions that stand beside this one. A parameter outside its domain, or coefficients that leave the range of numbers, raise an error {name}:param, which names what is wrong and what is legal."));
         if !code.parameters.is_empty() {
             self.out.line("%\n%   params is a struct:");
         }
@@ -150,7 +150,7 @@ impl Matlab<'_> {
             );
         }
         if function.failures.contains(&Status::Range) {
-            self.out.line(STATUSES);
+            self.out.line(if self.gives == Gives::Progress { PROGRESS } else { STATUSES });
         }
         self.out.line("");
     }
@@ -197,6 +197,14 @@ impl Matlab<'_> {
         self.out.line(format!("{name} = uint32(mod({name}, 4294967296));"));
     }
 }
+
+const PROGRESS: &str = "\
+%
+%   status (int32); on a negative one self is as it was:
+%      0  tracking
+%      1  hold: the round of the observer is over
+%     -2  an argument is not finite, or a tick is not whole
+%     -3  an estimate is not finite";
 
 const STATUSES: &str = "\
 %

@@ -210,6 +210,7 @@ impl Block for Matlab<'_> {
         let result = &self.result;
         match self.gives {
             Gives::Nothing | Gives::Status => return,
+            Gives::Progress => {}
             Gives::Control | Gives::Number => {
                 self.out.line(format!("{result} = {};", list.join("; ")));
             }
@@ -254,6 +255,6 @@ impl<'a> Matlab<'a> {
 
     /// Whether a status is among the results.
     fn has_status(&self) -> bool {
-        matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains)
+        matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Progress)
     }
 }

@@ -15,7 +15,7 @@ impl Python<'_> {
     pub(super) fn class(&mut self, kind: &str) {
         let code = self.code;
         self.out.open(format!("class {kind}:"));
-        self.out.line(format!("\"\"\"The controller. {}\n\nValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.\n\"\"\"\n", code.starts()));
+        self.out.line(format!("\"\"\"The {}. {}\n\nValueError where a parameter is outside its domain, or the coefficients leave the range of numbers.\n\"\"\"\n", code.noun(), code.starts()));
         self.init();
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
@@ -80,6 +80,7 @@ impl Python<'_> {
         let result = match self.gives {
             Gives::Nothing | Gives::Status => "None".to_owned(),
             Gives::Control => "Control".to_owned(),
+            Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
             Gives::Rate | Gives::Gains => crate::internal::fault("one of a batch"),
@@ -104,6 +105,7 @@ impl Python<'_> {
             self.out.words("", &format!("\"\"\"{}", function.about));
             self.out.line(match self.gives {
                 Gives::Status => "\nValueError where an argument or what follows from it is not finite; the controller\nis left as it was.",
+                Gives::Progress => "\nOn a negative status nothing has changed.",
                 _ => "\nOn a negative status u is 0 and nothing has changed.",
             });
             self.out.line("\"\"\"");

@@ -282,13 +282,18 @@ impl Block for Python<'_> {
         self.out.line(match self.gives {
             Gives::Nothing | Gives::Status | Gives::Gains | Gives::Rate => return,
             Gives::Control => format!("return Control({list}, {status})"),
+            Gives::Progress => format!("return {status}"),
             Gives::Array => format!("return np.array([{list}], dtype=_R)"),
             Gives::Number => format!("return {list}"),
         });
     }
 
     fn fail(&mut self, status: Status) {
-        self.out.line(format!("return Control(_R(0.0), Status.{})", word(status)));
+        let word = word(status);
+        self.out.line(match self.gives {
+            Gives::Progress => format!("return Status.{word}"),
+            _ => format!("return Control(_R(0.0), Status.{word})"),
+        });
     }
 }
 

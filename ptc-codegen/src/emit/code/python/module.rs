@@ -13,6 +13,7 @@ impl Python<'_> {
             self.out.line(line.replace('\\', "\\\\"));
         }
         self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
+        let controls = code.function("update").is_none();
         let rows = code.functions.iter().any(|function| function.has(is_rows));
         let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
         let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
@@ -22,10 +23,12 @@ impl Python<'_> {
         if !imported.is_empty() {
             self.out.line(format!("from collections.abc import {}", imported.join(", ")));
         }
-        self.out.line("from dataclasses import dataclass\nfrom enum import IntEnum\nfrom typing import NamedTuple\n");
+        self.out.line("from dataclasses import dataclass\nfrom enum import IntEnum");
+        self.out.line(if controls { "from typing import NamedTuple\n" } else { "" });
         self.out.line("import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n");
         let rate = code.function("rate").is_some();
-        let mut public = vec!["Control", "Params", "Status", &kind];
+        let mut public = vec!["Params", "Status", &kind];
+        public.extend(controls.then_some("Control"));
         public.extend((!code.gains.is_empty()).then_some("Gains"));
         public.extend(rate.then_some("Rate"));
         public.sort_unstable();
@@ -39,7 +42,10 @@ impl Python<'_> {
         }
         self.out.line(format!("Array = NDArray[np.{real}]\n"));
         self.out.line(format!("\n{}", include_str!("../../../../templates/status.py.txt")));
-        self.out.line(if code.start.is_some() { CONTROLS } else { CONTROL }.replace("REAL", real));
+        if controls {
+            let control = if code.start.is_some() { CONTROLS } else { CONTROL };
+            self.out.line(control.replace("REAL", real));
+        }
         if rate {
             self.out.line(RATE);
         }

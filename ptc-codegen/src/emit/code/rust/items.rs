@@ -16,7 +16,8 @@ impl Rust<'_> {
         let kind = type_name(&code.name);
         let about = format!("Run-time parameters of [`{kind}`].");
         self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
-        self.structure(&kind, "Prescribed-time controller.", &code.fields, false);
+        let about = format!("Prescribed-time {}.", code.noun());
+        self.structure(&kind, &about, &code.fields, false);
         if !code.gains.is_empty() {
             let about = format!("Feedback gains of [`{kind}`] at one time.");
             self.structure(&format!("{kind}Gains"), &about, &code.gains, true);
@@ -134,6 +135,7 @@ impl Rust<'_> {
             Gives::Nothing => String::new(),
             Gives::Control => format!(" -> Result<{runtime}Control<{given}>, {runtime}Error>"),
             Gives::Array | Gives::Number => format!(" -> {given}"),
+            Gives::Progress => format!(" -> Result<{runtime}Status, {runtime}Error>"),
             _ => format!(" -> Result<{given}, {runtime}Error>"),
         };
         self.out.gap();
@@ -145,6 +147,7 @@ impl Rust<'_> {
             let errors = function.failures.iter().map(|status| match status {
                 Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
                 Status::Input => "`Input`: an argument is not finite or out of its domain.",
+                _ if self.gives == Gives::Progress => "`Range`: an estimate is not finite. Nothing has changed.",
                 _ => "`Range`: u is not finite.",
             });
             let errors: Vec<_> = errors.collect();

@@ -211,6 +211,7 @@ impl Block for Rust<'_> {
         match self.gives {
             Gives::Nothing => {}
             Gives::Status => self.out.line("Ok(())"),
+            Gives::Progress => self.out.line(format!("Ok({status})")),
             Gives::Control if self.together => {
                 self.out.line(format!("({}, {status})", list.join(", ")));
             }

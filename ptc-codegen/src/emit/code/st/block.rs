@@ -23,6 +23,16 @@ impl StructuredText<'_> {
         found.unwrap_or_else(|| fault(format!("no function {name}")))
     }
 
+    /// Whether it is an observer, whose u is an input.
+    pub(super) fn observes(&self) -> bool {
+        self.code.function("update").is_some()
+    }
+
+    /// What a call does beside `init` and `arm`.
+    fn call(&self) -> &Function {
+        self.function(if self.observes() { "update" } else { "step" })
+    }
+
     /// The functions that give what the controller keeps: outputs of the function block.
     pub(super) fn outputs(&self) -> impl Iterator<Item = &Function> {
         let kept = |gives| matches!(gives, Gives::Array | Gives::Number);
@@ -54,8 +64,10 @@ impl StructuredText<'_> {
         self.helpers();
         self.out.line(format!("FUNCTION_BLOCK {name}"));
         self.variables();
-        self.out.line(format!("u := {};", self.literal("0.0")));
-        let (arm, step) = (self.function("arm").clone(), self.function("step").clone());
+        if !self.observes() {
+            self.out.line(format!("u := {};", self.literal("0.0")));
+        }
+        let (arm, step) = (self.function("arm").clone(), self.call().clone());
         self.start(&arm);
         self.out.turn("ELSIF NOT ready THEN");
         self.out.line("status := -2;");
@@ -114,7 +126,7 @@ impl StructuredText<'_> {
 
     fn variables(&mut self) {
         let (code, name) = (self.code, &self.code.name);
-        let (arm, step) = (self.function("arm").clone(), self.function("step").clone());
+        let (arm, step) = (self.function("arm").clone(), self.call().clone());
         let real = self.real;
         self.out.open("VAR_INPUT");
         self.out.line("init : BOOL; (* take the parameters and start *)");
@@ -141,7 +153,9 @@ impl StructuredText<'_> {
         }
         self.out.close("END_VAR");
         self.out.open("VAR_OUTPUT");
-        self.out.line(format!("u : {real}; (* input of the plant *)"));
+        if !self.observes() {
+            self.out.line(format!("u : {real}; (* input of the plant *)"));
+        }
         self.out.line("status : INT; (* see the head *)");
         let outputs: Vec<_> = self.outputs().cloned().collect();
         for function in &outputs {

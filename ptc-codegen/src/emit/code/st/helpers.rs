@@ -81,17 +81,34 @@ END_FOR;"
     )
 }
 
+/// The statuses of an observer.
+const UPDATE: &str = "\
+status; on a negative one nothing has changed:
+   0  tracking, or init or arm done
+   1  hold: the round of the observer is over
+  -1  a parameter outside its domain, or coefficients that overflow; arm without init
+  -2  an argument is not finite, or no init before
+  -3  an estimate is not finite
+Numbers are those of IEEE 754.";
+
 /// How the function block is used.
 pub(super) fn about(code: &Code, real: &str) -> String {
     let (start, again, call) = match code.start {
         None => ("at tick 0", "tick k", "once for each tick k"),
         Some(_) => ("at params.t0 (or the fixed t0)", "start_time", "at each time t"),
     };
-    let mut text = format!(
+    let calls = format!(
         "\
 Call it with init once, which takes params and starts {start};
 with arm to start again at {again}; then with neither, {call}.
-One call does one of these.
+One call does one of these."
+    );
+    if code.function("update").is_some() {
+        return format!("{calls}\n\n{UPDATE}");
+    }
+    let mut text = format!(
+        "\
+{calls}
 
 status; on a negative one u is 0 and nothing has changed; u is 0 after init and arm too:
    0  tracking, or init or arm done

@@ -45,7 +45,8 @@ impl Text for StructuredText<'_> {
             false => c.to_string(),
         };
         let name: String = name.chars().map(letter).collect();
-        let own = ["built", "ready", "self", "status", "u"].contains(&name.as_str());
+        let own = ["built", "ready", "self", "status"].contains(&name.as_str());
+        let own = own || (name == "u" && !self.observes());
         let given = self.outputs().any(|function| function.name == name);
         if own || given || st::is_word(&name) { format!("{name}_now") } else { name }
     }

@@ -44,7 +44,13 @@ impl Reader<'_> {
     }
 
     /// The keys of the other clock.
-    pub(super) fn not_sampled(&mut self) {
+    pub(super) fn not_sampled(&mut self, spec: &Spec) {
+        if spec.what == What::Observer {
+            let place = self.keys.get("what").map(|node| node.place);
+            let message = "an observer alone needs a clock in samples".to_owned();
+            let help = "give `clock` = samples, what is measured, `observer_poles` and `observer_samples` beside it";
+            self.wrong("what", place, message, help.to_owned());
+        }
         for key in OWN {
             if let Some(node) = self.keys.get(key).copied() {
                 let message = format!("`{key}` needs a clock in samples");
@@ -99,6 +105,7 @@ impl Reader<'_> {
         };
         let least = sampled.least_samples(spec.n);
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
+        let samples = samples.filter(|_| spec.what != What::Observer);
         if let Some(samples) = samples.filter(|samples| **samples < integer(i64::from(least))) {
             let place = self.keys.get("tau").map(|node| node.place);
             let message = format!("tau is {samples} samples, too few to come to rest");
@@ -109,6 +116,9 @@ impl Reader<'_> {
         }
         spec.clock = Clock::Samples(Box::new(sampled));
         self.deadbeat(spec, spec.n + delay);
+        if spec.what == What::Observer {
+            self.observer_alone(spec);
+        }
     }
 
     fn gain(&mut self, spec: &Spec) -> BigRational {

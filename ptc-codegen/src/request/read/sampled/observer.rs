@@ -8,7 +8,7 @@ use crate::linear;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
-use crate::request::{Observer, Spec};
+use crate::request::{Observer, Spec, What};
 use crate::syntax::{constant, real};
 
 impl Reader<'_> {
@@ -21,6 +21,10 @@ impl Reader<'_> {
         a: Option<&BigRational>,
     ) -> Option<Observer> {
         let Some(estimates) = estimates else {
+            if spec.what == What::Observer {
+                self.nothing_to_estimate();
+                return None;
+            }
             for key in ["observer_poles", "observer_samples", "observer_eps", "after_observer"] {
                 if let Some(node) = self.keys.get(key).copied() {
                     let message = format!("`{key}` without an observer");
@@ -85,6 +89,9 @@ impl Reader<'_> {
     }
 
     fn observer_samples(&mut self, spec: &Spec, estimates: usize) -> Option<u32> {
+        if spec.what == What::Observer {
+            return self.samples_alone(spec, estimates, MAX_SAMPLES);
+        }
         let node = self.keys.get("observer_samples").copied()?;
         let order = spec.n + spec.promises.delay.unwrap_or(0);
         let all = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);

@@ -1,0 +1,52 @@
+//! What the head of a file says of an observer alone.
+
+use super::{Language, sampled};
+use crate::request::{Observer, Sampled, Spec};
+
+/// What becomes of the estimates, and how.
+pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
+    let end = observer.samples.unwrap_or_default();
+    let exact = match observer.eps {
+        None => "exact, but for rounding,",
+        Some(_) => "as near as the hold at observer_eps leaves them",
+    };
+    let values = if sampled.disturbance { "the state and of d" } else { "the state" };
+    let goal = format!(
+        "Goal: the estimates of {values} are {exact} from sample {end} after the start on, from any state and at any sample period, as long as the measurement is exact, u is what was applied and nothing else acts on the plant."
+    );
+    let predicted = match &sampled.linear {
+        Some(_) => {
+            "Observer: xhat(k) = Phi xhat(k - 1) + Gamma u + G (y(k - 1) - C xhat(k - 1)) with the plant sampled, Phi and Gamma: the estimates of tick k hold y up to tick k - 1."
+        }
+        None => {
+            "Observer: xhat(k) = p + L (y(k) - p1), p = Phi xhat(k - 1) + Gamma u with the chain sampled, Phi and Gamma: the estimates of tick k hold y up to tick k."
+        }
+    };
+    let gains = "The gains follow by duality from the rows that Theorem 1 gives for the mapping exp. Close to the end deadbeat takes over.";
+    [goal, format!("{predicted} {gains}")]
+}
+
+pub(super) fn behaviour(
+    spec: &Spec,
+    given: &Sampled,
+    observer: &Observer,
+    language: Language,
+) -> Vec<String> {
+    let end = observer.samples.unwrap_or_default();
+    let then = sampled::then(observer);
+    let acts = match given.delay {
+        0 => "it acted from tick k - 1 to tick k".to_owned(),
+        1 => "it acts from tick k to tick k + 1, and the observer keeps it until then".to_owned(),
+        d => format!(
+            "it acts from tick k + {} to tick k + {d}, and the observer keeps those under way",
+            d - 1
+        ),
+    };
+    vec![
+        String::new(),
+        format!("k counts samples and may wrap; arm again within 2^32 - {end} samples."),
+        format!("u is the input of tick k - 1 as it was applied, after clipping: {acts}."),
+        format!("From sample {end} on the status is HOLD; {then}."),
+        sampled::guard(spec, language, ["what is measured and u are", "measurements and inputs"]),
+    ]
+}
