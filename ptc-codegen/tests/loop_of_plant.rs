@@ -41,14 +41,18 @@ fn reached(text: &str, f: &str) -> Vec<f64> {
     let delay = if spec.sampled().is_some() { 0 } else { spec.promises.delay.unwrap_or(0) };
     let around = Loop { period, delay, ..Loop::default() };
     let mut last = Vec::new();
-    let end = Sampled::new(spec, &plant)
-        .expect("a loop")
-        .run(&values, &vec![0.0; spec.n], &around, &mut |s| last = s.x.to_vec());
+    let end = Sampled::new(spec, &plant).expect("a loop").run(
+        &values,
+        &vec![0.0; spec.n],
+        &around,
+        &mut |s| last = s.x.to_vec(),
+    );
     end.unwrap_or_else(|failure| panic!("{text}: {failure}"));
     last
 }
 
-const HEAD: &str = "name = \"stage\"\nmu = \"exp(a=1)\"\n[params]\ntau = 1\n[plant]\nf = \"push\"\n";
+const HEAD: &str =
+    "name = \"stage\"\nmu = \"exp(a=1)\"\n[params]\ntau = 1\n[plant]\nf = \"push\"\n";
 
 /// Designs with the bounds 0 and 0.6 of a constant f.
 fn designs() -> Vec<String> {

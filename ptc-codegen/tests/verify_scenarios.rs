@@ -89,14 +89,14 @@ fn what_is_printed_is_run_again_to_the_last_bit() {
     for (from, to, part) in [
         ("tau = 2", "tau = 3", "no tau in [0.5, 2]"),
         ("x1 = -1, ", "", "no x1 in [-1, 1]"),
-        ("x1 = -1", "x1", "`x1` in the scenario is no NAME = VALUE"),
+        ("x1 = -1", "x1", "`x1` in the scenario is not NAME = VALUE"),
         ("0.3, 0.5, 0.1", "0.2, 0.5, 0.1", "no legal gust"),
         ("0.3, 0.5, 0.1", "0.3, 0.1, 0.5", "no legal gust"),
         ("worst(0.3, 0.5, 0.1)", "worst(0.3", "no legal gust"),
         ("worst(0.3, 0.5, 0.1)", "sine(0.1, 0)", "no legal gust"),
         ("worst(0.3, 0.5, 0.1)", "nan", "no legal gust"),
         ("slip", "slop", "no slip"),
-        ("tau = 2", "tau = 2, x3 = 1", "`x3` is no quantity"),
+        ("tau = 2", "tau = 2, x3 = 1", "`x3` is not a quantity"),
     ] {
         let (message, help) = campaign.replayed(&good.replace(from, to)).expect_err(part);
         assert!(message.contains(part) && !help.is_empty(), "{message}");

@@ -30,7 +30,7 @@ pub(crate) fn start(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     if !what.is_file() {
         return Err(match what.is_dir() {
             true => ErrorKind::IsADirectory.into(),
-            false => io::Error::other("it is no regular file"),
+            false => io::Error::other("it is not a regular file"),
         });
     }
     let mut bytes = Vec::new();

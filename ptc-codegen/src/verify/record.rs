@@ -162,13 +162,11 @@ pub fn extent(path: &Path, campaign: &Campaign) -> Result<Range<u64>> {
 fn open(path: &Path, campaign: &Campaign) -> Result<SerializedFileReader<File>> {
     let wrong = |what: String| Err(ParquetError::General(what));
     if !fs::metadata(path)?.is_file() {
-        return wrong("it is no regular file".to_owned());
+        return wrong("it is not a regular file".to_owned());
     }
     let mut file = File::open(path)?;
     if !seal::holds(&mut file)? {
-        return wrong(
-            "it is no file of `verify`, or was damaged since: its checksum is wrong".to_owned(),
-        );
+        return wrong("not a file of `verify`, or damaged since: its checksum is wrong".to_owned());
     }
     let file = SerializedFileReader::new(file)?;
     let pairs = file.metadata().file_metadata().key_value_metadata();

@@ -29,7 +29,7 @@ impl Campaign {
         let mut given = Vec::new();
         for item in items(text) {
             let Some((name, value)) = item.split_once('=') else {
-                let message = format!("`{}` in the scenario is no NAME = VALUE", item.trim());
+                let message = format!("`{}` in the scenario is not NAME = VALUE", item.trim());
                 return Err((message, self.form()));
             };
             given.push((name.trim(), value.trim()));
@@ -69,7 +69,7 @@ impl Campaign {
         }
         match given.first() {
             Some((name, _)) => {
-                Err((format!("`{name}` is no quantity of this scenario"), self.form()))
+                Err((format!("`{name}` is not a quantity of this scenario"), self.form()))
             }
             None => Ok(Scenario { point, courses }),
         }

@@ -47,7 +47,7 @@ fn all_mistakes_of_the_tables_are_told_at_once() {
         "plant.gust is not a pair of bounds",
         "the interval of x1 is empty",
         "verify.seed is not legal",
-        "sigma of objective 1 is no number > 0",
+        "sigma of objective 1 is not a number > 0",
         "`x1` is not known where objective",
         "objective 2 is empty",
         "unknown key `sigma` of objective 3",
@@ -69,7 +69,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (with("x2 = 0\n", ""), &[], &["no interval of x2", "each of x1..x2"]),
         (with("x2 = 0", "x2 = 0\nx3 = 0"), &[], &["unknown key `verify.x3`", "x3 = 0"]),
         (with("x2 = 0", "x2 = [1, -1]"), &[], &["x2 is empty: 1 > -1", "x2 = [1, -1]", "^"]),
-        (with("x2 = 0", "x2 = \"wide\""), &[], &["verify.x2 is no interval"]),
+        (with("x2 = 0", "x2 = \"wide\""), &[], &["verify.x2 is not an interval"]),
         (
             with("f = 0", "f = \"d\"\nd = [1, -1]"),
             &[],

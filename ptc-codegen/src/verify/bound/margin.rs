@@ -2,11 +2,11 @@
 
 use std::ops::Add;
 
-use num_traits::ToPrimitive;
-
 use super::cell::{Cell, Loop, half_of};
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
+use super::norm::{is_contraction, norm_about, sum};
+use super::reason::{Why, below, squares, unknown};
 use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
 use crate::expression::enclosure::{Evaluator, Names};
@@ -50,31 +50,12 @@ impl Aim {
     }
 }
 
-/// Why an objective is not seen to hold over a cell.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Why {
-    /// What is bounded may reach the one number, and its bound may be the other.
-    Exceeded(&'static str, f64, f64),
-    /// An expression may have no value.
-    MayNotExist(String),
-    /// Nothing is known of an expression, or no bound of it.
-    Unknown(String),
-    /// The box has x0 = 0, from where f alone moves x.
-    AtRest,
-    /// The loop is not enclosed there.
-    NotEnclosed,
-}
-
 /// Order from which on the corners of a box are too many.
 const MANY: usize = 9;
 
 /// The end of a cell of T/tau to which a step of time leads: 0 for the least.
 fn end_of(moved: Range) -> usize {
     usize::from(!moved.is_positive())
-}
-
-fn sum(terms: impl Iterator<Item = Range>) -> Range {
-    terms.fold(Range::from(0.0), Range::add)
 }
 
 /// x and u over a cell of T/tau and one of tau, in the units of the plant.
@@ -406,90 +387,4 @@ impl Bounds {
             false => Err(Why::Exceeded("|x|/|x0|", norm_about(&of_box), bound.low())),
         }
     }
-}
-
-fn unknown(part: &Part) -> Why {
-    Why::Unknown(format!("no bound is found of {}", part.spelt))
-}
-
-fn below(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
-    let why = Why::Exceeded(what, value.high(), bound.low());
-    if value.is_below(bound) { Ok(()) } else { Err(why) }
-}
-
-/// The same of two squares.
-fn squares(what: &'static str, value: Range, bound: Range) -> Result<(), Why> {
-    let why = Why::Exceeded(what, value.high().sqrt(), bound.low().max(0.0).sqrt());
-    if value.is_below(bound) { Ok(()) } else { Err(why) }
-}
-
-/// The greatest |rows x|/|x|, about: what is said where it is too much.
-fn norm_about(rows: &[Vec<Range>]) -> f64 {
-    let n = rows.first().map_or(0, |row| row.len() - 1);
-    let mut x = vec![1.0; n];
-    let mut size = 0.0;
-    for _ in 0..100 {
-        let middle = |row: &[Range], c: usize| row[c].middle();
-        let y: Vec<f64> =
-            rows.iter().map(|row| (0..n).map(|c| middle(row, c) * x[c]).sum()).collect();
-        let next: Vec<f64> =
-            (0..n).map(|c| rows.iter().zip(&y).map(|(row, y)| middle(row, c) * y).sum()).collect();
-        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        size = length(&y) / length(&x);
-        let most = length(&next);
-        x = next.iter().map(|next| next / most).collect();
-    }
-    size
-}
-
-impl Why {
-    /// In words, with the place.
-    pub(super) fn at(&self, share: &[BigRational; 2], tau: &[BigRational; 2]) -> String {
-        let digits = |value: f64| crate::diagnostic::digits(value);
-        let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
-        let place = format!("at T/tau = {}, tau = {}", number(&share[0]), number(&tau[0]));
-        match self {
-            Self::Exceeded(what, value, bound) => format!(
-                "no room is left {place}: {what} may reach {}, and the bound is {}",
-                digits(*value),
-                digits(*bound)
-            ),
-            Self::MayNotExist(what) => format!("{what} may have no value {place}"),
-            Self::Unknown(what) => format!("{what} {place}"),
-            Self::AtRest => {
-                "from x0 = 0, which the box holds, f moves x and no bound is left".into()
-            }
-            Self::NotEnclosed => format!("the loop is not enclosed {place}"),
-        }
-    }
-}
-
-/// Whether |rows x|^2 < bound |x|^2 for all x but 0, where f, in the last column, adds nothing:
-/// bound - rows^T rows is positive definite, by the pivots of an elimination.
-fn is_contraction(rows: &[Vec<Range>], bound: Range) -> bool {
-    let n = rows.first().map_or(0, |row| row.len() - 1);
-    if rows.iter().any(|row| row[n] != Range::from(0.0)) {
-        return false;
-    }
-    let entry = |a: usize, b: usize| {
-        let product = match a == b {
-            true => sum(rows.iter().map(|row| row[a].square())),
-            false => sum(rows.iter().map(|row| row[a] * row[b])),
-        };
-        if a == b { bound - product } else { -product }
-    };
-    let mut matrix: Rows = (0..n).map(|a| (0..n).map(|b| entry(a, b)).collect()).collect();
-    for pivot in 0..n {
-        let first = matrix[pivot].clone();
-        if !first[pivot].is_positive() {
-            return false;
-        }
-        for row in &mut matrix[pivot + 1..] {
-            let factor = row[pivot] / first[pivot];
-            for (entry, first) in row.iter_mut().zip(&first).skip(pivot) {
-                *entry = *entry - factor * *first;
-            }
-        }
-    }
-    true
 }

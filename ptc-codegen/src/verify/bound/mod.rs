@@ -16,7 +16,9 @@ mod forced;
 mod form;
 mod impulse;
 mod margin;
+mod norm;
 mod piece;
+mod reason;
 mod root;
 mod rounding;
 mod series;
@@ -29,7 +31,8 @@ use clock::Clock;
 use emitted::Emitted;
 use flow::Flow;
 use form::Values;
-use margin::{Aim, Bounds, Why};
+use margin::{Aim, Bounds};
+use reason::Why;
 
 use super::{Campaign, Kind, Objective, Signal};
 use crate::algebra::{BigInt, BigRational, integer};
@@ -146,7 +149,7 @@ impl Prover {
         let flow = Flow::new(&gains).ok_or("the gains are beyond the range of doubles")?;
         let clock = Clock::new(campaign, spec.n + BEYOND, &flow.rate);
         let clock = clock.ok_or("the mapping does not scale with tau, which is an interval")?;
-        let exact = |value: f64| BigRational::from_float(value).ok_or("a bound is no number");
+        let exact = |value: f64| BigRational::from_float(value).ok_or("a bound is not a number");
         let until = exact(campaign.until)?;
         let drift = drift(campaign, values)?;
         let driven = drift.iter().any(|part| *part != integer(0));

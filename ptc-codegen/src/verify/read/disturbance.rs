@@ -39,12 +39,7 @@ impl Reader<'_> {
                         let meant =
                             meant.map(|m| format!("did you mean `{m}`? ")).unwrap_or_default();
                         let help = format!("{meant}the signals are {}, or any", names.join(", "));
-                        self.wrong(
-                            &key,
-                            Some(item.place),
-                            format!("{key} holds no signal here"),
-                            &help,
-                        );
+                        self.wrong(&key, Some(item.place), format!("{key} is not a signal"), &help);
                     }
                 }
             }

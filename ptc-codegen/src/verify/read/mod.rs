@@ -291,7 +291,7 @@ impl Reader<'_> {
             None => self.wrong(
                 &format!("{table}.{name}"),
                 Some(node.place),
-                format!("{table}.{name} is no interval"),
+                format!("{table}.{name} is not an interval"),
                 "an interval is [least, greatest] of finite numbers, or one number",
             ),
         }

@@ -52,7 +52,7 @@ impl Reader<'_> {
                 reader.wrong(
                     &key,
                     Some(node.place),
-                    format!("{name} of objective {index} is no number > 0"),
+                    format!("{name} of objective {index} is not a number > 0"),
                     "it bounds a norm",
                 );
             }

@@ -7,16 +7,16 @@
 //! In a loop that is linear in x that is the worst signal, and what it moves x by is known before it is
 //! run; elsewhere it is a step towards one, repeated along the run that it makes.
 
+mod rates;
+mod step;
+
+pub(super) use rates::Rates;
+use step::{Step, dot};
+
 use super::objective::norm;
 use super::trial::Instant;
 use super::{Campaign, Course, Kind, Scenario, Setting, Signal, Trial};
-use crate::expression::Expression;
-use crate::lower;
-use crate::parameter::{Parameter, Precision};
-use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, Stage, Value, passes};
-use crate::request::Spec;
-use crate::simulate::Controller;
+use crate::parameter::Parameter;
 
 /// Parts of a step of the grid between which slopes are taken as constant, at least.
 const PARTS: u32 = 8;
@@ -32,97 +32,6 @@ const TARGETS: usize = 40;
 
 /// Most switches of a signal: what is before them has decayed.
 const SWITCHES: usize = 64;
-
-/// xn' with the control in it, compiled.
-#[derive(Clone, Debug)]
-pub(super) struct Rates {
-    controller: Controller,
-    machine: Machine,
-    watched: Vec<Value>,
-    time: Option<Slot>,
-    state: Vec<Option<Slot>>,
-    control: Option<Slot>,
-    disturbances: Vec<Option<Slot>>,
-}
-
-impl Rates {
-    /// Those of a campaign; none where its law cannot be run.
-    pub(super) fn new(campaign: &Campaign) -> Option<Self> {
-        let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
-        let plant = &campaign.plant;
-        let own = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
-        let g = plant.g.clone().unwrap_or_else(own);
-        let program = lower::observed(&spec, &[&plant.f, &g]);
-        let program = passes::optimise(program, &mut |_, _| {});
-        let machine = Machine::new(&program, &program.watched);
-        let of = |(symbol, ..): &(Parameter, _, _)| machine.slot(Input::Parameter(*symbol));
-        Some(Self {
-            controller: Controller::new(&spec).ok()?,
-            time: machine.slot(Input::Time),
-            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
-            control: machine.slot(Input::Control),
-            disturbances: campaign.disturbances.iter().map(of).collect(),
-            watched: program.watched,
-            machine,
-        })
-    }
-
-    fn start(&mut self, setting: &Setting) -> Option<()> {
-        self.controller.init(&setting.values, &setting.x0).ok()?;
-        for (j, x) in (1..).zip(&setting.x0) {
-            let slot = self.machine.slot(Input::StateAtStart(j));
-            self.machine.set(slot, *x);
-        }
-        // The disturbances have no value in a setting: they are given by `disturb`.
-        let mut values = setting.values.clone();
-        for (input, _) in self.machine.inputs().collect::<Vec<_>>() {
-            if let Input::Parameter(symbol) = input
-                && values.get(symbol).is_nan()
-            {
-                values.set(symbol, 0.0);
-            }
-        }
-        values.give(&mut self.machine).ok()
-    }
-
-    fn disturb(&mut self, levels: &[f64]) {
-        for (slot, level) in self.disturbances.iter().zip(levels) {
-            self.machine.set(*slot, *level);
-        }
-        self.machine.run(Stage::Init, None);
-        self.machine.run(Stage::Arm, None);
-    }
-
-    fn control(&mut self, t: f64, x: &[f64]) -> f64 {
-        self.controller.step(t, x).0
-    }
-
-    /// xn' at a time t, of which `time_to_go` is left.
-    fn last(&mut self, (t, time_to_go): (f64, f64), x: &[f64]) -> f64 {
-        let u = self.control(t, x);
-        self.machine.set(self.time, time_to_go);
-        self.machine.run(Stage::Tick, None);
-        for (slot, x) in self.state.iter().zip(x) {
-            self.machine.set(*slot, *x);
-        }
-        self.machine.set(self.control, u);
-        self.machine.run(Stage::Step, None);
-        let [f, g] = [0, 1].map(|place| self.machine.get(self.watched[place]));
-        f + g * u
-    }
-}
-
-/// A short step of a run.
-struct Step {
-    /// T/tau in its middle.
-    share: f64,
-    /// Its length in s.
-    length: f64,
-    /// Slopes of xn' along x_1..x_n.
-    slopes: Vec<f64>,
-    /// What each disturbance adds to xn' at its lower and its upper bound.
-    changes: Vec<[f64; 2]>,
-}
 
 /// A run with its steps; those before each instant.
 struct Line {
@@ -397,44 +306,6 @@ impl Line {
     }
 }
 
-impl Step {
-    /// The exponent of its transition times a column.
-    fn times(&self, column: &[f64]) -> Vec<f64> {
-        let last = dot(&self.slopes, column.iter().copied());
-        let shifted = column[1..].iter().copied().chain([last]);
-        shifted.map(|value| self.length * value).collect()
-    }
-
-    /// What one unit of xn' over the step moves x at the instant by.
-    fn impulse(&self, transition: &[f64], n: usize) -> Vec<f64> {
-        let mut term: Vec<_> = (0..n).map(|i| if i + 1 == n { self.length } else { 0.0 }).collect();
-        let mut sum = term.clone();
-        for k in 2..=TERMS {
-            term = self.times(&term).into_iter().map(|value| value / f64::from(k)).collect();
-            sum.iter_mut().zip(&term).for_each(|(sum, term)| *sum += term);
-        }
-        (0..n).map(|i| dot(&transition[i * n..(i + 1) * n], sum.iter().copied())).collect()
-    }
-
-    /// The transition from the end of the step to one from its beginning.
-    fn pass(&self, transition: &mut [f64], n: usize) {
-        for row in transition.chunks_mut(n) {
-            let mut term = row.to_vec();
-            for k in 1..=TERMS {
-                let last = term[n - 1];
-                let moved = |j: usize| if j == 0 { 0.0 } else { term[j - 1] };
-                let next =
-                    (0..n).map(|j| self.length * (moved(j) + last * self.slopes[j]) / f64::from(k));
-                term = next.collect();
-                row.iter_mut().zip(&term).for_each(|(sum, term)| *sum += term);
-            }
-        }
-    }
-}
-
-/// Terms of the series of a transition, whose exponent is at most [`REACH`] in scaled states.
-const TERMS: u32 = 10;
-
 /// To six digits: the kernel is 0 where a signal switches, so that no more are needed.
 fn rounded(share: f64) -> f64 {
     format!("{share:.5e}").parse().unwrap_or(share)
@@ -443,10 +314,6 @@ fn rounded(share: f64) -> f64 {
 /// Whether the upper bound moves further along than the lower one.
 fn is_high(along: f64, [low, high]: [f64; 2]) -> bool {
     along * high >= along * low
-}
-
-fn dot(a: &[f64], b: impl Iterator<Item = f64>) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Slopes of a function of x whose value there is `here`, by differences in proportion to what x is.
