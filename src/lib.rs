@@ -113,6 +113,7 @@ pub use error::Error;
 /// | `sample_time` | sample period of the loop in s; sets the default of `eps` | a number > 0 | |
 /// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max` | |
 /// | `noise` | bounds of the noise of each measured state | a number >= 0, or one for each state | |
+/// | `noise_rms` | standard deviations of random noise of each measured state | a number >= 0, or one for each state | |
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | an integer 0..=16 | |

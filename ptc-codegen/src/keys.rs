@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 37] = [
+pub static KEYS: [KeyInfo; 38] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -153,6 +153,12 @@ pub static KEYS: [KeyInfo; 37] = [
     KeyInfo {
         key: "noise",
         meaning: "bounds of the noise of each measured state, in units of x_i",
+        legal: "a number >= 0, or one for each state",
+        example: "1e-4,1e-3",
+    },
+    KeyInfo {
+        key: "noise_rms",
+        meaning: "standard deviations of random noise of each measured state, in units of x_i",
         legal: "a number >= 0, or one for each state",
         example: "1e-4,1e-3",
     },

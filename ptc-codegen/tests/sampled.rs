@@ -192,6 +192,35 @@ fn noise_is_what_its_seed_makes_it() {
     assert!((first - FIRST).abs() < 1e-15, "{first:?}");
 }
 
+/// Over many seeds x at the deadline varies by as much as the check `loop` says.
+#[test]
+fn random_noise_spreads_x_as_the_check_says() {
+    let seeds = 600;
+    let around = |seed| Loop { period: 0.01, noise_rms: vec![1e-4, 1e-3], seed, ..Loop::default() };
+    let plain = run(STAGE, &[0.0, 0.0], &Loop { period: 0.01, ..Loop::default() });
+    let centre = plain.last().expect("a run").1.clone();
+    let mut squares = [0.0; 2];
+    for seed in 0..seeds {
+        let seen = run(STAGE, &[0.0, 0.0], &around(seed));
+        let x = &seen.last().expect("a run").1;
+        squares
+            .iter_mut()
+            .zip(x.iter().zip(&centre))
+            .for_each(|(sum, (x, c))| *sum += (x - c).powi(2));
+    }
+    let (mut spec, _) = design(STAGE);
+    let all = |text: &str| ptc_codegen::syntax::number(text).expect("a number");
+    spec.promises.sample_time = Some(all("0.01"));
+    spec.promises.x0_max = vec![all("1")];
+    spec.promises.noise_rms = vec![all("1e-4"), all("1e-3")];
+    let worst = ptc_codegen::check::examine::examine(&spec).worst.expect("a loop");
+    for (bound, sum) in worst.states.iter().zip(squares) {
+        let spread = (sum / f64::from(seeds as u32)).sqrt();
+        // 600 draws know a standard deviation to 3 %.
+        assert!((spread / bound.rms - 1.0).abs() < 0.12, "{spread} {bound:?}");
+    }
+}
+
 /// u(0) under the noise of seed 7.
 const FIRST: f64 = -1.2017054025949903;
 

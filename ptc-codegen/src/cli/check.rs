@@ -105,6 +105,8 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "from_u_step": each(&|bound| bound.actuator),
         "from_f": each(&|bound| bound.force),
         "from_rounding": each(&|bound| bound.rounding),
+        "rms": each(&|bound| bound.rms),
+        "u_rms": worst.way.as_ref().map(|way| way.u_rms),
         "u": worst.way.as_ref().map(|way| way.u),
         "x": worst.way.as_ref().map(|way| &way.x),
     })

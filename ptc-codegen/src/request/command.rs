@@ -139,6 +139,7 @@ impl Spec {
         let lists = [
             ("--error", &promises.error),
             ("--noise", &promises.noise),
+            ("--noise-rms", &promises.noise_rms),
             ("--sensor-step", &promises.sensor_step),
             ("--x0-max", &promises.x0_max),
             ("--x-max", &promises.x_max),

@@ -80,6 +80,9 @@ pub struct Promises {
     pub error: Vec<Fixed>,
     /// Bounds of the noise of each measured state, or one for all; empty for none.
     pub noise: Vec<Fixed>,
+    /// Standard deviations of the random noise of each measured state, or one for all; empty for
+    /// none.
+    pub noise_rms: Vec<Fixed>,
     /// Steps in which each state is measured, or one for all; empty for none.
     pub sensor_step: Vec<Fixed>,
     /// Step of the actuator.

@@ -118,7 +118,7 @@ impl<'a> Builder<'a> {
         let any = |bounds: &[Fixed]| {
             bounds.iter().any(|b| b.number().is_some_and(|b| *b != BigRational::default()))
         };
-        any(&promises.noise) || any(&promises.sensor_step)
+        any(&promises.noise) || any(&promises.noise_rms) || any(&promises.sensor_step)
     }
 
     pub(super) fn observer(&self) -> &'a Observer {

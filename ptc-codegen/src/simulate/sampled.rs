@@ -28,6 +28,8 @@ pub struct Loop {
     pub u_step: f64,
     /// Bound of the uniform noise on each measurement; empty for none.
     pub noise: Vec<f64>,
+    /// Standard deviation of the random noise on each measurement; empty for none.
+    pub noise_rms: Vec<f64>,
     /// Resolution of each measurement; empty for none.
     pub sensor_step: Vec<f64>,
     /// Seed of the noise, which is the same on any machine.
@@ -47,6 +49,7 @@ impl Default for Loop {
             period: f64::NAN,
             u_step: 0.0,
             noise: Vec::new(),
+            noise_rms: Vec::new(),
             sensor_step: Vec::new(),
             seed: 0,
             delay: 0,
@@ -191,7 +194,11 @@ impl Sampled {
             };
             for (j, own) in measured.iter_mut().enumerate() {
                 let bound = around.noise.get(j).copied().unwrap_or(0.0);
-                let noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+                let mut noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(&mut random) };
+                let rms = around.noise_rms.get(j).copied().unwrap_or(0.0);
+                if rms > 0.0 {
+                    noisy += rms * normal(&mut random);
+                }
                 *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
             }
             let mut again = false;
@@ -317,6 +324,12 @@ impl Piecewise for Between<'_> {
 /// The multiple of `step` that is nearest to a value; the value itself where there is no step.
 fn quantised(value: f64, step: f64) -> f64 {
     if step > 0.0 { (value / step).round() * step } else { value }
+}
+
+/// A number of mean 0 and variance 1, the sum of twelve even ones: the same on every machine, as no
+/// library function is in it.
+fn normal(random: &mut Pcg64Mcg) -> f64 {
+    0.5 * (0..12).map(|_| even(random)).sum::<f64>()
 }
 
 /// A number drawn evenly from -1 to 1.

@@ -44,6 +44,8 @@ pub struct Way {
     pub u: f64,
     /// What |u| reaches at least.
     pub u_attained: f64,
+    /// The greatest standard deviation of u by random noise.
+    pub u_rms: f64,
 }
 
 /// The loop of a design in numbers.
@@ -117,6 +119,8 @@ impl<'a> Loop<'a> {
         };
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
         sampled.noise = (0..self.chain.sensors()).map(noise).collect();
+        let rms = |j| each(&promises.noise_rms, j);
+        sampled.noise_rms = (0..self.chain.sensors()).map(rms).collect();
         sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
         sampled.force = self.force();
         sampled
@@ -181,7 +185,7 @@ impl<'a> Loop<'a> {
             return None;
         }
         let fading = sampled.fading(None, self.samples)?;
-        let mut way = Way { x: sampled.x0.clone(), u: 0.0, u_attained: 0.0 };
+        let mut way = Way { x: sampled.x0.clone(), u: 0.0, u_attained: 0.0, u_rms: 0.0 };
         let control = Output { row: vec![0.0; size], direct: 1.0 };
         for k in 0..=self.samples {
             if k < self.samples {
@@ -190,6 +194,7 @@ impl<'a> Loop<'a> {
                 bound.actuator -= sampled.actuator;
                 way.u = way.u.max(bound.total());
                 way.u_attained = way.u_attained.max(bound.attained());
+                way.u_rms = way.u_rms.max(bound.rms);
             }
             for i in 0..n {
                 let mut take = |output: &Output, more: f64| {

@@ -74,6 +74,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
     details.extend(on_the_way(spec, worst));
     details.extend(limit);
+    details.extend(random(worst));
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
     let fix = fails.then(|| fix(spec, worst, closed, state));
     Outcome { name: NAME, verdict, summary, details, fix }
@@ -190,6 +191,16 @@ fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
     let x = list(way.x.iter().copied());
     let at = if linear(spec) { "at the samples" } else { "between samples too" };
     Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
+}
+
+/// What random noise adds, which has no bound.
+fn random(worst: &Worst) -> Option<String> {
+    let rms: Vec<_> = worst.states.iter().map(|bound| bound.rms).collect();
+    let of_u = worst.way.as_ref().map(|way| format!(", of u up to {}", digits(way.u_rms)));
+    rms.iter().any(|rms| *rms > 0.0).then(|| {
+        let (x, of_u) = (list(rms.iter().copied()), of_u.unwrap_or_default());
+        format!("random noise adds a standard deviation of {x} at the deadline{of_u}, which is not in the bounds")
+    })
 }
 
 /// What accounts for most of an error that is too large, and the eps that makes it least.

@@ -153,28 +153,30 @@ fn kick(sampled: &Sampled, (k, left): (usize, f64), at: usize) -> Vec<f64> {
     x
 }
 
+/// The loop of exp with tau = 1 and gains held from T = 0.3 on.
+fn closed(n: usize, gains_of: &str, delay: usize, samples: usize) -> Sampled {
+    let mut spec = Spec::new(n, Family::Exp);
+    spec.fixed.insert(Parameter::A, number("1").expect("1"));
+    spec.fixed.insert(Parameter::Tau, number("1").expect("1"));
+    spec.fixed.insert(Parameter::Eps, number("0.3").expect("eps"));
+    spec.fixed.insert(Parameter::UMax, Fixed::Infinite);
+    for (i, gain) in (1..).zip(gains_of.split(',')) {
+        spec.fixed.insert(Parameter::Gain(i), number(gain).expect("a gain"));
+    }
+    let h = Range::from(1.0) / Range::from(samples as f64);
+    let rows = gains(&spec, None, h, samples).expect("gains");
+    Sampled::new(Chain::new(n, h, Range::from(1.0), delay), &rows)
+}
+
 #[test]
 fn a_force_within_bounds_does_what_all_its_kicks_do() {
     for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 1)] {
         let samples = 40;
-        let mut spec = Spec::new(n, Family::Exp);
-        spec.fixed.insert(Parameter::A, number("1").expect("1"));
-        spec.fixed.insert(Parameter::Tau, number("1").expect("1"));
-        spec.fixed.insert(Parameter::Eps, number("0.3").expect("eps"));
-        spec.fixed.insert(Parameter::UMax, Fixed::Infinite);
-        for (i, gain) in (1..).zip(poles.split(',')) {
-            spec.fixed.insert(Parameter::Gain(i), number(gain).expect("a gain"));
-        }
-        let h = Range::from(1.0) / Range::from(samples as f64);
-        let rows = gains(&spec, None, h, samples).expect("gains");
-        let chain = Chain::new(n, h, Range::from(1.0), delay);
-        let mut sampled = Sampled::new(chain.clone(), &rows);
-        let force = |middle, constant, varying| Force {
-            middle,
-            constant,
-            varying,
-            column: chain.input.clone(),
-        };
+        let mut sampled = closed(n, poles, delay, samples);
+        let h = Range::from(sampled.chain.shares[1]);
+        let column = sampled.chain.input.clone();
+        let force =
+            |middle, constant, varying| Force { middle, constant, varying, column: column.clone() };
         let parts = 400;
         let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
         for k in 0..samples {
@@ -200,6 +202,36 @@ fn a_force_within_bounds_does_what_all_its_kicks_do() {
             let varying = bound(force(0.0, 0.0, 1.0));
             assert!((varying.force / sizes[i] - 1.0).abs() < 1e-5, "n = {n}: {varying:?}");
             assert!(varying.rounding < 1e-7 * varying.force, "n = {n}: {varying:?}");
+        }
+    }
+}
+
+#[test]
+fn random_noise_adds_what_the_covariances_say() {
+    for (n, poles, delay) in [(1, "3", 0), (2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 2)] {
+        let mut sampled = closed(n, poles, delay, 30);
+        sampled.noise_rms = (1..=n).map(|j| 0.1 * j as f64).collect();
+        let size = n + delay;
+        let mut covariance = vec![vec![0.0; size]; size];
+        for k in 0..30 {
+            let step = sampled.step(k);
+            let moved = |i: usize, l: usize| step.matrix.entries[i * size + l];
+            let entry = |i: usize, j: usize| {
+                let sum = |(a, b): (usize, usize)| moved(i, a) * covariance[a][b] * moved(j, b);
+                let all = (0..size).flat_map(|a| (0..size).map(move |b| (a, b)));
+                let own = |l: usize| {
+                    step.columns[l][i].0 * step.columns[l][j].0 * sampled.noise_rms[l].powi(2)
+                };
+                all.map(sum).sum::<f64>() + (0..n).map(own).sum::<f64>()
+            };
+            covariance =
+                (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect::<Vec<_>>();
+        }
+        for i in 0..n {
+            let bound = sampled.bound(&sampled.state(i + 1), 30, None);
+            let expected = covariance[i][i].sqrt();
+            assert!((bound.rms - expected).abs() <= 1e-9 * expected, "n = {n}: {bound:?}");
+            assert_eq!(bound.attained(), 0.0);
         }
     }
 }

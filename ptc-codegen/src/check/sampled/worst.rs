@@ -28,6 +28,8 @@ pub(super) struct Sampled {
     pub(super) x0: Vec<f64>,
     /// Bounds of the error of each measured state.
     pub(super) noise: Vec<f64>,
+    /// Standard deviation of the random error of each measured state.
+    pub(super) noise_rms: Vec<f64>,
     /// Bound of the error of the actuator: half its step.
     pub(super) actuator: f64,
     /// What moves the plant beside u.
@@ -52,6 +54,8 @@ pub struct Bound {
     pub actuator: f64,
     /// From f of the plant.
     pub force: f64,
+    /// Standard deviation by random noise, which is not in the sum.
+    pub rms: f64,
     /// From rounding in the emitted program, and the room that the proof takes.
     pub rounding: f64,
 }
@@ -115,6 +119,7 @@ impl Sampled {
     /// The loop of a plant and a controller that keeps states of these units.
     pub(super) fn of(chain: Chain, steps: Vec<Step>, acting: Option<usize>, kept: &[Unit]) -> Self {
         let (x0, noise) = (vec![0.0; chain.n], vec![0.0; chain.sensors()]);
+        let noise_rms = noise.clone();
         let own = (1..=chain.n).map(|j| chain.unit(j));
         let units: Vec<_> = own.chain(kept.iter().copied()).collect();
         let gained = |unit: &Unit| match unit {
@@ -122,7 +127,18 @@ impl Sampled {
             Unit::Power(_) => None,
         };
         let gains = units[..chain.n].iter().filter_map(gained).collect();
-        Self { chain, steps, acting, units, gains, x0, noise, actuator: 0.0, force: None }
+        Self {
+            chain,
+            steps,
+            acting,
+            units,
+            gains,
+            x0,
+            noise,
+            noise_rms,
+            actuator: 0.0,
+            force: None,
+        }
     }
 
     /// Length of the state.
@@ -269,6 +285,7 @@ impl Sampled {
             let scale = fading.scales[0].iter().zip(&self.x0);
             rounding += off * fading.growth * scale.map(|(d, x0)| d * x0).fold(0.0, f64::max);
         }
+        bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
         let slack = 1e-12 * (bound.attained() + rounding);
         bound.rounding = if fading.is_some() { rounding + slack } else { f64::INFINITY };
@@ -277,6 +294,9 @@ impl Sampled {
 
     /// Adds the causes of one sample, each weighted by how much of it the output sees.
     fn add(&self, bound: &mut Bound, seen: &[f64]) {
+        // Errors of different samples are independent: their variances add up.
+        let random = seen.iter().zip(&self.noise_rms).map(|(seen, rms)| (seen * rms).powi(2));
+        bound.rms += random.sum::<f64>();
         let parts = bound.noise.iter_mut().chain([&mut bound.actuator]);
         for ((sum, seen), limit) in parts.zip(seen).zip(self.limits()) {
             *sum += seen.abs() * limit;

@@ -78,6 +78,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
     let promises = &spec.promises;
     let disturbed = [
         (!promises.noise.is_empty(), "noise"),
+        (!promises.noise_rms.is_empty(), "noise_rms"),
         (!promises.sensor_step.is_empty(), "sensor_step"),
         (promises.u_step.is_some(), "u_step"),
         (promises.delay.is_some(), "delay"),
@@ -110,6 +111,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         period,
         u_step: promises.u_step.as_ref().and_then(to_f64).unwrap_or(0.0),
         noise: each(&promises.noise),
+        noise_rms: each(&promises.noise_rms),
         sensor_step: each(&promises.sensor_step),
         seed: request.seed,
         delay: promises.delay.unwrap_or(0),

@@ -86,6 +86,10 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
         let bounds = list(&promises.noise);
         parts.push(format!("measurement noise: uniform, +-{bounds} (seed {})", request.seed));
     }
+    if !promises.noise_rms.is_empty() {
+        let rms = list(&promises.noise_rms);
+        parts.push(format!("random measurement noise: {rms} rms (seed {})", request.seed));
+    }
     if !promises.sensor_step.is_empty() {
         parts.push(format!("sensor steps: {}", list(&promises.sensor_step)));
     }

@@ -78,6 +78,7 @@ impl Reader<'_> {
         spec.promises = Promises {
             sample_time: promises.sample_time,
             noise: promises.noise,
+            noise_rms: promises.noise_rms,
             sensor_step: promises.sensor_step,
             delay: promises.delay,
             ..Promises::default()

@@ -21,6 +21,7 @@ impl Reader<'_> {
             sample_time: self.positive("sample_time"),
             error: self.one_or_each("error", n, finite_positive, "finite and > 0"),
             noise: self.one_or_each("noise", measured, not_negative, "finite and >= 0"),
+            noise_rms: self.one_or_each("noise_rms", measured, not_negative, "finite and >= 0"),
             sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
             u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
