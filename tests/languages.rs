@@ -112,7 +112,7 @@ fn what_a_language_cannot_say_is_refused() {
         (Language::Cpp, named("concept"), "params.concept", "meaning of its own in cpp"),
         (Language::Matlab, named("end"), "params.end", "meaning of its own in matlab"),
         (Language::StructuredText, named("VAR"), "params.VAR", "meaning of its own in st"),
-        (Language::StructuredText, named("a__b"), "params.a__b", "no identifier in st"),
+        (Language::StructuredText, named("a__b"), "params.a__b", "not an identifier in st"),
         (
             Language::StructuredText,
             spec(&[("n", "1"), ("mu", "exp"), ("pi0", "-Psi*xi1 - psi*xi1")]),

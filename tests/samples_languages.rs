@@ -368,7 +368,7 @@ fn what_a_language_cannot_say_is_refused() {
         (Language::Cpp, of("concept"), "name", "meaning of its own in cpp"),
         (Language::Matlab, of("end"), "name", "meaning of its own in matlab"),
         (Language::StructuredText, of("limit"), "name", "meaning of its own in st"),
-        (Language::StructuredText, of("a__b"), "name", "no identifier in st"),
+        (Language::StructuredText, of("a__b"), "name", "not an identifier in st"),
     ];
     for (language, spec, key, message) in cases {
         let found = ptc_codegen::generate(&spec, language).expect_err(message);

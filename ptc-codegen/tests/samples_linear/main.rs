@@ -4,6 +4,7 @@
 #[cfg(feature = "lab")]
 mod check;
 mod observer;
+#[path = "../support/exact_plant.rs"]
 mod plant;
 mod reference;
 mod refusals;

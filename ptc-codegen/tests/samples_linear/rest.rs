@@ -1,5 +1,6 @@
 //! Loops with the exact plant, which come to rest.
 
+use ptc_codegen::algebra::BigRational;
 use ptc_codegen::code::{Code, Instance, Status};
 
 use super::code;
@@ -36,15 +37,19 @@ fn poles(count: usize) -> String {
     each.join(",")
 }
 
-fn run(code: &Code, plant: &mut Plant, samples: u32, disturbance: &str) {
+/// The rows of a matrix.
+fn rows(text: &str) -> Vec<Vec<BigRational>> {
+    text.split(';').map(|row| row.split(',').map(number).collect()).collect()
+}
+
+fn run(code: &Code, plant: &mut Plant, samples: u32) {
     let mut controller = Instance::new(code, &[]).expect("legal parameters");
-    let disturbance = number(disturbance);
     for k in 0..samples {
         let y = plant.measured();
-        let x: Vec<_> = plant.x.iter().map(|x| double(&x[0])).collect();
+        let x: Vec<_> = plant.x.iter().map(double).collect();
         let outcome = controller.call("step", &[("k", &[f64::from(k)][..]), ("x", &x), ("y", &y)]);
         assert_eq!(outcome.status, Status::Ok, "sample {k}");
-        plant.step(outcome.results["u"][0], &disturbance);
+        plant.step(outcome.results["u"][0]);
     }
 }
 
@@ -71,8 +76,9 @@ fn comes_to_rest_with_all_states() {
                         (0..n).map(|j| if i == j { "1" } else { "0" }).collect::<Vec<_>>().join(",")
                     })
                     .collect();
-                let mut plant = Plant::new(a, b, &ones.join(";"), h, delay);
-                run(&code, &mut plant, samples, "0");
+                let [a, b, c] = [a, b, ones.join(";").as_str()].map(rows);
+                let mut plant = Plant::new(&a, &b[0], &c, &number(h), delay, &number("0"));
+                run(&code, &mut plant, samples);
                 assert!(
                     plant.left() <= 1e-24,
                     "{name}, d = {delay}, N = {samples}: {}",
@@ -104,8 +110,10 @@ fn comes_to_rest_with_an_observer() {
                 listed(a),
                 listed(c),
             ));
-            let mut plant = Plant::new(a, b, c, h, delay);
-            run(&code, &mut plant, samples, disturbance);
+            let [a, b, c] = [a, b, c].map(rows);
+            let added = number(disturbance);
+            let mut plant = Plant::new(&a, &b[0], &c, &number(h), delay, &added);
+            run(&code, &mut plant, samples);
             // What is left of a constant is the rounding of its estimate.
             let allowed = if disturbance == "0" { 1e-20 } else { 1e-12 };
             assert!(

@@ -5,6 +5,7 @@
 
 mod emitted;
 mod exact;
+#[path = "../support/exact_plant.rs"]
 mod plant;
 mod requests;
 mod same;

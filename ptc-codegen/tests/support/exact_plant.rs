@@ -1,5 +1,8 @@
 //! The exact plant x' = A x + B (u + d), y = C x, sampled, whose input acts late.
 
+// Each test uses its own part of it.
+#![allow(dead_code)]
+
 use std::collections::VecDeque;
 
 use num_traits::{FromPrimitive, One, ToPrimitive, Zero};
@@ -126,5 +129,11 @@ impl Plant {
     pub(crate) fn off(&self, i: usize, estimate: f64) -> f64 {
         let estimate = fixed(&BigRational::from_f64(estimate).expect("a finite estimate"));
         double(&(estimate - &self.x[i])).abs()
+    }
+
+    /// The largest state, in parts of the largest on the way.
+    pub(crate) fn left(&self) -> f64 {
+        let most = self.x.iter().map(|x| double(x).abs()).fold(0.0, f64::max);
+        most / self.largest.iter().copied().fold(0.0, f64::max)
     }
 }
