@@ -5,6 +5,7 @@ mod support;
 
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::check::sampled::margins;
 use ptc_codegen::plant::read_design;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
 use support::entries;
@@ -96,6 +97,31 @@ fn the_true_input_gain_is_part_of_the_loop() {
         for (bound, x) in worst.states.iter().zip(reached(&text, "0.6")) {
             let expected = x.abs();
             assert!((bound.force - expected).abs() <= 1e-9 * expected, "{text}{bound:?} {x}");
+        }
+    }
+}
+
+/// Each end of the margins is sound, and a little beyond it the loop is not.
+#[test]
+fn margins_end_where_the_loop_is_not_sound() {
+    for text in &designs()[3..5] {
+        let text = text.replace("error = 10", "error = [2e-3, 0.1]");
+        let (spec, _) = read_design(&entries(&text)).expect("a design");
+        let margins = margins(&spec, None).expect("a sound loop");
+        let at = |gain: f64, delay: usize| {
+            let text = text.replace("f = \"push\"\n", &format!("f = \"push\"\ng = {gain:?}\n"));
+            verdict(&text.replace("delay = 0", &format!("delay = {delay}"))).0
+        };
+        let [low, high] = margins.gain;
+        let late = margins.delay.expect("a clock in time");
+        assert!(low < 0.9 && 1.1 < high && high < 60.0, "{margins:?}");
+        for (gain, delay) in [(low * 1.001, 0), (high * 0.999, 0), (1.0, late)] {
+            assert_eq!(at(gain, delay), Verdict::Sound, "{margins:?}");
+        }
+        // 16 is the longest legal delay.
+        let beyond = if late == 16 { (high * 1.05, 0) } else { (1.0, late + 1) };
+        for (gain, delay) in [(low * 0.98, 0), (high * 1.02, 0), beyond] {
+            assert_ne!(at(gain, delay), Verdict::Sound, "{margins:?}");
         }
     }
 }

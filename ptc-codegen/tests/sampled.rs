@@ -211,7 +211,7 @@ fn random_noise_spreads_x_as_the_check_says() {
     let (mut spec, _) = design(STAGE);
     let all = |text: &str| ptc_codegen::syntax::number(text).expect("a number");
     spec.promises.sample_time = Some(all("0.01"));
-    spec.promises.x0_max = vec![all("1")];
+    spec.promises.x0_max = vec![all("1"), all("1")];
     spec.promises.noise_rms = vec![all("1e-4"), all("1e-3")];
     let worst = ptc_codegen::check::examine::examine(&spec).worst.expect("a loop");
     for (bound, sum) in worst.states.iter().zip(squares) {

@@ -6,7 +6,7 @@ use clap::Args;
 use ptc_codegen::Accepted;
 use ptc_codegen::check::Outcome;
 use ptc_codegen::check::examine::{Report, examine_expanded};
-use ptc_codegen::check::sampled::{Bound, Worst};
+use ptc_codegen::check::sampled::{Bound, Margins, Worst, margins};
 use serde_json::json;
 
 use super::flags::{Design, EngineFlag, ListFormat, SpecFlags};
@@ -24,6 +24,7 @@ refuted, undecided or not checked.
 Examples:
   ptc-codegen check roll.toml
   ptc-codegen check roll.toml --sample-time 1e-3 --format json
+  ptc-codegen check roll.toml --margins
   ptc-codegen check --n 2 --mu \"exp(a=1)\" --poles=-4,-5";
 
 /// What is asked of a check.
@@ -35,6 +36,10 @@ pub(crate) struct Check {
     pub(crate) spec: SpecFlags,
     #[command(flatten)]
     pub(crate) engine: EngineFlag,
+    /// Also find which true input gains and delays the sound loop tolerates (tries the check `loop` some
+    /// 50 times)
+    #[arg(long)]
+    pub(crate) margins: bool,
     /// Notation
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: ListFormat,
@@ -48,9 +53,10 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let report = examine_expanded(&spec, expanded);
     let refused = report.refusals().next().is_some();
+    let margins = request.margins.then(|| margins(&report.spec, report.expanded.as_ref()));
     write::to_stdout(&match request.format {
-        ListFormat::Text => text(&report, refused),
-        ListFormat::Json => json(&report, refused),
+        ListFormat::Text => text(&report, margins.as_ref(), refused),
+        ListFormat::Json => json(&report, margins.as_ref(), refused),
     })?;
     if refused {
         return Err(Failure::refused(Vec::new()));
@@ -63,7 +69,7 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     if undecided { Err(Failure::undecided(Vec::new())) } else { Ok(()) }
 }
 
-fn text(report: &Report, refused: bool) -> String {
+fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
     let spec = &report.spec;
     let mut out = format!("{}: order n = {}, {}\n", spec.name(), spec.n, spec.command());
     for outcome in &report.outcomes {
@@ -75,6 +81,13 @@ fn text(report: &Report, refused: bool) -> String {
         if let Some(fix) = &outcome.fix {
             let _ = writeln!(out, "            fix: {fix}");
         }
+    }
+    match margins {
+        Some(Some(margins)) => {
+            let _ = writeln!(out, "\nmargins     {margins}");
+        }
+        Some(None) => out.push_str("\nmargins     none: `loop` is not sound\n"),
+        None => {}
     }
     let names = |outcomes: &mut dyn Iterator<Item = &Outcome>| {
         outcomes.map(|outcome| outcome.name).collect::<Vec<_>>().join(", ")
@@ -112,7 +125,7 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
     })
 }
 
-fn json(report: &Report, refused: bool) -> String {
+fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
     let checks: Vec<_> = report
         .outcomes
         .iter()
@@ -130,12 +143,16 @@ fn json(report: &Report, refused: bool) -> String {
             entry
         })
         .collect();
-    let design = json!({
+    let mut design = json!({
         "name": report.spec.name(),
         "command": report.spec.command(),
         "accepted": !refused,
         "undecided": report.undecided().map(|outcome| outcome.name).collect::<Vec<_>>(),
         "checks": checks,
     });
+    if let Some(margins) = margins {
+        let tried = |margins: &Margins| json!({ "gain": margins.gain, "delay": margins.delay });
+        design["margins"] = margins.as_ref().map_or(serde_json::Value::Null, tried);
+    }
     format!("{design}\n")
 }

@@ -252,7 +252,7 @@ mod tests {
                 let (low, high) =
                     (value(f64::INFINITY, f64::min), value(f64::NEG_INFINITY, f64::max));
                 assert!(own.low <= low && high <= own.high, "{a:?} {b:?} {own:?}");
-                let near = |x: f64, y: f64| x == y || (x - y).abs() <= 1e-15 * y.abs().max(1e-300);
+                let near = |x: f64, y: f64| x == y || (x - y).abs() <= (1e-15 * y.abs()).max(TINY);
                 assert!(near(own.low, low) && near(own.high, high), "{a:?} {b:?} {own:?}");
             }
         }

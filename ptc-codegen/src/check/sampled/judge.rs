@@ -155,11 +155,11 @@ impl<'a> Loop<'a> {
         Ok(Sampled::of(chain, steps, acting, &kept))
     }
 
-    /// The worst case with the eps of the design.
+    /// The worst case with the eps of the design, and on the way if `way` is set.
     ///
     /// # Errors
     /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
-    pub(crate) fn worst(&self) -> Result<Worst, String> {
+    pub(crate) fn worst(&self, way: bool) -> Result<Worst, String> {
         let sampled = self.disturbed(self.acting()?);
         // A loop that comes to rest sees nothing of its states before the last few samples, so that
         // a state cannot be scaled by what is seen of it.
@@ -173,7 +173,8 @@ impl<'a> Loop<'a> {
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
             states.ok_or("an error of one sample may grow without a bound that is found")?;
-        Ok(Worst { states, samples: self.samples, way: self.way(&sampled) })
+        let way = if way { self.way(&sampled) } else { None };
+        Ok(Worst { states, samples: self.samples, way })
     }
 
     /// The bounds on the way, over all samples and the polynomials between them.

@@ -11,6 +11,7 @@ mod emitted;
 mod force;
 mod gains;
 mod judge;
+mod margins;
 mod outcome;
 mod rounded;
 mod transition;
@@ -18,6 +19,7 @@ mod worst;
 
 pub(crate) use judge::Loop;
 pub use judge::{Way, Worst};
+pub use margins::{Margins, margins};
 pub(crate) use outcome::{NAME, outcome};
 pub use worst::Bound;
 

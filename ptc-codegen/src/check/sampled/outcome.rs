@@ -16,12 +16,23 @@ pub(crate) const NAME: &str = "loop";
 
 /// The check of a design whose loop is known, and its worst case.
 pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
+    outcome_of(spec, expanded, true)
+}
+
+/// The same with bounds on the way only if `way` is set, or u may be clipped.
+pub(super) fn outcome_of(
+    spec: &Spec,
+    expanded: Option<&Expanded>,
+    way: bool,
+) -> (Outcome, Option<Worst>) {
+    let limited =
+        spec.fixed.get(&Parameter::UMax).is_some_and(|limit| !matches!(limit, Fixed::Infinite));
     let eps = spec.fixed.contains_key(&Parameter::Eps);
     let found = Loop::new(spec, expanded).and_then(|closed| {
         if !eps {
             return Err("`eps` is left to run time".to_owned());
         }
-        Ok((closed.worst()?, closed))
+        Ok((closed.worst(way || limited)?, closed))
     });
     match found {
         Ok((worst, closed)) => (judged(spec, &worst, &closed), Some(worst)),

@@ -198,6 +198,8 @@ impl Loop {
         if let Some(known) = self.sums.get(&key) {
             return *known;
         }
+        // Half of what may be looked at is left to bounds that have to do without.
+        (self.pieces > PIECES / 2).then_some(())?;
         let sum = self.added_to(drift, share, factors);
         self.sums.insert(key, sum);
         sum

@@ -50,6 +50,9 @@ impl Aim {
     }
 }
 
+/// Part of the largest term of a sum below which the others are bounded apart from it.
+const FEW: f64 = 1.0 / 128.0;
+
 /// Order from which on the corners of a box are too many.
 const MANY: usize = 9;
 
@@ -351,6 +354,14 @@ impl Bounds {
         let middles: Vec<_> = factors.iter().map(|[about, _]| *about).collect();
         let cell = closed.cell(&point.share)??;
         let each = cell.added.as_ref().filter(|_| moved > 1)?;
+        // Next to the largest of them the others may add nothing that counts.
+        let parts = factors
+            .iter()
+            .enumerate()
+            .map(|(r, [_, whole])| (*whole * each[0][r].hull(each[1][r])).size().high());
+        let parts: Vec<_> = parts.collect();
+        let most = parts.iter().copied().fold(0.0, f64::max);
+        (parts.iter().sum::<f64>() > (1.0 + FEW) * most).then_some(())?;
         let sum = closed.of_sum(&point.share, &middles)?;
         let of_end = |end: usize| {
             let beside =

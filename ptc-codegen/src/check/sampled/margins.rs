@@ -1,0 +1,104 @@
+//! How much more the loop tolerates: input gains and delays with which the check is still sound.
+
+use std::fmt;
+
+use num_traits::FromPrimitive;
+
+use super::outcome::outcome_of;
+use crate::algebra::BigRational;
+use crate::check::Verdict;
+use crate::diagnostic::digits;
+use crate::expansion::Expanded;
+use crate::request::{After, Clock, Spec, Truth};
+
+/// Halvings of the interval, in its logarithm, between a gain that is sound and one that is not.
+const HALVINGS: u32 = 10;
+
+/// Largest factor of the gain that is tried, and one over the smallest.
+const MOST: f64 = 64.0;
+
+/// Most samples of delay that are tried.
+const LATE: usize = 16;
+
+/// What the sampled loop of a sound design tolerates, one at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Margins {
+    /// The least and the greatest true input gain, in parts of that of the design, with which the
+    /// check is sound: each end was tried, and gains between them by bisection.
+    pub gain: [f64; 2],
+    /// Samples of delay beyond those of the design; `None` for a clock in samples, which compensates
+    /// the delay that it knows.
+    pub delay: Option<usize>,
+}
+
+impl fmt::Display for Margins {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.gain.map(digits);
+        write!(
+            f,
+            "`loop` is also sound with a true input gain of {low} and of {high} times its value"
+        )?;
+        match self.delay {
+            Some(delay) => write!(f, ", and with up to {delay} more samples of delay"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The margins of a design, with the closed forms of another engine where they are given; `None` if
+/// its check `loop` is not sound.
+pub fn margins(spec: &Spec, expanded: Option<&Expanded>) -> Option<Margins> {
+    let is_sound = |spec: &Spec| outcome_of(spec, expanded, false).0.verdict == Verdict::Sound;
+    // What follows the deadline is not judged.
+    let spec = &Spec { after: After::Hold, ..spec.clone() };
+    is_sound(spec).then_some(())?;
+    let with = |factor: f64| scaled(spec, factor).is_some_and(|spec| is_sound(&spec));
+    // The last factor on the way to `end` that is sound.
+    let last = |end: f64| {
+        let (mut good, mut bad) = (1.0, None);
+        let mut factor = end.powf(1.0 / 12.0);
+        for _ in 0..12 {
+            if !with(factor) {
+                bad = Some(factor);
+                break;
+            }
+            good = factor;
+            factor *= end.powf(1.0 / 12.0);
+        }
+        let Some(mut bad) = bad else { return good };
+        for _ in 0..HALVINGS {
+            let middle = (good * bad).sqrt();
+            if with(middle) { good = middle } else { bad = middle }
+        }
+        good
+    };
+    let delay = match spec.clock {
+        Clock::Samples(_) => None,
+        Clock::Time => Some((1..=LATE).take_while(|more| is_sound(&later(spec, *more))).count()),
+    };
+    Some(Margins { gain: [last(1.0 / MOST), last(MOST)], delay })
+}
+
+/// The design whose true input gain is `factor` times what it is.
+fn scaled(spec: &Spec, factor: f64) -> Option<Spec> {
+    let mut spec = spec.clone();
+    let own = match &spec.input_gain {
+        None => BigRational::from_integer(1.into()),
+        Some(g) => g.number()?.clone(),
+    };
+    let zero = BigRational::default;
+    let none = || Truth::Bounded { middle: zero(), constant: zero(), varying: zero(), gain: None };
+    let mut truth = spec.promises.truth.take().unwrap_or_else(none);
+    let Truth::Bounded { gain, .. } = &mut truth else { return None };
+    let factor = BigRational::from_f64(factor)?;
+    *gain = Some(gain.take().unwrap_or(own) * factor);
+    spec.promises.truth = Some(truth);
+    Some(spec)
+}
+
+/// The design with more samples of delay.
+fn later(spec: &Spec, more: usize) -> Spec {
+    let mut spec = spec.clone();
+    spec.promises.delay = Some(spec.promises.delay.unwrap_or(0) + more);
+    spec
+}
