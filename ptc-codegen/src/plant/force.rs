@@ -68,10 +68,10 @@ impl Plant {
             let mut given = entries.iter().filter(|entry| entry.key == own);
             given.any(|entry| !is_constant(&entry.value))
         };
-        let bounded = self.bounds.iter().filter_map(|(symbol, (low, high))| {
+        let bounded = self.bounds.iter().map(|(symbol, (low, high))| {
             let ends = [low, high].map(|end| Fixed::number(end).cloned());
             let [low, high] = ends.map(Option::unwrap_or_default);
-            Some((*symbol, [low, high], !moves(symbol)))
+            (*symbol, [low, high], !moves(symbol))
         });
         let force = force(&self.f, &values, &bounded.collect::<Vec<_>>());
         let gain = self.g.as_ref().map(|g| {

@@ -101,6 +101,7 @@ pub struct Promises {
 
 /// What the sampled loop knows of the plant of a design.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant)] // One per design.
 pub enum Truth {
     /// f is `middle`, and as far from it as both others together; g is a number.
     Bounded {

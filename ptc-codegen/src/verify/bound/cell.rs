@@ -35,6 +35,12 @@ pub(super) struct Cell {
     pub(super) about: Vec<Range>,
 }
 
+/// A cell of T/tau, and the bits of factors.
+type Sum = ([BigRational; 2], Vec<u64>);
+
+/// Responses at the least T/tau of a cell and at the greatest.
+type Ends = [Rc<Response>; 2];
+
 /// The loop in units of tau.
 pub(super) struct Loop {
     pub(super) n: usize,
@@ -49,7 +55,7 @@ pub(super) struct Loop {
     /// How the loop answers f at the T/tau that were looked at, and in the sums by their factors.
     driven: BTreeMap<(BigRational, Vec<u64>), Rc<Response>>,
     /// What f adds to sums over cells.
-    sums: BTreeMap<([BigRational; 2], Vec<u64>), Option<[Range; 2]>>,
+    sums: BTreeMap<Sum, Option<[Range; 2]>>,
     pub(super) weight: Option<Rc<Weight>>,
     /// Pieces of lags that may be looked at.
     pub(super) pieces: u64,
@@ -226,7 +232,7 @@ impl Loop {
         share: &[BigRational; 2],
         table: &Rows,
         sum: Option<&[Range]>,
-    ) -> Option<([Rc<Response>; 2], [Vec<Range>; 2])> {
+    ) -> Option<(Ends, [Vec<Range>; 2])> {
         let [low, high] = share;
         let half = half_of(share);
         let ends = [self.answer(low, sum)?, self.answer(high, sum)?];
