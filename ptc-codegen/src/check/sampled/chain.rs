@@ -256,6 +256,18 @@ impl Matrix {
         }
     }
 
+    /// sum_ij |row_i| (error_ij + unit |entry_ij|) x_j.
+    pub(super) fn inexact(&self, row: &[f64], x: &[f64], unit: f64) -> f64 {
+        let rows = self.entries.chunks_exact(self.size).zip(self.errors.chunks_exact(self.size));
+        let parts = row.iter().zip(rows).filter(|(p, _)| **p != 0.0);
+        let of_row = |(p, (entries, errors)): (&f64, (&[f64], &[f64]))| {
+            let off = entries.iter().zip(errors).zip(x);
+            let off = off.map(|((entry, error), x)| (error + unit * entry.abs()) * x);
+            p.abs() * off.sum::<f64>()
+        };
+        parts.map(of_row).sum()
+    }
+
     /// Largest sum of |entries| of a row of D' self D^-1, for the diagonals of two scalings.
     pub(super) fn norm(&self, later: &[f64], earlier: &[f64]) -> f64 {
         self.largest(later, earlier, |entry, _| entry.abs())

@@ -9,7 +9,7 @@ use super::chain::{Chain, Gains};
 use super::emitted;
 use super::force::Force;
 use super::gains::gains;
-use super::worst::{Bound, Output, Sampled};
+use super::worst::{Bound, Output, Sampled, Trust};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::expansion::Expanded;
@@ -161,36 +161,45 @@ impl<'a> Loop<'a> {
     /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
     pub(crate) fn worst(&self, way: bool) -> Result<Worst, String> {
         let sampled = self.disturbed(self.acting()?);
+        let reach = sampled.reach(self.samples);
         // A loop that comes to rest sees nothing of its states before the last few samples, so that
         // a state cannot be scaled by what is seen of it.
-        let rests = self.spec.sampled().map(|_| sampled.fading(None, self.samples));
+        let rests = self.spec.sampled().filter(|_| reach.is_none());
+        let rests = rests.map(|_| sampled.fading(None, self.samples));
         let state = |i: usize| {
             let output = sampled.state(i);
+            if let Some(reach) = &reach {
+                return Some(sampled.bound(&output, self.samples, Some(Trust::Reach(reach))));
+            }
             let own = rests.is_none().then(|| sampled.fading(Some(&output), self.samples));
             let fading = own.as_ref().or(rests.as_ref())?.as_ref()?;
-            Some(sampled.bound(&output, self.samples, Some(fading)))
+            Some(sampled.bound(&output, self.samples, Some(Trust::Fading(fading))))
         };
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
             states.ok_or("an error of one sample may grow without a bound that is found")?;
-        let way = if way { self.way(&sampled) } else { None };
+        let way = if way { self.way(&sampled, reach.as_deref()) } else { None };
         Ok(Worst { states, samples: self.samples, way })
     }
 
     /// The bounds on the way, over all samples and the polynomials between them.
-    fn way(&self, sampled: &Sampled) -> Option<Way> {
+    fn way(&self, sampled: &Sampled, reach: Option<&[Vec<f64>]>) -> Option<Way> {
         let (n, size) = (self.spec.n, sampled.size());
         let outputs = n + 1 + n * (n - 1) / 2;
         let count = self.samples as f64;
         if 0.5 * count * count * (outputs * (size * size + 4 * size)) as f64 > OPERATIONS {
             return None;
         }
-        let fading = sampled.fading(None, self.samples)?;
+        let fading = match reach {
+            Some(_) => None,
+            None => Some(sampled.fading(None, self.samples)?),
+        };
+        let trust = reach.map(Trust::Reach).or(fading.as_ref().map(Trust::Fading));
         let mut way = Way { x: sampled.x0.clone(), u: 0.0, u_attained: 0.0, u_rms: 0.0 };
         let control = Output { row: vec![0.0; size], direct: 1.0 };
         for k in 0..=self.samples {
             if k < self.samples {
-                let mut bound = sampled.bound(&control, k, Some(&fading));
+                let mut bound = sampled.bound(&control, k, trust);
                 // The command, before the actuator rounds it.
                 bound.actuator -= sampled.actuator;
                 way.u = way.u.max(bound.total());
@@ -199,7 +208,7 @@ impl<'a> Loop<'a> {
             }
             for i in 0..n {
                 let mut take = |output: &Output, more: f64| {
-                    let bound = sampled.bound(output, k, Some(&fading));
+                    let bound = sampled.bound(output, k, trust);
                     way.x[i] = way.x[i].max(bound.total() + more);
                 };
                 take(&sampled.state(i + 1), 0.0);

@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::force::Force;
 use super::gains::gains;
-use super::worst::{Sampled, Signals};
+use super::worst::{Sampled, Signals, Trust};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::family::Family;
@@ -53,7 +53,7 @@ fn final_errors_are_those_of_the_reference() {
         for i in 1..=n {
             let output = sampled.state(i);
             let fading = sampled.fading(Some(&output), samples);
-            let bound = sampled.bound(&output, samples, fading.as_ref());
+            let bound = sampled.bound(&output, samples, fading.as_ref().map(Trust::Fading));
             let expected = |key: &str| numbers(&case[key])[i - 1];
             let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * b, "{a} {b}");
             near(bound.x0, expected("final_from_x0"));
@@ -61,6 +61,11 @@ fn final_errors_are_those_of_the_reference() {
             near(bound.actuator, expected("final_from_quantum"));
             // Some of these loops diverge, and rounding with them: 4e-6 at n = 4.
             assert!(bound.rounding <= 1e-5 * bound.attained(), "n = {n}, x{i}: {bound:?}");
+            // Where every state is bounded at each sample, errors count by where it is.
+            let reach = sampled.reach(samples).expect("few samples");
+            let closely = sampled.bound(&output, samples, Some(Trust::Reach(&reach)));
+            assert_eq!(closely.attained().to_bits(), bound.attained().to_bits());
+            assert!(closely.rounding <= 3.0 * bound.rounding, "{closely:?} {bound:?}");
             let reached = run(&sampled, &sampled.signals(&output, samples), samples)[i - 1];
             near(reached, bound.attained());
         }
@@ -115,7 +120,7 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
         }
         let fading = sampled.fading(None, samples).expect("a loop that fades");
         for i in 1..=n {
-            let bound = sampled.bound(&sampled.state(i), samples, Some(&fading));
+            let bound = sampled.bound(&sampled.state(i), samples, Some(Trust::Fading(&fading)));
             let noise: f64 = bound.noise.iter().sum();
             assert!((noise / expected[i - 1] - 1.0).abs() < 1e-9, "n = {n}, x{i}: {noise}");
             let rest = numbers(&case["final_from_unit_box"])[i - 1];
@@ -194,7 +199,7 @@ fn a_force_within_bounds_does_what_all_its_kicks_do() {
             let mut bound = |force: Force| {
                 sampled.force = Some(force);
                 let fading = sampled.fading(Some(&output), samples);
-                sampled.bound(&output, samples, fading.as_ref())
+                sampled.bound(&output, samples, fading.as_ref().map(Trust::Fading))
             };
             let all = bound(force(-2.0, 0.5, 0.1));
             let expected = 2.5 * sums[i].abs() + 0.1 * sizes[i];
@@ -233,6 +238,41 @@ fn random_noise_adds_what_the_covariances_say() {
             assert!((bound.rms - expected).abs() <= 1e-9 * expected, "n = {n}: {bound:?}");
             assert_eq!(bound.attained(), 0.0);
         }
+    }
+}
+
+/// A loop whose matrices are off by as much as they may be stays within its bounds.
+#[test]
+fn a_loop_that_is_off_stays_within_reach() {
+    let mut random = 1_u64;
+    let mut sign = || {
+        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        if random >> 63 == 0 { 1.0 } else { -1.0 }
+    };
+    for (n, poles, delay) in [(2, "20,9", 0), (3, "120,74,15", 0), (2, "20,9", 2)] {
+        let samples = 60;
+        let mut sampled = closed(n, poles, delay, samples);
+        sampled.x0 = vec![1.0; n];
+        // Large errors, so that they count.
+        sampled.loosen(1e-3);
+        let reach = sampled.reach(samples).expect("few samples");
+        let size = n + delay;
+        let mut nearest = f64::INFINITY;
+        for _ in 0..200 {
+            let mut s: Vec<f64> = (0..size).map(|i| if i < n { sign() } else { 0.0 }).collect();
+            for k in 0..samples {
+                let matrix = &sampled.step(k).matrix;
+                let entries = matrix.entries.iter().zip(&matrix.errors);
+                let off: Vec<_> = entries.map(|(entry, error)| entry + sign() * error).collect();
+                let row = |row: &[f64]| row.iter().zip(&s).map(|(m, x)| m * x).sum::<f64>();
+                s = off.chunks_exact(size).map(row).collect();
+                for (x, most) in s.iter().zip(&reach[k + 1]) {
+                    assert!(x.abs() <= *most, "n = {n}, sample {k}: {x} {most}");
+                    nearest = nearest.min(most / x.abs());
+                }
+            }
+        }
+        assert!(nearest < 1.5, "the bounds are met nearly: {nearest}");
     }
 }
 

@@ -99,6 +99,18 @@ pub(super) struct Signals {
     pub(super) actuator: Vec<f64>,
 }
 
+/// Operations that the bounds of all samples may take: a second or two.
+const OPERATIONS: f64 = 2e9;
+
+/// By what the error of a bound is bounded.
+#[derive(Clone, Copy)]
+pub(super) enum Trust<'a> {
+    /// Where every state is at each sample: what an error of a sample is a part of.
+    Reach(&'a [Vec<f64>]),
+    /// How far any error may grow until another sample.
+    Fading(&'a Fading),
+}
+
 /// How fast an error fades, for the proof: a scaling of the state at each sample, and the bound of
 /// the transitions in it.
 pub(super) struct Fading {
@@ -216,8 +228,39 @@ impl Sampled {
         Some(Fading { errors: errors.collect(), scales, growth })
     }
 
-    /// The worst case of an output at sample `at`; its rounding is infinite without a `fading`.
-    pub(super) fn bound(&self, output: &Output, at: usize, fading: Option<&Fading>) -> Bound {
+    /// Bounds of each |s_k|, k = 0..=at, of the loop that runs; `None` where that takes too long.
+    ///
+    /// With rows p_l that are p_{l+1} M_l up to e_l, and a loop whose matrices are M_l up to E_l,
+    /// p_k s_k = p_0 s_0 + sum_l p_{l+1} b w + sum_l (p_{l+1} E_l - e_l) s_l: what is not exact in a
+    /// sample counts with the state there, which is bounded already.
+    pub(super) fn reach(&self, at: usize) -> Option<Vec<Vec<f64>>> {
+        #[allow(clippy::cast_precision_loss)]
+        let [count, size] = [at, self.size()].map(|count| count as f64);
+        (0.5 * count * count * size.powi(3) <= OPERATIONS).then_some(())?;
+        let mut reach = Vec::with_capacity(at + 1);
+        for k in 0..=at {
+            let one = |i: usize| {
+                let mut row = vec![0.0; self.size()];
+                row[i] = 1.0;
+                let trust = Trust::Reach(&reach);
+                self.bound(&Output { row, direct: 0.0 }, k, Some(trust)).total()
+            };
+            let most: Vec<_> = (0..self.size()).map(one).collect();
+            most.iter().all(|x| x.is_finite()).then_some(())?;
+            reach.push(most);
+        }
+        Some(reach)
+    }
+
+    /// The worst case of an output at sample `at`; its rounding is infinite without `trust`.
+    pub(super) fn bound(&self, output: &Output, at: usize, trust: Option<Trust<'_>>) -> Bound {
+        let (reach, fading) = match trust {
+            Some(Trust::Reach(reach)) => (Some(reach), None),
+            Some(Trust::Fading(fading)) => (None, Some(fading)),
+            None => (None, None),
+        };
+        #[allow(clippy::cast_precision_loss)]
+        let unit = (self.size() + 4) as f64 * f64::EPSILON;
         let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
         let size = |row: &[f64], k: usize| -> f64 {
             let scale = &fading.map_or(&[][..], |fading| &fading.scales[k]);
@@ -231,8 +274,11 @@ impl Sampled {
             let u = &self.step(at).u;
             let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
             self.add(&mut bound, &seen);
-            let unit = 4.0 * f64::EPSILON;
             let errors = u.of_state.iter().map(|(gain, error)| error + unit * gain.abs());
+            if let Some(reach) = reach {
+                let parts = errors.clone().zip(&reach[at]).map(|(error, x)| error * x);
+                rounding += output.direct.abs() * parts.sum::<f64>();
+            }
             if let Some(fading) = fading {
                 let scale = &fading.scales[at];
                 off += output.direct.abs() * errors.zip(scale).map(|(e, d)| e / d).sum::<f64>();
@@ -258,6 +304,14 @@ impl Sampled {
             seen.clear();
             seen.extend(step.columns.iter().map(by));
             self.add(&mut bound, &seen);
+            if let Some(reach) = reach {
+                let force = self.force.iter().map(|force| (&force.column, force.most()));
+                for (column, limit) in step.columns.iter().zip(self.limits()).chain(force) {
+                    let inexact = |(p, (b, e)): (&f64, &(f64, f64))| p.abs() * (e + unit * b.abs());
+                    rounding += row.iter().zip(column).map(inexact).sum::<f64>() * limit;
+                }
+                rounding += step.matrix.inexact(&row, &reach[k], unit);
+            }
             if let Some(fading) = fading {
                 let scale = &fading.scales[k + 1];
                 let force = self.force.iter().map(|force| (&force.column, force.most()));
@@ -288,7 +342,7 @@ impl Sampled {
         bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
         let slack = 1e-12 * (bound.attained() + rounding);
-        bound.rounding = if fading.is_some() { rounding + slack } else { f64::INFINITY };
+        bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
     }
 
@@ -300,6 +354,15 @@ impl Sampled {
         let parts = bound.noise.iter_mut().chain([&mut bound.actuator]);
         for ((sum, seen), limit) in parts.zip(seen).zip(self.limits()) {
             *sum += seen.abs() * limit;
+        }
+    }
+
+    /// Makes every entry uncertain by a part of it.
+    #[cfg(test)]
+    pub(super) fn loosen(&mut self, part: f64) {
+        for matrix in self.steps.iter_mut().map(|step| &mut step.matrix) {
+            let errors = matrix.entries.iter().map(|entry| part * entry.abs());
+            matrix.errors = errors.collect();
         }
     }
 
