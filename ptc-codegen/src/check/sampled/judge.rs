@@ -207,11 +207,9 @@ impl<'a> Loop<'a> {
                 way.u_rms = way.u_rms.max(bound.rms);
             }
             for i in 0..n {
-                let mut take = |output: &Output, more: f64| {
-                    let bound = sampled.bound(output, k, trust);
-                    way.x[i] = way.x[i].max(bound.total() + more);
-                };
-                take(&sampled.state(i + 1), 0.0);
+                let total = |output: &Output| sampled.bound(output, k, trust).total();
+                let here = reach.map(|reach| reach[k][i]);
+                let mut most = here.unwrap_or_else(|| total(&sampled.state(i + 1)));
                 // Between samples the states of a chain are polynomials, to which f adds at most what
                 // it does in a whole sample.
                 if k < self.samples && self.chain.outputs.is_none() {
@@ -219,8 +217,10 @@ impl<'a> Loop<'a> {
                         let (value, error) = force.column[i];
                         force.most() * (value + error)
                     });
-                    self.between(sampled, i).iter().for_each(|output| take(output, more));
+                    let points = self.between(sampled, i);
+                    most = points.iter().map(|point| total(point) + more).fold(most, f64::max);
                 }
+                way.x[i] = way.x[i].max(most);
             }
         }
         let finite = way.u.is_finite() && way.x.iter().all(|x| x.is_finite());
