@@ -83,7 +83,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         (
             with("f = 0", "f = \"d\"\nd = [-1, 1]\n[disturbance]\nd = \"sin\""),
             &[],
-            &["no signal", "did you mean `sine`?"],
+            &["disturbance.d is not a signal", "did you mean `sine`?"],
         ),
         (
             with("f = 0", "f = \"b*u\"\nb = [-3, 0]"),
