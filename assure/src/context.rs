@@ -82,7 +82,7 @@ impl Context {
         all
     }
 
-    /// Infinite-time systems: with gains, with a law of the user's, with latched states.
+    /// Infinite-time systems: with gains, with a user-defined law, with latched states.
     pub fn systems(&self) -> Vec<Spec> {
         let laws: [&[(&str, &str)]; 3] =
             [&[], &[("pi0", "extern")], &[("pi0", "-xi1 - 2*xi2*xi1_0")]];

@@ -69,7 +69,7 @@ class Case:
             row = [0] * (self.n + 1)
             for index, factor in factors.items():
                 row[index] = factor
-            # The last of them, with T where that is asked for.
+            # The second sum: u is multiplied by time-to-go.
             if time_to_go:
                 row[self.n] = lambda left: left * factors[self.n]
             h = " + ".join(f"{factors[i]}*{names[i]}" for i in factors) + time_to_go

@@ -27,7 +27,7 @@ pub enum Form {
     /// is no single term. It needs r_1..r_n as numbers and no expansion at all.
     Series,
     /// u = (kappa'^n pi0(BB_n x, t_kappa) + sum_j h_j x_j)/g with h_j = -kappa'^n b_j: for a law that
-    /// is no sum of gains. BB_n and h come from the Taylor series of mu.
+    /// is not a sum of gains. BB_n and h come from the Taylor series of mu.
     State,
 }
 

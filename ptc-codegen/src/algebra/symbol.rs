@@ -76,7 +76,7 @@ impl Symbol {
     }
 
     /// Spelling in plain text; also the stem of identifiers in emitted code, where derivatives of
-    /// the abstract mapping, the only spelling that is no identifier, never occur.
+    /// the abstract mapping, the only spelling that is not an identifier, never occur.
     pub fn text(self) -> String {
         if self.kind == Kind::Derivative {
             return match self.index {

@@ -7,7 +7,7 @@ use crate::request::{Observer, Sampled, Spec};
 pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
     let end = observer.samples.unwrap_or_default();
     let exact = match observer.eps {
-        None => "exact, but for rounding,",
+        None => "exact up to rounding",
         Some(_) => "as near as the hold at observer_eps leaves them",
     };
     let values = if sampled.disturbance { "the state and of d" } else { "the state" };

@@ -69,7 +69,7 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
 
 /// What becomes of the plant, and by which law.
 fn purpose(sampled: &Sampled, order: usize) -> [String; 2] {
-    let goal = "Goal: x = 0 at sample N after the start, exactly but for rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
+    let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
     let law = match &sampled.linear {
         Some(_) => format!(
             "Law: with M samples to go and z = S x, the differences of a flat output, u = sum of row_j z_j/((M-j+1)...(M-{})) less the drift of z; the rows are those of Theorem 1 for the mapping exp. Close to the end deadbeat takes over.",

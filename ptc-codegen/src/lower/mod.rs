@@ -65,7 +65,7 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     b.finish(step, gains, axis, Limits { start_time, u_max, past, late, hold_from, eps })
 }
 
-/// The rows of the gains; none for a law that is no sum of gains.
+/// The rows of the gains; empty for a law that is not a sum of gains.
 fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
     match &law.form {
         Form::Rows { base_inverse, rows } => {

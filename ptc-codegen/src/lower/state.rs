@@ -1,4 +1,4 @@
-//! A law that is no sum of gains: u = kappa'^n pi0(BB_n x, t_kappa) - kappa'^n b_n^T x.
+//! A law that is not a sum of gains: u = kappa'^n pi0(BB_n x, t_kappa) - kappa'^n b_n^T x.
 
 use super::builder::Builder;
 use super::mapping::{self, Taylor};

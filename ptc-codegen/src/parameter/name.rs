@@ -12,7 +12,7 @@ use super::reserved::is_word;
 pub struct Name(&'static str);
 
 impl Name {
-    /// The name `text`; `None` if that is no identifier of at most 48 ASCII letters, digits and
+    /// The name `text`; `None` if it is not an identifier of at most 48 ASCII letters, digits and
     /// underscores, or a word of C, C++ or Rust.
     pub fn new(text: &str) -> Option<Self> {
         let identifier = text.starts_with(|c: char| c.is_ascii_alphabetic())

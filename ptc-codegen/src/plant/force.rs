@@ -9,7 +9,7 @@ use crate::algebra::{BigRational, integer};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, existence};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Entry, Spec, Truth};
+use crate::request::{Entry, PlantBounds, Spec};
 use crate::syntax::{Node, Value};
 
 /// A symbol with its least and greatest value, and whether it is constant for all of a run.
@@ -58,7 +58,7 @@ pub(crate) fn force(
 
 impl Plant {
     /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
-    pub(super) fn truth(&self, spec: &Spec, entries: &[Entry]) -> Truth {
+    pub(super) fn bounds(&self, spec: &Spec, entries: &[Entry]) -> PlantBounds {
         let fixed = spec.fixed.iter().chain(&self.fixed);
         let values: BTreeMap<_, _> =
             fixed.filter_map(|(name, value)| Some((*name, value.number()?.clone()))).collect();
@@ -84,9 +84,9 @@ impl Plant {
         });
         match (force, gain.transpose()) {
             (Ok([middle, constant, varying]), Ok(gain)) => {
-                Truth::Bounded { middle, constant, varying, gain }
+                PlantBounds::Bounded { middle, constant, varying, gain }
             }
-            (Err(why), _) | (_, Err(why)) => Truth::Unknown(why),
+            (Err(why), _) | (_, Err(why)) => PlantBounds::Unknown(why),
         }
     }
 }

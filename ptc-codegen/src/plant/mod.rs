@@ -35,7 +35,7 @@ pub const TABLE: &str = "plant";
 pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
     let mut spec = request::read(entries)?;
     let plant = read(entries, &spec)?;
-    spec.promises.truth = plant.as_ref().map(|plant| plant.truth(&spec, entries));
+    spec.promises.plant = plant.as_ref().map(|plant| plant.bounds(&spec, entries));
     Ok((spec, plant))
 }
 

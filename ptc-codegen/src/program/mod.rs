@@ -263,7 +263,7 @@ pub struct Program {
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped.
     pub step: Value,
-    /// Feedback gains of x_1..x_n, for `tick`; `None` if the law is no sum of gains.
+    /// Feedback gains of x_1..x_n, for `tick`; `None` if the law is not a sum of gains.
     pub gains: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,

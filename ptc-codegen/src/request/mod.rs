@@ -2,10 +2,12 @@
 
 mod command;
 mod poles;
+mod promises;
 mod read;
 mod sampled;
 
 pub use poles::{Pole, PoleError, gains};
+pub use promises::{PlantBounds, Promises};
 pub(crate) use read::known;
 pub use read::{Entry, read};
 pub use sampled::{Observer, Sampled};
@@ -67,55 +69,8 @@ pub enum What {
     Controller,
     /// The right-hand side of the associated infinite-time system, on which pi0 is designed.
     Associated,
-    /// The observer in samples alone, for a law of the user's.
+    /// The observer in samples alone, for a user-defined law.
     Observer,
-}
-
-/// What the design promises beyond the code, for the checks at generation.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Promises {
-    /// Sample period of the loop, s.
-    pub sample_time: Option<Fixed>,
-    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given.
-    pub error: Vec<Fixed>,
-    /// Bounds of the noise of each measured state, or one for all; empty for none.
-    pub noise: Vec<Fixed>,
-    /// Standard deviations of the random noise of each measured state, or one for all; empty for
-    /// none.
-    pub noise_rms: Vec<Fixed>,
-    /// Steps in which each state is measured, or one for all; empty for none.
-    pub sensor_step: Vec<Fixed>,
-    /// Step of the actuator.
-    pub u_step: Option<Fixed>,
-    /// Samples by which u acts late.
-    pub delay: Option<usize>,
-    /// Bounds of |x_i| at the start; empty where they are not given.
-    pub x0_max: Vec<Fixed>,
-    /// Bounds of |x_i| at all times; empty where they are not given.
-    pub x_max: Vec<Fixed>,
-    /// Checks that may fail.
-    pub allow: Vec<String>,
-    /// What moves the plant beside u; `None` for a chain with f = 0 and the controller's own g.
-    pub truth: Option<Truth>,
-}
-
-/// What the sampled loop knows of the plant of a design.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[allow(clippy::large_enum_variant)] // One per design.
-pub enum Truth {
-    /// f is `middle`, and as far from it as both others together; g is a number.
-    Bounded {
-        /// The middle of f.
-        middle: BigRational,
-        /// How far f may be from there for all of a run.
-        constant: BigRational,
-        /// How far it may be from that, as any signal.
-        varying: BigRational,
-        /// The true g; `None` for the controller's own.
-        gain: Option<BigRational>,
-    },
-    /// Why it knows less.
-    Unknown(String),
 }
 
 /// What a call of the controller is given beside the state.
@@ -391,7 +346,7 @@ impl Spec {
         let mut found = Diagnostics::default();
         if self.what == What::Observer {
             let message = format!("{what} needs a law, and an observer alone has none");
-            let help = "leave `what` out for the controller of the design, or emit the observer and call it from a program of yours";
+            let help = "leave `what` out for the controller of the design, or emit the observer and call it from your own program";
             found.push("not-alone", "what", None, message, help);
         }
         found.finish(Some(()))

@@ -1,4 +1,4 @@
-//! The observer for a law of the user's: `update` in place of `step`.
+//! The observer for a user-defined law: `update` in place of `step`.
 //!
 //! A law needs the estimates of sample k before it can give u_k, so `update` is given the input of
 //! the sample before, which is known by then: it predicts with the input that acted since, and then

@@ -20,7 +20,7 @@ pub(super) struct Builder<'a> {
     pub(super) values: Vec<(String, Shape, Expr)>,
 }
 
-/// The controller of a spec whose clock is in samples, or the observer where that is all it asks for.
+/// The controller of a spec whose clock is in samples, or its observer alone.
 pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
     let mut builder = Builder { spec, sampled, fields: Vec::new(), values: Vec::new() };
     let functions = builder.functions();

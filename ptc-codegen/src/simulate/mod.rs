@@ -9,6 +9,7 @@
 //! Both of the first step in sigma = -ln(T/tau), the stretched time of `exp` with a = 1: whatever the
 //! mapping, an output T/tau is met exactly and the deadline is never passed.
 
+mod along;
 mod continuous;
 mod controller;
 mod crossing;
@@ -25,6 +26,7 @@ mod surface;
 mod switching;
 mod values;
 
+pub(crate) use along::Along;
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;

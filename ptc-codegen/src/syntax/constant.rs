@@ -9,7 +9,7 @@ use crate::parameter::Fixed;
 /// A complex number, exact.
 type Complex = (BigRational, BigRational);
 
-/// The number that `node` stands for; `None` if it is no constant.
+/// The number that `node` stands for; `None` if it is not a constant.
 pub(crate) fn complex(node: &Node) -> Option<Complex> {
     let real = |value: &Fixed| value.number().cloned();
     match &node.value {

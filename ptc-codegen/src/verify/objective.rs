@@ -6,10 +6,9 @@ use crate::expression::Expression;
 use crate::expression::existence::{self, Condition};
 use crate::lower;
 use crate::parameter::Precision;
-use crate::program::machine::{Machine, Slot};
-use crate::program::{Input, Stage, Value, passes};
+use crate::program::{Value, passes};
 use crate::request::Spec;
-use crate::simulate::{Failure, Values};
+use crate::simulate::{Along, Failure, Values};
 
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,11 +124,8 @@ pub(super) struct Observer {
     kinds: Vec<Kind>,
     /// What parts of each kind's expressions have to be for these to have a value.
     conditions: Vec<Vec<Condition>>,
-    machine: Machine,
+    along: Along,
     watched: Vec<Value>,
-    time: Option<Slot>,
-    state: Vec<Option<Slot>>,
-    control: Option<Slot>,
     size_at_start: f64,
 }
 
@@ -142,13 +138,9 @@ impl Observer {
         let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
         let expressions: Vec<_> = own.chain(parts).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
-        let machine = Machine::new(&program, &program.watched);
         Self {
-            time: machine.slot(Input::Time),
-            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
-            control: machine.slot(Input::Control),
+            along: Along::new(&program, &program.watched, spec.n),
             watched: program.watched,
-            machine,
             conditions: needs.iter().map(|own| own.iter().map(|(_, one)| *one).collect()).collect(),
             kinds,
             size_at_start: f64::NAN,
@@ -156,14 +148,10 @@ impl Observer {
     }
 
     pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
-        values.give(&mut self.machine)?;
-        for (j, x) in (1..).zip(x0) {
-            let slot = self.machine.slot(Input::StateAtStart(j));
-            self.machine.set(slot, *x);
-        }
+        values.give(&mut self.along.machine)?;
+        self.along.start(x0);
         self.size_at_start = norm(x0);
-        self.machine.run(Stage::Init, None);
-        self.machine.run(Stage::Arm, None);
+        self.along.settle();
         Ok(())
     }
 
@@ -185,14 +173,8 @@ impl Observer {
         last: bool,
         visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
-        self.machine.set(self.time, time_to_go);
-        self.machine.run(Stage::Tick, None);
-        for (slot, x) in self.state.iter().zip(x) {
-            self.machine.set(*slot, *x);
-        }
-        self.machine.set(self.control, u);
-        self.machine.run(Stage::Step, None);
-        let mut values = self.watched.iter().map(|value| self.machine.get(*value));
+        self.along.at(time_to_go, x, u);
+        let mut values = self.watched.iter().map(|value| self.along.machine.get(*value));
         let mut next = || values.next().unwrap_or(f64::NAN);
         let mut levels = Vec::with_capacity(self.kinds.len());
         for kind in &self.kinds {

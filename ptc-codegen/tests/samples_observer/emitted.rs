@@ -9,28 +9,10 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use ptc_codegen::emit::Language;
 use ptc_codegen::request::Spec;
 
+const BITS: &str = include_str!("../../../tests/support/bits.h");
+
 const MAIN: &str = r#"
-#include <inttypes.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "NAME.h"
-static double number(void)
-{
-    char text[32] = "";
-    if (scanf("%31s", text) != 1) exit(3);
-    const uint64_t bits = strtoull(text, NULL, 16);
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-static void show(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    printf(" %016" PRIx64, bits);
-}
 int main(void)
 {
     NAME self;
@@ -78,7 +60,7 @@ impl Emitted {
             );
         }
         let main = MAIN.replace("GIVEN", &given).replace("NAME", &name);
-        let main = main.replace("MEASURED", &sampled.measured.to_string());
+        let main = BITS.to_owned() + &main.replace("MEASURED", &sampled.measured.to_string());
         fs::write(folder.join("main.c"), main).expect("a file");
         let program = folder.join("observe");
         let output = Command::new("cc")
@@ -114,7 +96,10 @@ impl Emitted {
         self.from.read_line(&mut answer).expect("it answers");
         let mut words = answer.split_whitespace();
         let status = words.next().and_then(|word| word.parse().ok()).expect("a status");
-        let bits = |word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"));
+        let bits = |word| match word {
+            "nan" => f64::NAN,
+            bits => f64::from_bits(u64::from_str_radix(bits, 16).expect("bits")),
+        };
         (status, words.map(bits).collect())
     }
 }

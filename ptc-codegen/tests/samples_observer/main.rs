@@ -1,4 +1,4 @@
-//! The observer in samples alone: emitted C in the loop with the exact plant and a law of the user's,
+//! The observer in samples alone: emitted C in the loop with the exact plant and a user-defined law,
 //! against the observer of a controller, and what is refused.
 
 #![cfg(all(unix, feature = "cli"))]

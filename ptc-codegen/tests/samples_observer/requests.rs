@@ -1,4 +1,4 @@
-//! What an observer alone is asked for: what it is called, what its head says, and what is refused.
+//! Requests of an observer alone: what it is called, what its head says, and what is refused.
 
 use std::fs;
 use std::process::Command;
@@ -22,7 +22,7 @@ const STAGE: [(&str, &str); 6] = [
 /// The design of the README.
 const ENCODER: &str = include_str!("../../../examples/encoder.toml");
 
-/// Keys in place of those of the stage, and parts of what is told.
+/// Keys in place of those of the stage, and parts of the message.
 type Mistake = (&'static [(&'static str, &'static str)], &'static [&'static str]);
 
 fn with(changes: &[(&str, &str)]) -> String {
@@ -67,7 +67,7 @@ fn mistakes_are_named() {
             assert!(found.contains(part), "{changes:?} lacks {part}: {found}");
         }
     }
-    // One mistake each, but for the key of a clock in samples beside it.
+    // One mistake each, beside the key of a clock in samples.
     let text = "what = \"observer\"\nn = 2\nmu = \"exp\"\n";
     let found = ptc_codegen::request::read(&super::support::entries(text)).expect_err("no clock");
     assert_eq!(found.len(), 1, "{found:?}");

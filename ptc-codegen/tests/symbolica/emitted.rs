@@ -41,7 +41,7 @@ fn vectors() -> BTreeMap<(Family, usize, usize), Vec<Value>> {
 /// A controller and the vectors that it is run on.
 struct Case<'a> {
     name: String,
-    /// The mapping, and the law where it is no sum of gains.
+    /// The mapping, and the law where it is not a sum of gains.
     flags: Vec<String>,
     n: usize,
     /// What |u - u_ref|/scale may be.
@@ -207,7 +207,7 @@ fn every_family_at_orders_1_to_6() {
 }
 
 /// The same mappings as expressions in mu(t) and in kappa(dt), whose r_k no family gives; and with a
-/// law that is no sum of gains, so that BB_n x itself is computed.
+/// law that is not a sum of gains, so that BB_n x itself is computed.
 #[test]
 #[ignore = "needs the engine"]
 fn mappings_of_the_users_own() {

@@ -26,7 +26,7 @@ fn parts_merge_to_the_bytes_of_one_run() {
         let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
         assert_eq!(run(&folder, &arguments), (Some(0), whole.clone(), String::new()));
         assert!(fs::read(folder.join("merged.parquet")).expect("a file") == bytes, "{count}");
-        // A part that is missing, or there twice, is told.
+        // A part that is missing, or there twice, is refused.
         let (first, rest) = (&arguments[..2], &arguments[2..arguments.len() - 2]);
         let lacking: Vec<_> = first.iter().chain(&rest[1..]).copied().collect();
         let (code, _, wrong) = run(&folder, &lacking);

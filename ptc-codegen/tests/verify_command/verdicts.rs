@@ -35,7 +35,7 @@ fn objectives_hold_and_fail_as_their_exact_solutions_do() {
     ] {
         let folder = folder("exact", &format!("{STAGE}{}", objective(text)));
         let (code, told, wrong) = run(&folder, &["stage.toml"]);
-        // An h that is no number is told before the run.
+        // An h that is not a number is refused before the run.
         let expected = match (holds, text.contains("sqrt")) {
             (true, _) => Some(0),
             (false, false) => Some(1),

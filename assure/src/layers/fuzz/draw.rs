@@ -162,7 +162,7 @@ pub(super) fn keys(random: &mut Random, kind: Kind, name: &str) -> Keys {
     keys
 }
 
-/// A law that is no sum of gains.
+/// A law that is not a sum of gains.
 fn law(random: &mut Random, n: u64) -> String {
     let linear = (1..=n).map(|i| format!("- {}*xi{i}", number(random, 0.5, 9.0)));
     let linear = linear.collect::<Vec<_>>().join(" ");

@@ -27,7 +27,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::request::{After, Clock, Feedback, Spec, Truth, What};
+use crate::request::{After, Clock, Feedback, PlantBounds, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -180,7 +180,7 @@ fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
     let disturbed = !promises.noise.is_empty()
         || !promises.sensor_step.is_empty()
         || promises.u_step.is_some()
-        || matches!(promises.truth, Some(Truth::Bounded { .. }));
+        || matches!(promises.plant, Some(PlantBounds::Bounded { .. }));
     let open = !spec.fixed.contains_key(&Parameter::Eps);
     if !disturbed || !open || known::lacking(spec).is_some() {
         return;
@@ -218,7 +218,7 @@ fn membership(spec: &Spec) -> Outcome {
 fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
     let lacks = |reason: &str| (Outcome::not_checked("growth", reason), None);
     if spec.feedback != Feedback::Linear {
-        return lacks("the law is no sum of gains, so its poles are not known");
+        return lacks("the law is not a sum of gains, so its poles are not known");
     }
     let Some(gains) = fixed_gains(spec) else {
         return lacks("the gains are left to run time: their poles must lie left of -n rho");

@@ -45,6 +45,11 @@ pub(super) fn centre(range: Range, error: f64) -> (f64, f64) {
 /// A number and a bound of its distance from the true one.
 pub(super) type Near = (f64, f64);
 
+/// The sum of a row over a column.
+pub(super) fn along(row: &[f64], column: &[Near]) -> f64 {
+    row.iter().zip(column).map(|(p, (b, _))| p * b).sum()
+}
+
 /// A value as a sum over the states and the causes: the errors of each measured state, then that of
 /// the actuator.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 //! the polynomial sum_i p_i r^(n-i)/(n-i)!, and of all |f| <= 1 that sees most which turns with its
 //! sign: the integral of its size.
 
-use super::chain::{Chain, Near};
+use super::chain::{Chain, Near, along};
 
 /// Halvings of a sample after which a root of the polynomial is close enough.
 const DEPTH: u32 = 40;
@@ -31,7 +31,7 @@ impl Force {
 
     /// What a constant f of 1 adds to the sum of a row in a sample.
     pub(super) fn signed(&self, row: &[f64]) -> f64 {
-        row.iter().zip(&self.column).map(|(p, (b, _))| p * b).sum()
+        along(row, &self.column)
     }
 
     /// Two numbers between which is the most that any |f| <= 1 adds, of a chain.

@@ -9,14 +9,15 @@ use super::chain::{Chain, Gains};
 use super::emitted;
 use super::force::Force;
 use super::gains::gains;
-use super::worst::{Bound, Output, Sampled, Trust};
+use super::trust::Trust;
+use super::worst::{Bound, Output, Sampled};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Spec, Truth};
+use crate::request::{PlantBounds, Spec};
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
@@ -70,8 +71,8 @@ impl<'a> Loop<'a> {
         if promises.x0_max.is_empty() {
             return Err("`x0_max` is not given".to_owned());
         }
-        let gain = match (&promises.truth, &spec.input_gain) {
-            (Some(Truth::Bounded { gain: Some(gain), .. }), _) => gain.clone(),
+        let gain = match (&promises.plant, &spec.input_gain) {
+            (Some(PlantBounds::Bounded { gain: Some(gain), .. }), _) => gain.clone(),
             (_, None) => BigRational::from_integer(1.into()),
             (_, Some(g)) => g.number().cloned().ok_or("the input gain g is not a number")?,
         };
@@ -128,7 +129,8 @@ impl<'a> Loop<'a> {
 
     /// What moves the plant beside u, if that is bounded and not 0.
     fn force(&self) -> Option<Force> {
-        let Some(Truth::Bounded { middle, constant, varying, .. }) = &self.spec.promises.truth
+        let Some(PlantBounds::Bounded { middle, constant, varying, .. }) =
+            &self.spec.promises.plant
         else {
             return None;
         };

@@ -9,7 +9,7 @@ use crate::algebra::BigRational;
 use crate::check::Verdict;
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
-use crate::request::{After, Clock, Spec, Truth};
+use crate::request::{After, Clock, PlantBounds, Spec};
 
 /// Halvings of the interval, in its logarithm, between a gain that is sound and one that is not.
 const HALVINGS: u32 = 10;
@@ -87,12 +87,13 @@ fn scaled(spec: &Spec, factor: f64) -> Option<Spec> {
         Some(g) => g.number()?.clone(),
     };
     let zero = BigRational::default;
-    let none = || Truth::Bounded { middle: zero(), constant: zero(), varying: zero(), gain: None };
-    let mut truth = spec.promises.truth.take().unwrap_or_else(none);
-    let Truth::Bounded { gain, .. } = &mut truth else { return None };
+    let none =
+        || PlantBounds::Bounded { middle: zero(), constant: zero(), varying: zero(), gain: None };
+    let mut plant = spec.promises.plant.take().unwrap_or_else(none);
+    let PlantBounds::Bounded { gain, .. } = &mut plant else { return None };
     let factor = BigRational::from_f64(factor)?;
     *gain = Some(gain.take().unwrap_or(own) * factor);
-    spec.promises.truth = Some(truth);
+    spec.promises.plant = Some(plant);
     Some(spec)
 }
 

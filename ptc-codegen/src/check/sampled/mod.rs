@@ -4,7 +4,7 @@
 //! actuator, delay, the plant's f and the state at the start can do is a finite sum (`worst`), attained by the signs
 //! of its terms. The gains are those of the emitted program with its rounding (`gains`, `rounded`),
 //! the chain between two samples is exact (`chain`), and what the arithmetic of the sum itself may
-//! lose is bounded with the transitions of the loop (`transition`).
+//! lose is bounded by where its states are, or with its transitions (`trust`, `transition`).
 
 mod chain;
 mod emitted;
@@ -15,6 +15,7 @@ mod margins;
 mod outcome;
 mod rounded;
 mod transition;
+mod trust;
 mod worst;
 
 pub(crate) use judge::Loop;

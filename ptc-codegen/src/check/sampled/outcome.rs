@@ -9,7 +9,7 @@ use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Spec, Truth};
+use crate::request::{PlantBounds, Spec};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
@@ -56,8 +56,8 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let told =
         |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
-    let unknown = match &spec.promises.truth {
-        Some(Truth::Unknown(why)) => Some(why),
+    let unknown = match &spec.promises.plant {
+        Some(PlantBounds::Unknown(why)) => Some(why),
         _ => None,
     };
     let (verdict, summary) = match () {
@@ -68,7 +68,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         ),
         () if most <= 1.0 => match unknown {
             Some(why) => {
-                (Verdict::Undecided, format!("with f = 0 and the law's own g {all}: {why}"))
+                (Verdict::Undecided, format!("{why}; with f = 0 and the g of the law, {all}"))
             }
             None => (Verdict::Sound, all),
         },
@@ -132,7 +132,7 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         absent => format!("; without {}, not given", absent.join(", ")),
     };
     let start = match (spec.sampled(), spec.fixed.get(&Parameter::StartTime)) {
-        (Some(own), _) if own.disturbance && spec.promises.truth.is_none() => {
+        (Some(own), _) if own.disturbance && spec.promises.plant.is_none() => {
             "d = 0 (its bound is not given)".to_owned()
         }
         (Some(_), _) => "at any tick".to_owned(),
@@ -148,7 +148,8 @@ fn assumed(spec: &Spec, samples: usize) -> String {
 
 /// What f and g of the plant are taken as.
 fn force(spec: &Spec) -> String {
-    let Some(Truth::Bounded { middle, constant, varying, gain }) = &spec.promises.truth else {
+    let Some(PlantBounds::Bounded { middle, constant, varying, gain }) = &spec.promises.plant
+    else {
         return "f = 0".to_owned();
     };
     let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));

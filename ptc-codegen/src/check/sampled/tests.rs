@@ -3,7 +3,8 @@
 use super::chain::Chain;
 use super::force::Force;
 use super::gains::gains;
-use super::worst::{Sampled, Signals, Trust};
+use super::trust::Trust;
+use super::worst::{Sampled, Signals};
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::family::Family;

@@ -4,13 +4,14 @@
 //! loop on the way: q s_K = p_0 s_0 + sum_k sum_l p_{k+1} b_{l,k} w_{l,k}, p_K = q, p_k = p_{k+1} M_k.
 //! Its largest size over bounded s_0 and w is the sum of the sizes of the coefficients times the
 //! bounds, attained by their signs. The rows are computed in doubles; how far rounding, here and
-//! in the emitted program, may change the sum is bounded with [`growth`](super::transition::growth).
+//! in the emitted program, may change the sum is bounded in [`trust`](super::trust).
 
 use std::collections::BTreeMap;
 
-use super::chain::{Chain, Gains, Step, Unit};
+use super::chain::{Chain, Gains, Step, Unit, along};
 use super::force::Force;
 use super::transition::growth;
+use super::trust::{Fading, Inexact, Trust};
 
 /// A linear loop with the bounds of what disturbs it.
 #[derive(Clone, Debug)]
@@ -18,7 +19,7 @@ pub(super) struct Sampled {
     pub(super) chain: Chain,
     /// Sample 0, 1, ...; the last one stays.
     steps: Vec<Step>,
-    /// Where the input that acts is kept; none for u itself.
+    /// Where the input that acts is kept; `None` for u itself.
     pub(super) acting: Option<usize>,
     /// Of each state its unit.
     units: Vec<Unit>,
@@ -102,23 +103,6 @@ pub(super) struct Signals {
 /// Operations that the bounds of all samples may take: a second or two.
 const OPERATIONS: f64 = 2e9;
 
-/// By what the error of a bound is bounded.
-#[derive(Clone, Copy)]
-pub(super) enum Trust<'a> {
-    /// Where every state is at each sample: what an error of a sample is a part of.
-    Reach(&'a [Vec<f64>]),
-    /// How far any error may grow until another sample.
-    Fading(&'a Fading),
-}
-
-/// How fast an error fades, for the proof: a scaling of the state at each sample, and the bound of
-/// the transitions in it.
-pub(super) struct Fading {
-    scales: Vec<Vec<f64>>,
-    growth: f64,
-    errors: Vec<f64>,
-}
-
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
@@ -168,7 +152,7 @@ impl Sampled {
         self.noise.iter().copied().chain([self.actuator])
     }
 
-    /// x_i, from 1, at a sample.
+    /// State i, from 1, at a sample: x_1..x_n, then what is kept.
     pub(super) fn state(&self, i: usize) -> Output {
         let mut row = vec![0.0; self.size()];
         row[i - 1] = 1.0;
@@ -239,13 +223,8 @@ impl Sampled {
         (0.5 * count * count * size.powi(3) <= OPERATIONS).then_some(())?;
         let mut reach = Vec::with_capacity(at + 1);
         for k in 0..=at {
-            let one = |i: usize| {
-                let mut row = vec![0.0; self.size()];
-                row[i] = 1.0;
-                let trust = Trust::Reach(&reach);
-                self.bound(&Output { row, direct: 0.0 }, k, Some(trust)).total()
-            };
-            let most: Vec<_> = (0..self.size()).map(one).collect();
+            let one = |i| self.bound(&self.state(i), k, Some(Trust::Reach(&reach))).total();
+            let most: Vec<_> = (1..=self.size()).map(one).collect();
             most.iter().all(|x| x.is_finite()).then_some(())?;
             reach.push(most);
         }
@@ -254,37 +233,14 @@ impl Sampled {
 
     /// The worst case of an output at sample `at`; its rounding is infinite without `trust`.
     pub(super) fn bound(&self, output: &Output, at: usize, trust: Option<Trust<'_>>) -> Bound {
-        let (reach, fading) = match trust {
-            Some(Trust::Reach(reach)) => (Some(reach), None),
-            Some(Trust::Fading(fading)) => (None, Some(fading)),
-            None => (None, None),
-        };
-        #[allow(clippy::cast_precision_loss)]
-        let unit = (self.size() + 4) as f64 * f64::EPSILON;
         let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
-        let size = |row: &[f64], k: usize| -> f64 {
-            let scale = &fading.map_or(&[][..], |fading| &fading.scales[k]);
-            row.iter().zip(*scale).map(|(p, d)| (p / d).abs()).sum()
-        };
         let mut row = self.row(output, at);
-        // Bound of the error of the row, in its scaling.
-        let mut off = 0.0;
-        let mut rounding = 0.0;
+        let mut inexact = Inexact::new(trust, self.size());
         if output.direct != 0.0 {
             let u = &self.step(at).u;
             let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
             self.add(&mut bound, &seen);
-            let errors = u.of_state.iter().map(|(gain, error)| error + unit * gain.abs());
-            if let Some(reach) = reach {
-                let parts = errors.clone().zip(&reach[at]).map(|(error, x)| error * x);
-                rounding += output.direct.abs() * parts.sum::<f64>();
-            }
-            if let Some(fading) = fading {
-                let scale = &fading.scales[at];
-                off += output.direct.abs() * errors.zip(scale).map(|(e, d)| e / d).sum::<f64>();
-            }
-            let inexact = u.of_cause.iter().zip(self.limits()).map(|((_, error), w)| error * w);
-            rounding += output.direct.abs() * inexact.sum::<f64>();
+            inexact.direct(output.direct, u, at, self.limits());
         }
         let mut before = Vec::new();
         let mut seen = Vec::new();
@@ -298,46 +254,23 @@ impl Sampled {
                     varying.iter_mut().zip(size).for_each(|(sum, part)| *sum += part);
                 }
             }
-            let by = |column: &Vec<(f64, f64)>| -> f64 {
-                row.iter().zip(column).map(|(p, (b, _))| p * b).sum()
-            };
             seen.clear();
-            seen.extend(step.columns.iter().map(by));
+            seen.extend(step.columns.iter().map(|column| along(&row, column)));
             self.add(&mut bound, &seen);
-            if let Some(reach) = reach {
-                let force = self.force.iter().map(|force| (&force.column, force.most()));
-                for (column, limit) in step.columns.iter().zip(self.limits()).chain(force) {
-                    let inexact = |(p, (b, e)): (&f64, &(f64, f64))| p.abs() * (e + unit * b.abs());
-                    rounding += row.iter().zip(column).map(inexact).sum::<f64>() * limit;
-                }
-                rounding += step.matrix.inexact(&row, &reach[k], unit);
-            }
-            if let Some(fading) = fading {
-                let scale = &fading.scales[k + 1];
-                let force = self.force.iter().map(|force| (&force.column, force.most()));
-                for (column, limit) in step.columns.iter().zip(self.limits()).chain(force) {
-                    let reach = column.iter().zip(scale);
-                    let reach =
-                        reach.map(|((b, error), d)| (b.abs() + error) * d).fold(0.0, f64::max);
-                    let inexact: f64 =
-                        row.iter().zip(column).map(|(p, (_, e))| (p * e).abs()).sum();
-                    rounding += (off * fading.growth * reach + inexact) * limit;
-                }
-                off += fading.errors[k] * size(&row, k + 1);
-            }
+            let force = self.force.iter().map(|force| (&force.column, force.most()));
+            let causes = step.columns.iter().zip(self.limits()).chain(force);
+            inexact.sample(k, &row, &step.matrix, causes);
             step.matrix.after(&row, &mut before);
             std::mem::swap(&mut row, &mut before);
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
+        inexact.start(&self.x0);
+        let mut rounding = inexact.sum;
         if let Some(force) = &self.force {
             let [least, most] = varying;
             bound.force =
                 (force.middle.abs() + force.constant) * constant.abs() + force.varying * least;
             rounding += force.varying * (most - least);
-        }
-        if let Some(fading) = fading {
-            let scale = fading.scales[0].iter().zip(&self.x0);
-            rounding += off * fading.growth * scale.map(|(d, x0)| d * x0).fold(0.0, f64::max);
         }
         bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
@@ -379,7 +312,7 @@ impl Sampled {
             let step = self.step(k);
             let seen = |l: usize| match k == at {
                 true => output.direct * step.u.of_cause[l].0,
-                false => row.iter().zip(&step.columns[l]).map(|(p, (b, _))| p * b).sum(),
+                false => along(&row, &step.columns[l]),
             };
             let noise = self.noise.iter().enumerate().map(|(l, v)| sign(seen(l)) * v);
             signals.noise[k] = noise.collect();

@@ -11,7 +11,7 @@ impl Interval {
         at(&self.low).hull(&at(&self.high))
     }
 
-    /// The part of it from `low` to `high`; `None` if there is no such part.
+    /// The part of it from `low` to `high`; `None` if it is empty.
     fn within(&self, low: &BigFloat, high: &BigFloat) -> Option<Self> {
         if below(&self.high, low) || below(high, &self.low) {
             return None;

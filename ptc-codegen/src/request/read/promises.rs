@@ -29,7 +29,7 @@ impl Reader<'_> {
             x_max: self.bounds("x_max", n),
             allow: self.allowed(),
             // Read with the table [plant].
-            truth: None,
+            plant: None,
         }
     }
 

@@ -132,7 +132,7 @@ impl Emitted {
 }
 
 /// Whether the bound of an error over a cell is not `close` times the one in its middle; with no bound
-/// at all in the middle none is asked for.
+/// in the middle, neither has the cell one.
 fn is_near(error: Option<f64>, here: Option<f64>, close: f64) -> bool {
     match (error, here) {
         (None, here) => here.is_none(),

@@ -2,12 +2,13 @@
 
 use std::ops::Add;
 
+use super::Campaign;
+use super::aim::Aim;
 use super::cell::{Cell, Loop, half_of};
 use super::flow::{Rows, dot};
 use super::form::{Form, Linear, Part, Values};
 use super::norm::{is_contraction, norm_about, sum};
 use super::reason::{Why, below, squares, unknown};
-use super::{Campaign, Kind};
 use crate::algebra::{BigRational, integer};
 use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
@@ -24,30 +25,6 @@ pub(super) struct Bounds {
     corners: Rows,
     names: Names,
     evaluator: Evaluator,
-}
-
-/// An objective with its expressions in canonical form.
-pub(super) enum Aim {
-    State { sigma: f64, zeta: Form },
-    Input { upsilon: Form },
-    Attractive { error: f64 },
-    Within { h: Box<Form>, low: Option<Box<Form>>, high: Option<Box<Form>> },
-}
-
-impl Aim {
-    pub(super) fn new(kind: &Kind, values: &Values) -> Self {
-        let form = |e: &Expression| Form::new(e, values);
-        match kind {
-            Kind::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: form(zeta) },
-            Kind::Input { upsilon } => Self::Input { upsilon: form(upsilon) },
-            Kind::Attractive { error } => Self::Attractive { error: *error },
-            Kind::Within { h, low, high } => Self::Within {
-                h: Box::new(form(h)),
-                low: low.as_ref().map(form).map(Box::new),
-                high: high.as_ref().map(form).map(Box::new),
-            },
-        }
-    }
 }
 
 /// Part of the largest term of a sum below which the others are bounded apart from it.

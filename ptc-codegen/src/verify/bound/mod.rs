@@ -6,6 +6,7 @@
 //! them. What an objective leaves of its bound is looked at over cells of T/tau and tau that cover all
 //! of them, which are halved until it is positive on each.
 
+mod aim;
 mod ball;
 mod between;
 mod cell;
@@ -26,12 +27,13 @@ mod weight;
 
 use num_traits::ToPrimitive;
 
+use aim::Aim;
 use cell::{BEYOND, Drift, Loop};
 use clock::Clock;
 use emitted::Emitted;
 use flow::Flow;
 use form::Values;
-use margin::{Aim, Bounds};
+use margin::Bounds;
 use reason::Why;
 
 use super::{Campaign, Kind, Objective, Signal};

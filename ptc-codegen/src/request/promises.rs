@@ -1,0 +1,52 @@
+//! What a design promises beyond the code.
+
+use crate::algebra::BigRational;
+use crate::parameter::Fixed;
+
+/// What the design promises beyond the code, for the checks at generation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Promises {
+    /// Sample period of the loop, s.
+    pub sample_time: Option<Fixed>,
+    /// Wanted bounds of |x_i| at the deadline, one for all or one each; empty where not given.
+    pub error: Vec<Fixed>,
+    /// Bounds of the noise of each measured state, or one for all; empty for none.
+    pub noise: Vec<Fixed>,
+    /// Standard deviations of the random noise of each measured state, or one for all; empty for
+    /// none.
+    pub noise_rms: Vec<Fixed>,
+    /// Steps in which each state is measured, or one for all; empty for none.
+    pub sensor_step: Vec<Fixed>,
+    /// Step of the actuator.
+    pub u_step: Option<Fixed>,
+    /// Samples by which u acts late.
+    pub delay: Option<usize>,
+    /// Bounds of |x_i| at the start; empty where they are not given.
+    pub x0_max: Vec<Fixed>,
+    /// Bounds of |x_i| at all times; empty where they are not given.
+    pub x_max: Vec<Fixed>,
+    /// Checks that may fail.
+    pub allow: Vec<String>,
+    /// What is known of the plant's f and g, from the table `[plant]`; `None` for a chain with f = 0
+    /// and the controller's own g.
+    pub plant: Option<PlantBounds>,
+}
+
+/// Bounds of f and g of the plant, for the sampled loop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant)] // One per design.
+pub enum PlantBounds {
+    /// f is `middle`, and as far from it as both others together; g is a number.
+    Bounded {
+        /// The middle of f.
+        middle: BigRational,
+        /// How far f may be from there for all of a run.
+        constant: BigRational,
+        /// How far it may be from that, as any signal.
+        varying: BigRational,
+        /// The true g; `None` for the controller's own.
+        gain: Option<BigRational>,
+    },
+    /// Why f or g has no such bounds.
+    Unknown(String),
+}

@@ -1,0 +1,51 @@
+//! A compiled program that is looked at along a run: from time, state and control to its values.
+
+use crate::program::machine::{Machine, Slot};
+use crate::program::{Input, Program, Stage, Value};
+
+/// A program with the slots of what changes along a run.
+#[derive(Clone, Debug)]
+pub(crate) struct Along {
+    pub(crate) machine: Machine,
+    time: Option<Slot>,
+    state: Vec<Option<Slot>>,
+    control: Option<Slot>,
+}
+
+impl Along {
+    /// `program` of order `n`, of which `outputs` are looked at.
+    pub(crate) fn new(program: &Program, outputs: &[Value], n: usize) -> Self {
+        let machine = Machine::new(program, outputs);
+        Self {
+            time: machine.slot(Input::Time),
+            state: (1..=n).map(|j| machine.slot(Input::State(j))).collect(),
+            control: machine.slot(Input::Control),
+            machine,
+        }
+    }
+
+    /// The state at the start.
+    pub(crate) fn start(&mut self, x0: &[f64]) {
+        for (j, x) in (1..).zip(x0) {
+            let slot = self.machine.slot(Input::StateAtStart(j));
+            self.machine.set(slot, *x);
+        }
+    }
+
+    /// Computes what depends on parameters and the start alone.
+    pub(crate) fn settle(&mut self) {
+        self.machine.run(Stage::Init, None);
+        self.machine.run(Stage::Arm, None);
+    }
+
+    /// Computes the rest at a time, state and control.
+    pub(crate) fn at(&mut self, time: f64, x: &[f64], u: f64) {
+        self.machine.set(self.time, time);
+        self.machine.run(Stage::Tick, None);
+        for (slot, x) in self.state.iter().zip(x) {
+            self.machine.set(*slot, *x);
+        }
+        self.machine.set(self.control, u);
+        self.machine.run(Stage::Step, None);
+    }
+}
