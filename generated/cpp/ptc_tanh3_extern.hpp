@@ -57,7 +57,7 @@
  *
  * Checks of the design (details: ptc-codegen check):
  *   membership: sound: tanh is of class M for all its parameters.
- *   growth: not checked: the law is no sum of gains, so its poles are not known.
+ *   growth: not checked: the law is not a sum of gains, so its poles are not known.
  *   sampling: not checked: `sample_time` is not given.
  *   deadline: not checked: `error` is not given.
  *   loop: not checked: it needs a linear law.

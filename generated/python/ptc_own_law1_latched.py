@@ -46,7 +46,7 @@ Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEE
 
 Checks of the design (details: ptc-codegen check):
   membership: sound: exp is of class M for all its parameters.
-  growth: not checked: the law is no sum of gains, so its poles are not known.
+  growth: not checked: the law is not a sum of gains, so its poles are not known.
   sampling: not checked: `sample_time` is not given.
   deadline: not checked: `error` is not given.
   loop: not checked: it needs a linear law.
