@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 38] = [
+pub static KEYS: [KeyInfo; 39] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -161,6 +161,12 @@ pub static KEYS: [KeyInfo; 38] = [
         meaning: "standard deviations of random noise of each measured state, in units of x_i",
         legal: "a number >= 0, or one for each state",
         example: "1e-4,1e-3",
+    },
+    KeyInfo {
+        key: "g_error",
+        meaning: "least and greatest true input gain, in parts of g",
+        legal: "two numbers > 0, the smaller one first",
+        example: "0.9,1.1",
     },
     KeyInfo {
         key: "sensor_step",

@@ -73,21 +73,34 @@ impl Plant {
             let [low, high] = ends.map(Option::unwrap_or_default);
             (*symbol, [low, high], !moves(symbol))
         });
-        let force = force(&self.f, &values, &bounded.collect::<Vec<_>>());
-        let gain = self.g.as_ref().map(|g| {
-            let known = g.substitute(&|e| match e {
-                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
-                _ => None,
-            });
-            let number = normal(&known).number().cloned();
-            number.ok_or_else(|| format!("the plant's g = {g} is not a number"))
-        });
+        let bounded: Vec<_> = bounded.collect();
+        let force = force(&self.f, &values, &bounded);
+        let gain = self.g.as_ref().map(|g| between(g, &values, &bounded));
         match (force, gain.transpose()) {
             (Ok([middle, constant, varying]), Ok(gain)) => {
                 PlantBounds::Bounded { middle, constant, varying, gain }
             }
             (Err(why), _) | (_, Err(why)) => PlantBounds::Unknown(why),
         }
+    }
+}
+
+/// The least and the greatest value of the plant's g.
+fn between(
+    g: &Expression,
+    values: &BTreeMap<Parameter, BigRational>,
+    bounded: &[Bounded],
+) -> Result<[BigRational; 2], String> {
+    let Ok([middle, constant, varying]) = force(g, values, bounded) else {
+        return Err(format!("the plant's g = {g} is not a sum of bounded constants"));
+    };
+    if varying != integer(0) {
+        return Err(format!("the plant's g = {g} varies"));
+    }
+    let ends = [&middle - &constant, middle + constant];
+    match ends.iter().all(Signed::is_positive) || ends.iter().all(Signed::is_negative) {
+        true => Ok(ends),
+        false => Err(format!("the plant's g = {g} may be 0")),
     }
 }
 

@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Expression;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{self, Entry, Spec};
@@ -35,6 +35,20 @@ pub const TABLE: &str = "plant";
 pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
     let mut spec = request::read(entries)?;
     let plant = read(entries, &spec)?;
+    if let (false, Some(g)) =
+        (spec.promises.g_error.is_empty(), plant.as_ref().and_then(|plant| plant.g.as_ref()))
+    {
+        let place = entries.iter().find(|entry| entry.key == "g_error");
+        let mut found = Diagnostics::default();
+        found.push(
+            "conflict",
+            "g_error",
+            place.map(|entry| entry.value.place),
+            format!("`g_error` and g = {g} of the plant both say what the true input gain is"),
+            "leave one of them out; under [plant] an uncertain g is g = \"b\", b = [0.9, 1.1]",
+        );
+        return found.finish(None);
+    }
     spec.promises.plant = plant.as_ref().map(|plant| plant.bounds(&spec, entries));
     Ok((spec, plant))
 }

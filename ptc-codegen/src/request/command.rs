@@ -141,6 +141,7 @@ impl Spec {
             ("--noise", &promises.noise),
             ("--noise-rms", &promises.noise_rms),
             ("--sensor-step", &promises.sensor_step),
+            ("--g-error", &promises.g_error),
             ("--x0-max", &promises.x0_max),
             ("--x-max", &promises.x_max),
         ];

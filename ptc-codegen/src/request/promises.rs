@@ -19,6 +19,9 @@ pub struct Promises {
     pub sensor_step: Vec<Fixed>,
     /// Step of the actuator.
     pub u_step: Option<Fixed>,
+    /// The least and the greatest true input gain in parts of the known one; empty where they are the
+    /// same.
+    pub g_error: Vec<Fixed>,
     /// Samples by which u acts late.
     pub delay: Option<usize>,
     /// Bounds of |x_i| at the start; empty where they are not given.
@@ -44,8 +47,8 @@ pub enum PlantBounds {
         constant: BigRational,
         /// How far it may be from that, as any signal.
         varying: BigRational,
-        /// The true g; `None` for the controller's own.
-        gain: Option<BigRational>,
+        /// The least and the greatest true g; `None` for the controller's own.
+        gain: Option<[BigRational; 2]>,
     },
     /// Why f or g has no such bounds.
     Unknown(String),

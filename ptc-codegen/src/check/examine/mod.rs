@@ -27,7 +27,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::request::{After, Clock, Feedback, PlantBounds, Spec, What};
+use crate::request::{Clock, Feedback, PlantBounds, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -141,7 +141,6 @@ fn in_samples(spec: &Spec) -> Report {
     }
     let (growth, _) = check_growth(&continuous);
     let exact = |name| Outcome::not_checked(name, "the law is exact in samples, at any period");
-    let continued = Spec { after: After::Hold, ..spec.clone() };
     let known = |p: &Parameter| spec.fixed.contains_key(p);
     let open = spec.parameters().into_iter().find(|p| *p != Parameter::UMax && !known(p));
     let (looped, worst) = match open {
@@ -149,7 +148,7 @@ fn in_samples(spec: &Spec) -> Report {
             let reason = format!("`{}` is left to run time", open.spelling());
             (Outcome::not_checked(sampled::NAME, reason), None)
         }
-        None => sampled::outcome(&continued, None),
+        None => sampled::outcome(spec, None),
     };
     let lacks = |name| Outcome::not_checked(name, "it does not examine a clock in samples");
     let outcomes = vec![

@@ -92,8 +92,8 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// The chain of order `n` with period `h`, input gain `g` and `delay` samples.
-    pub(super) fn new(n: usize, h: Range, g: Range, delay: usize) -> Self {
+    /// The chain of order `n` with period `h`, an input gain of 1 and `delay` samples.
+    pub(super) fn new(n: usize, h: Range, delay: usize) -> Self {
         let mut shares = vec![Range::from(1.0)];
         for j in 1..=n {
             #[allow(clippy::cast_precision_loss)]
@@ -106,9 +106,9 @@ impl Chain {
                 (motion.entries[i * n + j], motion.errors[i * n + j]) = (value, error);
             }
         }
-        let input = (0..n).map(|i| centre(g * shares[n - i], 0.0)).collect();
+        let input = (0..n).map(|i| centre(shares[n - i], 0.0)).collect();
         let shares = shares.iter().map(|share| centre(*share, 0.0).0).collect();
-        Self { n, delay, motion, input, shares, gain: centre(g, 0.0).0, outputs: None }
+        Self { n, delay, motion, input, shares, gain: 1.0, outputs: None }
     }
 
     /// A linear plant with period `h`; `None` if a mode is too fast for it.
@@ -127,6 +127,16 @@ impl Chain {
             gain: 1.0,
             outputs: Some(rows.collect()),
         })
+    }
+
+    /// The plant of gain 1 with an input gain.
+    pub(super) fn with_gain(&self, g: Range) -> Self {
+        let gained = |(value, error): &Near| {
+            let (gained, own) = centre(g * Range::from(*value), 0.0);
+            (gained, (own + error * g.size().high()).next_up().next_up())
+        };
+        let input = self.input.iter().map(gained).collect();
+        Self { input, gain: self.gain * g.middle(), ..self.clone() }
     }
 
     /// The unit of x_j, from 1.

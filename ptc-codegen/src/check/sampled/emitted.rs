@@ -11,7 +11,7 @@ use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
 use crate::code::{Code, Expr, Operator, Place, Shape, Statement, Test};
 use crate::expression::range::Range;
 use crate::parameter::Precision;
-use crate::request::{Sampled, Spec};
+use crate::request::{After, Sampled, Spec};
 
 /// What a name holds at one sample.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub(super) fn steps(
     chain: &Chain,
     last: usize,
 ) -> Option<(Vec<Step>, Option<usize>, Vec<Unit>)> {
+    // What follows the deadline is no part of the law before it.
+    let spec = &Spec { after: After::Hold, ..spec.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", sampled.delay);

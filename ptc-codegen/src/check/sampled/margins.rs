@@ -4,12 +4,13 @@ use std::fmt;
 
 use num_traits::FromPrimitive;
 
+use super::judge::true_gain;
 use super::outcome::outcome_of;
 use crate::algebra::BigRational;
 use crate::check::Verdict;
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
-use crate::request::{After, Clock, PlantBounds, Spec};
+use crate::request::{Clock, PlantBounds, Spec};
 
 /// Halvings of the interval, in its logarithm, between a gain that is sound and one that is not.
 const HALVINGS: u32 = 10;
@@ -49,8 +50,6 @@ impl fmt::Display for Margins {
 /// its check `loop` is not sound.
 pub fn margins(spec: &Spec, expanded: Option<&Expanded>) -> Option<Margins> {
     let is_sound = |spec: &Spec| outcome_of(spec, expanded, false).0.verdict == Verdict::Sound;
-    // What follows the deadline is not judged.
-    let spec = &Spec { after: After::Hold, ..spec.clone() };
     is_sound(spec).then_some(())?;
     let with = |factor: f64| scaled(spec, factor).is_some_and(|spec| is_sound(&spec));
     // The last factor on the way to `end` that is sound.
@@ -82,17 +81,14 @@ pub fn margins(spec: &Spec, expanded: Option<&Expanded>) -> Option<Margins> {
 /// The design whose true input gain is `factor` times what it is.
 fn scaled(spec: &Spec, factor: f64) -> Option<Spec> {
     let mut spec = spec.clone();
-    let own = match &spec.input_gain {
-        None => BigRational::from_integer(1.into()),
-        Some(g) => g.number()?.clone(),
-    };
+    let own = true_gain(&spec).ok()?;
     let zero = BigRational::default;
     let none =
         || PlantBounds::Bounded { middle: zero(), constant: zero(), varying: zero(), gain: None };
     let mut plant = spec.promises.plant.take().unwrap_or_else(none);
     let PlantBounds::Bounded { gain, .. } = &mut plant else { return None };
     let factor = BigRational::from_f64(factor)?;
-    *gain = Some(gain.take().unwrap_or(own) * factor);
+    *gain = Some(own.map(|end| end * &factor));
     spec.promises.plant = Some(plant);
     Some(spec)
 }

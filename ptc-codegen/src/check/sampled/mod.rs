@@ -6,22 +6,27 @@
 //! the chain between two samples is exact (`chain`), and what the arithmetic of the sum itself may
 //! lose is bounded by where its states are, or with its transitions (`trust`, `transition`).
 
+mod cells;
 mod chain;
 mod emitted;
+mod eps;
 mod force;
 mod gains;
 mod judge;
 mod margins;
 mod outcome;
+mod reach;
 mod rounded;
 mod transition;
 mod trust;
+mod way;
 mod worst;
 
 pub(crate) use judge::Loop;
-pub use judge::{Way, Worst};
+pub use cells::Worst;
 pub use margins::{Margins, margins};
 pub(crate) use outcome::{NAME, outcome};
+pub use way::{Held, Way};
 pub use worst::Bound;
 
 #[cfg(test)]

@@ -2,14 +2,15 @@
 
 use num_traits::ToPrimitive;
 
-use super::judge::{Loop, Worst};
+use super::cells::Worst;
+use super::judge::{Loop, true_gain};
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{PlantBounds, Spec};
+use crate::request::{After, PlantBounds, Spec};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "loop";
@@ -43,18 +44,16 @@ pub(super) fn outcome_of(
 fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     let totals: Vec<_> = worst.states.iter().map(|bound| bound.total()).collect();
     let nominal: Vec<_> = worst.states.iter().map(|bound| bound.attained()).collect();
-    let proved = worst.states.iter().map(|bound| bound.attained() - bound.rounding);
-    let proved: Vec<_> = proved.collect();
     let wanted = closed.errors();
     let given = !spec.promises.error.is_empty();
-    let (limit, clipped) = clipping(spec, worst);
+    let (limit, clipped) = clipping(spec, worst, closed);
     let share = |values: &[f64]| {
         let shares = values.iter().zip(&wanted).map(|(value, error)| value / error);
         shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN))
     };
     let (state, most) = share(&totals);
     let told =
-        |i: usize| format!("the worst |x{}| at the deadline is {}", i + 1, digits(totals[i]));
+        |i: usize, x: &[f64]| format!("the worst |x{}| at the deadline is {}", i + 1, digits(x[i]));
     let all = format!("at the deadline |x| <= {}", list(totals.iter().copied()));
     let unknown = match &spec.promises.plant {
         Some(PlantBounds::Unknown(why)) => Some(why),
@@ -64,7 +63,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         () if !given => (Verdict::NotChecked, format!("`error` is not given: {all}")),
         () if clipped => (
             Verdict::Undecided,
-            format!("u may be clipped, and the bounds hold only without: {}", told(state)),
+            format!("u may be clipped, and the bounds hold only without: {}", told(state, &totals)),
         ),
         () if most <= 1.0 => match unknown {
             Some(why) => {
@@ -72,18 +71,21 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
             }
             None => (Verdict::Sound, all),
         },
-        () if share(&proved).1 > 1.0 => {
-            (Verdict::Refuted, format!("{}, above error = {}", told(state), digits(wanted[state])))
+        () if share(&worst.reached).1 > 1.0 => {
+            let state = share(&worst.reached).0;
+            let told = told(state, &nominal);
+            (Verdict::Refuted, format!("{told}, above error = {}", digits(wanted[state])))
         }
         () if share(&nominal).1 > 1.0 => (
             Verdict::Unsound,
-            format!("in doubles {}, above error = {}", told(state), digits(wanted[state])),
+            format!("in doubles {}, above error = {}", told(state, &nominal), digits(wanted[state])),
         ),
-        () => (Verdict::Undecided, format!("{}, next to error", told(state))),
+        () => (Verdict::Undecided, format!("{}, next to error", told(state, &totals))),
     };
     let mut details = vec![assumed(spec, worst.samples)];
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
     details.extend(on_the_way(spec, worst));
+    details.extend(afterwards(spec, worst, closed));
     details.extend(limit);
     details.extend(random(worst));
     let fails = matches!(verdict, Verdict::Refuted | Verdict::Unsound);
@@ -92,11 +94,11 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
 }
 
 /// Whether u may be clipped, and what is known of it.
-fn clipping(spec: &Spec, worst: &Worst) -> (Option<String>, bool) {
+fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
     let limit = match spec.fixed.get(&Parameter::UMax) {
         None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
         Some(Fixed::Infinite) => return (None, false),
-        Some(limit) => limit.number().and_then(ToPrimitive::to_f64).unwrap_or(f64::INFINITY),
+        Some(_) => closed.limit(),
     };
     match &worst.way {
         Some(way) if way.u < limit => {
@@ -143,19 +145,32 @@ fn assumed(spec: &Spec, samples: usize) -> String {
         true => format!("the plant x' = A x + B u over {samples} samples"),
         false => format!("the chain of integrators over {samples} samples, {}", force(spec)),
     };
-    format!("{plant}, {start}{absent}")
+    format!("{plant}{}, {start}{absent}", gain(spec))
 }
 
-/// What f and g of the plant are taken as.
+/// The true input gain, where it is not the known one.
+fn gain(spec: &Spec) -> String {
+    let told = !spec.promises.g_error.is_empty()
+        || matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }));
+    match true_gain(spec).ok().filter(|_| told).map(|ends| ends.each_ref().map(number)) {
+        Some([low, high]) if low == high => format!(", g = {low}"),
+        Some([low, high]) if linear(spec) => format!(", B times [{low}, {high}]"),
+        Some([low, high]) => format!(", g in [{low}, {high}], constant"),
+        None => String::new(),
+    }
+}
+
+fn number(value: &BigRational) -> String {
+    digits(value.to_f64().unwrap_or(f64::NAN))
+}
+
+/// What f of the plant is taken as.
 fn force(spec: &Spec) -> String {
-    let Some(PlantBounds::Bounded { middle, constant, varying, gain }) = &spec.promises.plant
-    else {
+    let Some(PlantBounds::Bounded { middle, constant, varying, .. }) = &spec.promises.plant else {
         return "f = 0".to_owned();
     };
-    let number = |value: &BigRational| digits(value.to_f64().unwrap_or(f64::NAN));
-    let own = gain.as_ref().map(|gain| format!(", g = {}", number(gain))).unwrap_or_default();
     let zero = BigRational::default();
-    let f = match () {
+    match () {
         () if *constant == zero && *varying == zero => format!("f = {}", number(middle)),
         () => {
             let most = constant + varying;
@@ -167,8 +182,7 @@ fn force(spec: &Spec) -> String {
             let [low, high] = [middle - &most, middle + &most].each_ref().map(number);
             format!("f in [{low}, {high}], {signal}")
         }
-    };
-    format!("{f}{own}")
+    }
 }
 
 /// Whether the plant is not a chain.
@@ -194,6 +208,9 @@ fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     if bound.force > 0.0 {
         parts.push(format!("{} f", digits(bound.force)));
     }
+    if bound.gain > 0.0 {
+        parts.push(format!("{} g", digits(bound.gain)));
+    }
     parts.push(format!("{} rounding", digits(bound.rounding)));
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
@@ -203,6 +220,22 @@ fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
     let x = list(way.x.iter().copied());
     let at = if linear(spec) { "at the samples" } else { "between samples too" };
     Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
+}
+
+/// What holds after the deadline.
+fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
+    worst.way.as_ref()?;
+    let Some(held) = &worst.held else {
+        let why = match spec.after {
+            After::Hold => "no bounds are found of what follows the deadline",
+            After::Zero => "u = 0 after the deadline, which holds no state",
+            After::Extern => return None,
+        };
+        return Some(why.to_owned());
+    };
+    let x = list(held.x.iter().copied());
+    let clipped = if held.u < closed.limit() { "" } else { ", unless u is clipped" };
+    Some(format!("from the deadline on |x| <= {x} and |u| <= {}{clipped}", digits(held.u)))
 }
 
 /// What random noise adds, which has no bound.
@@ -219,11 +252,16 @@ fn random(worst: &Worst) -> Option<String> {
 fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     let bound = &worst.states[state];
     let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, noise_of(spec, j)));
-    let others = [(bound.x0, "x0"), (bound.actuator, "u_step"), (bound.force, "f")];
+    let others = [
+        (bound.x0, "x0"),
+        (bound.actuator, "u_step"),
+        (bound.force, "f"),
+        (bound.gain, "the uncertain g"),
+    ];
     let others = others.map(|(part, cause)| (part, cause.to_owned()));
     let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
     let largest = largest.map(|(part, cause)| {
-        let percent = digits((100.0 * part / bound.attained()).round());
+        let percent = digits((100.0 * part / (bound.attained() + bound.gain)).round());
         format!("{cause} accounts for {percent} % of it")
     });
     // In samples eps is a hold that the design chose.

@@ -6,12 +6,13 @@
 //! error of the row is followed, and bounded with how far it may grow until another sample.
 
 use super::chain::{Matrix, Near, Row};
+use super::reach::Reach;
 
 /// By what an error is bounded.
 #[derive(Clone, Copy)]
 pub(super) enum Trust<'a> {
-    /// Bounds of the states at each sample.
-    Reach(&'a [Vec<f64>]),
+    /// Where the loop is at each sample.
+    Reach(&'a Reach),
     /// How far any error may grow until another sample.
     Fading(&'a Fading),
 }
@@ -54,7 +55,7 @@ impl<'a> Inexact<'a> {
         let errors = u.of_state.iter().map(|(gain, error)| error + unit * gain.abs());
         match self.trust {
             Some(Trust::Reach(reach)) => {
-                self.sum += weight * errors.zip(&reach[at]).map(|(e, x)| e * x).sum::<f64>();
+                self.sum += weight * errors.zip(&reach.states[at]).map(|(e, x)| e * x).sum::<f64>();
             }
             Some(Trust::Fading(fading)) => {
                 let scale = &fading.scales[at];
@@ -81,7 +82,7 @@ impl<'a> Inexact<'a> {
                     let part = |(p, (b, error)): (&f64, &Near)| p.abs() * (error + unit * b.abs());
                     self.sum += row.iter().zip(column).map(part).sum::<f64>() * limit;
                 }
-                self.sum += matrix.inexact(row, &reach[k], unit);
+                self.sum += matrix.inexact(row, &reach.states[k], unit);
             }
             Some(Trust::Fading(fading)) => {
                 let scale = &fading.scales[k + 1];

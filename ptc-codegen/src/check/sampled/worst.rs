@@ -35,6 +35,8 @@ pub(super) struct Sampled {
     pub(super) actuator: f64,
     /// What moves the plant beside u.
     pub(super) force: Option<Force>,
+    /// How far the true input gain may be from that of the chain, as a part of it.
+    pub(super) gain_error: f64,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds).
@@ -55,6 +57,8 @@ pub struct Bound {
     pub actuator: f64,
     /// From f of the plant.
     pub force: f64,
+    /// From an input gain that is not known, at most.
+    pub gain: f64,
     /// Standard deviation by random noise, which is not in the sum.
     pub rms: f64,
     /// From rounding in the emitted program, and the room that the proof takes.
@@ -64,10 +68,10 @@ pub struct Bound {
 impl Bound {
     /// All causes together.
     pub fn total(&self) -> f64 {
-        self.attained() + self.rounding
+        self.attained() + self.gain + self.rounding
     }
 
-    /// What the worst signals reach at least.
+    /// What the worst signals reach, but for rounding, with an input gain in the middle.
     pub fn attained(&self) -> f64 {
         self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
     }
@@ -100,9 +104,6 @@ pub(super) struct Signals {
     pub(super) actuator: Vec<f64>,
 }
 
-/// Operations that the bounds of all samples may take: a second or two.
-const OPERATIONS: f64 = 2e9;
-
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
@@ -134,6 +135,7 @@ impl Sampled {
             noise_rms,
             actuator: 0.0,
             force: None,
+            gain_error: 0.0,
         }
     }
 
@@ -157,6 +159,25 @@ impl Sampled {
         let mut row = vec![0.0; self.size()];
         row[i - 1] = 1.0;
         Output { row, direct: 0.0 }
+    }
+
+    /// u and what the actuator adds.
+    pub(super) fn control(&self) -> Output {
+        Output { row: vec![0.0; self.size()], direct: 1.0 }
+    }
+
+    /// The input that acts on the plant.
+    pub(super) fn acts(&self) -> Output {
+        match self.acting {
+            None => self.control(),
+            Some(kept) => self.state(kept + 1),
+        }
+    }
+
+    /// The loop with its last sample repeated, from states within other bounds.
+    pub(super) fn last(&self, x0: Vec<f64>) -> Self {
+        let steps = self.steps.last().cloned().into_iter().collect();
+        Self { steps, x0, gains: BTreeMap::new(), ..self.clone() }
     }
 
     /// The row of an output on s_K, with u_K written out.
@@ -212,25 +233,6 @@ impl Sampled {
         Some(Fading { errors: errors.collect(), scales, growth })
     }
 
-    /// Bounds of each |s_k|, k = 0..=at, of the loop that runs; `None` where that takes too long.
-    ///
-    /// With rows p_l that are p_{l+1} M_l up to e_l, and a loop whose matrices are M_l up to E_l,
-    /// p_k s_k = p_0 s_0 + sum_l p_{l+1} b w + sum_l (p_{l+1} E_l - e_l) s_l: what is not exact in a
-    /// sample counts with the state there, which is bounded already.
-    pub(super) fn reach(&self, at: usize) -> Option<Vec<Vec<f64>>> {
-        #[allow(clippy::cast_precision_loss)]
-        let [count, size] = [at, self.size()].map(|count| count as f64);
-        (0.5 * count * count * size.powi(3) <= OPERATIONS).then_some(())?;
-        let mut reach = Vec::with_capacity(at + 1);
-        for k in 0..=at {
-            let one = |i| self.bound(&self.state(i), k, Some(Trust::Reach(&reach))).total();
-            let most: Vec<_> = (1..=self.size()).map(one).collect();
-            most.iter().all(|x| x.is_finite()).then_some(())?;
-            reach.push(most);
-        }
-        Some(reach)
-    }
-
     /// The worst case of an output at sample `at`; its rounding is infinite without `trust`.
     pub(super) fn bound(&self, output: &Output, at: usize, trust: Option<Trust<'_>>) -> Bound {
         let mut bound = Bound { noise: vec![0.0; self.noise.len()], ..Bound::default() };
@@ -257,9 +259,11 @@ impl Sampled {
             seen.clear();
             seen.extend(step.columns.iter().map(|column| along(&row, column)));
             self.add(&mut bound, &seen);
+            let gain = self.of_gain(trust, k);
+            bound.gain += along(&row, &self.chain.input).abs() * gain;
             let force = self.force.iter().map(|force| (&force.column, force.most()));
             let causes = step.columns.iter().zip(self.limits()).chain(force);
-            inexact.sample(k, &row, &step.matrix, causes);
+            inexact.sample(k, &row, &step.matrix, causes.chain([(&self.chain.input, gain)]));
             step.matrix.after(&row, &mut before);
             std::mem::swap(&mut row, &mut before);
         }
@@ -274,9 +278,20 @@ impl Sampled {
         }
         bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
-        let slack = 1e-12 * (bound.attained() + rounding);
+        let slack = 1e-12 * (bound.attained() + bound.gain + rounding);
         bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
+    }
+
+    /// How far the input at sample `k` may be from the one that the chain knows.
+    pub(super) fn of_gain(&self, trust: Option<Trust<'_>>, k: usize) -> f64 {
+        match trust {
+            _ if self.gain_error == 0.0 => 0.0,
+            Some(Trust::Reach(reach)) => self.gain_error * reach.acting[k],
+            Some(Trust::Fading(_)) => f64::INFINITY,
+            // A bound without what the gain adds was asked for.
+            None => 0.0,
+        }
     }
 
     /// Adds the causes of one sample, each weighted by how much of it the output sees.

@@ -25,6 +25,7 @@ impl Reader<'_> {
             sensor_step: self.one_or_each("sensor_step", measured, not_negative, "finite and >= 0"),
             u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
+            g_error: self.g_error(),
             x0_max: self.bounds("x0_max", n),
             x_max: self.bounds("x_max", n),
             allow: self.allowed(),
@@ -62,6 +63,21 @@ impl Reader<'_> {
             self.wrong("delay", Some(node.place), message, help);
         }
         value
+    }
+
+    /// The least and the greatest true input gain, in parts of the known one.
+    fn g_error(&mut self) -> Vec<Fixed> {
+        let Some(node) = self.keys.get("g_error").copied() else { return Vec::new() };
+        let ends: Vec<_> = items(node).iter().filter_map(|item| finite_positive(item)).collect();
+        match ends.as_slice() {
+            [low, high] if items(node).len() == 2 && low.number() <= high.number() => ends,
+            _ => {
+                let message = format!("g_error = {} is not an interval", shown(&node.value));
+                let help = "give the least and the greatest true input gain in parts of g, both > 0: 0.9,1.1".to_owned();
+                self.wrong("g_error", Some(node.place), message, help);
+                Vec::new()
+            }
+        }
     }
 
     /// One number for all states, or one for each.

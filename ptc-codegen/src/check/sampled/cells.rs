@@ -1,0 +1,133 @@
+//! The worst case over all input gains that the plant may have.
+//!
+//! In a cell of gains each differs from the middle by a part of it, which acts as an error of the
+//! input in proportion to it. Cells are halved until each of them is decided.
+
+use super::judge::{Gain, Loop};
+use super::trust::Trust;
+use super::way::{Held, Way, larger};
+use super::worst::{Bound, Sampled};
+use crate::request::After;
+
+/// Operations that all cells may take together: seconds.
+const OPERATIONS: f64 = 1e9;
+
+/// Most cells of gains.
+const MOST_CELLS: f64 = 256.0;
+
+/// By how much a bound may be above what is attained, where nothing is to be decided.
+const CLOSE: f64 = 1.1;
+
+/// The worst case of a sampled loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// Of each state at the deadline.
+    pub states: Vec<Bound>,
+    /// What the size of each state there reaches at least, rounding included.
+    pub reached: Vec<f64>,
+    /// Samples from t0 to the deadline.
+    pub samples: usize,
+    /// On the way; `None` if there are too many samples to look at all of them.
+    pub way: Option<Way>,
+    /// From the deadline on with the gains held; `None` where no bounds are found.
+    pub held: Option<Held>,
+}
+
+impl Worst {
+    /// What holds of two cells.
+    fn most(self, other: Self) -> Self {
+        let greater = |(a, b): (Bound, Bound)| if b.total() > a.total() { b } else { a };
+        let both = |a: Option<Way>, b: &Option<Way>| Some(a?.most(b.as_ref()?));
+        Self {
+            states: self.states.into_iter().zip(other.states).map(greater).collect(),
+            reached: larger(self.reached, &other.reached),
+            samples: self.samples,
+            way: both(self.way, &other.way),
+            held: self.held.zip(other.held).map(|(a, b)| a.most(&b)),
+        }
+    }
+}
+
+impl Loop<'_> {
+    /// The worst case with the eps of the design, and on the way if `way` is set.
+    ///
+    /// # Errors
+    /// A mapping whose gains are not enclosed, or a loop whose transitions are not bounded.
+    pub(crate) fn worst(&self, way: bool) -> Result<Worst, String> {
+        let mut open = vec![self.gain()];
+        let mut left = None;
+        let mut all: Option<Worst> = None;
+        while let Some(cell) = open.pop() {
+            let sampled = self.disturbed(self.acting(&cell)?, &cell);
+            let worst = self.of_cell(&sampled, way)?;
+            // As many as the time allows, of what one takes.
+            let left = left.get_or_insert_with(|| {
+                (OPERATIONS / sampled.operations(self.samples)).clamp(8.0, MOST_CELLS)
+            });
+            *left -= 1.0;
+            if cell.error > 0.0 && *left > open.len() as f64 && !self.is_decided(&worst) {
+                open.extend(cell.halves());
+                continue;
+            }
+            all = Some(match all {
+                None => worst,
+                Some(all) => all.most(worst),
+            });
+        }
+        all.ok_or_else(|| "no input gain is given".to_owned())
+    }
+
+    /// Whether smaller cells tell no more: all is within bounds, or known closely where none are wanted
+    /// or some are exceeded.
+    fn is_decided(&self, worst: &Worst) -> bool {
+        let wanted = self.errors();
+        let exceeded = worst.reached.iter().zip(&wanted).any(|(x, error)| x > error);
+        if !self.has_errors() || exceeded {
+            return worst.states.iter().all(|bound| bound.total() <= CLOSE * bound.attained());
+        }
+        let clipped = worst.way.as_ref().is_some_and(|way| way.u >= self.limit());
+        !clipped && worst.states.iter().zip(&wanted).all(|(bound, error)| bound.total() <= *error)
+    }
+
+    fn of_cell(&self, sampled: &Sampled, way: bool) -> Result<Worst, String> {
+        let reach = sampled.reach(self.samples);
+        if sampled.gain_error > 0.0 && reach.is_none() {
+            return Err(format!(
+                "{} samples are more than it looks at with an uncertain input gain",
+                self.samples
+            ));
+        }
+        // A loop that comes to rest sees nothing of its states before the last few samples, so that
+        // a state cannot be scaled by what is seen of it.
+        let rests = self.spec.sampled().filter(|_| reach.is_none());
+        let rests = rests.map(|_| sampled.fading(None, self.samples));
+        let state = |i: usize| {
+            let output = sampled.state(i);
+            if let Some(reach) = &reach {
+                return Some(sampled.bound(&output, self.samples, Some(Trust::Reach(reach))));
+            }
+            let own = rests.is_none().then(|| sampled.fading(Some(&output), self.samples));
+            let fading = own.as_ref().or(rests.as_ref())?.as_ref()?;
+            Some(sampled.bound(&output, self.samples, Some(Trust::Fading(fading))))
+        };
+        let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
+        let states =
+            states.ok_or("an error of one sample may grow without a bound that is found")?;
+        let held = (way && self.spec.after == After::Hold)
+            .then(|| sampled.held(self.samples, reach.as_ref()?))
+            .flatten();
+        let way = if way { sampled.way(self.samples, reach.as_ref()) } else { None };
+        let reached = states.iter().map(|bound| bound.attained() - bound.rounding).collect();
+        Ok(Worst { states, reached, samples: self.samples, way, held })
+    }
+}
+
+impl Gain {
+    /// Both halves of a cell.
+    fn halves(&self) -> [Self; 2] {
+        let reach = self.error * self.value.middle().abs();
+        let [low, high] = [-1.0, 1.0].map(|side| self.value.middle() + side * reach);
+        let middle = self.value.middle();
+        [Self::between(low, middle), Self::between(middle, high)]
+    }
+}
