@@ -114,6 +114,8 @@ pub use error::Error;
 /// | `error` | wanted bound of \|x_i\| at the deadline; sets `eps` | a number > 0, or one for each state, with `x0_max` | |
 /// | `noise` | bounds of the noise of each measured state | a number >= 0, or one for each state | |
 /// | `noise_rms` | standard deviations of random noise of each measured state | a number >= 0, or one for each state | |
+/// | `g_error` | least and greatest true input gain, in parts of `g` | two numbers > 0, the smaller one first | |
+/// | `jitter` | how early or late a sample may be, in s | a number >= 0 and < sample_time/2 | |
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
 /// | `delay` | samples between a measurement and the input that follows from it | an integer 0..=16 | |

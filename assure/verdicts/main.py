@@ -10,10 +10,13 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
+
 import attained
 import checks
 import design
 import digits
+import sampled
 import simulate
 import verify
 
@@ -52,6 +55,20 @@ def checked(pool, arguments):
     return {
         "designs": len(results), "verdicts": words,
         "unconfirmed": [r for r in results if not r["confirmed"]],
+        "false": [r for r in results if r["false"]],
+    }
+
+
+def loops(pool, arguments):
+    jobs = ((arguments.command, arguments.folder, arguments.seed, index, arguments.scale,
+             arguments.seconds) for index in range(arguments.loops))
+    results = list(each(pool, sampled.trial, jobs, arguments))
+    near = lambda key, kind: [r[key] for r in results if r.get(key) and kind in r["verdict"]]
+    return {
+        "designs": len(results), "verdicts": Counter(r["verdict"] for r in results),
+        "after": sum(r.get("held") is not None for r in results),
+        "close": {kind: float(np.median(near("near", kind) or [np.nan])) for kind in ("known", "uncertain")},
+        "close_after": {kind: float(np.median(near("held", kind) or [np.nan])) for kind in ("known", "uncertain")},
         "false": [r for r in results if r["false"]],
     }
 
@@ -115,6 +132,7 @@ def main():
     parser.add_argument("--each-way", type=int, default=500, help="objectives above, and below, the truth")
     parser.add_argument("--order", type=int, default=8, help="greatest order")
     parser.add_argument("--checks", type=int, default=600, help="designs for `check`")
+    parser.add_argument("--loops", type=int, default=1000, help="designs for the check `loop`")
     parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
     parser.add_argument("--design", type=int, default=20, help="wishes for `design`")
     parser.add_argument("--digits", type=int, default=40, help="sets of parameters of each emitted controller")
@@ -130,6 +148,7 @@ def main():
     with multiprocessing.Pool(arguments.jobs) as pool:
         # What lasts longest comes last; the pool is ended once enough was judged.
         found = {"attained": routes(pool, arguments), "checks": checked(pool, arguments),
+                 "loops": loops(pool, arguments),
                  "simulate": runs(pool, arguments),
                  "digits": kept_digits(pool, arguments),
                  "design": wishes(pool, arguments), "verify": verdicts(pool, arguments)}

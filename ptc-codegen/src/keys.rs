@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 39] = [
+pub static KEYS: [KeyInfo; 40] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -167,6 +167,12 @@ pub static KEYS: [KeyInfo; 39] = [
         meaning: "least and greatest true input gain, in parts of g",
         legal: "two numbers > 0, the smaller one first",
         example: "0.9,1.1",
+    },
+    KeyInfo {
+        key: "jitter",
+        meaning: "how early or late a sample may be, in s",
+        legal: "a number >= 0 and < sample_time/2",
+        example: "1e-5",
     },
     KeyInfo {
         key: "sensor_step",

@@ -101,6 +101,159 @@ fn the_true_input_gain_is_part_of_the_loop() {
     }
 }
 
+/// The loop of a design from x0 with its uncertainties drawn by a seed: |x| at the deadline, and the
+/// largest |x| from there to the end.
+fn drawn(text: &str, around: &Loop) -> [Vec<f64>; 2] {
+    let (_, plant) = read_design(&entries(text)).expect("a design");
+    let report = report(text);
+    let plant = plant.unwrap_or_default();
+    let values = Values::of(&report.spec, &plant);
+    let n = report.spec.n;
+    let x0: Vec<_> = (0..n).map(|i| if i % 2 == 0 { 1.0 } else { -1.0 }).collect();
+    let [mut last, mut most] = [vec![f64::NAN; n], vec![0.0; n]];
+    let mut see = |s: ptc_codegen::simulate::Sample<'_>| {
+        let size: Vec<_> = s.x.iter().map(|x| x.abs()).collect();
+        if s.time_to_go.abs() < 1e-9 {
+            last = size.clone();
+        }
+        if s.time_to_go < 1e-9 {
+            most.iter_mut().zip(size).for_each(|(most, x)| *most = x.max(*most));
+        }
+    };
+    let mut sampled = Sampled::new(&report.spec, &plant).expect("a loop");
+    sampled.run(&values, &x0, around, &mut see).unwrap_or_else(|failure| panic!("{failure}"));
+    [last, most]
+}
+
+fn around(text: &str) -> Loop {
+    let spec = report(text).spec;
+    let h = spec.promises.sample_time.as_ref().and_then(|h| h.number()).expect("a period");
+    let period = num_traits::ToPrimitive::to_f64(h).expect("a number");
+    Loop { period, delay: spec.promises.delay.unwrap_or(0), ..Loop::default() }
+}
+
+/// Designs without a plant, in both clocks.
+fn alone() -> Vec<String> {
+    let without = |text: &String| {
+        text.replace("f = \"push\"\npush = [0, 0.6]\n", "").replace("[plant]\n", "")
+    };
+    let designs = designs();
+    let mut all: Vec<_> = [0, 3, 5, 6].iter().map(|at| without(&designs[*at])).collect();
+    for poles in ["-3", "-4, -5", "-4, \"-5+2i\", \"-5-2i\""] {
+        let n = poles.split(", ").count();
+        all.push(format!(
+            "n = {n}\npoles = [{poles}]\nclock = \"samples\"\nsample_time = 2e-3\nx0_max = {:?}\nerror = 10\nu_max = inf\n\
+             name = \"stage\"\nmu = \"exp(a=1)\"\n[params]\ntau = 0.4\n",
+            vec![1; n]
+        ));
+    }
+    all
+}
+
+#[test]
+fn no_gain_in_its_interval_does_more_than_the_bound() {
+    for text in alone() {
+        let uncertain = format!("g_error = [0.8, 1.3]\n{text}");
+        let worst = report(&uncertain).worst.expect("a loop");
+        let held = worst.held.clone();
+        let mut most = vec![0.0_f64; worst.states.len()];
+        for gain in [0.8, 0.85, 0.93, 1.0, 1.07, 1.2, 1.3] {
+            let tau = if text.contains("samples") { 0.4 } else { 1.0 };
+            let around = Loop {
+                gain: [gain; 2],
+                until: held.as_ref().map(|_| 1.5 * tau),
+                noise: Vec::new(),
+                ..around(&text)
+            };
+            let [last, later] = drawn(&text, &around);
+            for (i, (x, bound)) in last.iter().zip(&worst.states).enumerate() {
+                assert!(
+                    *x <= bound.total() * (1.0 + 1e-9),
+                    "{text}{gain}: x{} {x} {bound:?}",
+                    i + 1
+                );
+                most[i] = most[i].max(*x);
+            }
+            if let Some(held) = &held {
+                let within = later.iter().zip(&held.x).all(|(x, most)| *x <= most * (1.0 + 1e-9));
+                assert!(within, "{text}{gain}: {later:?} {held:?}");
+            }
+        }
+        // Deadbeat gains, which are those in samples after the deadline, tolerate little.
+        assert!(held.is_some() || text.contains("samples"), "{text}");
+        // As a symbol of the plant it is the same.
+        let plant = format!("{text}[plant]\ng = \"b\"\nb = [0.8, 1.3]\n");
+        assert_eq!(report(&plant).worst.expect("a loop").states, worst.states, "{text}");
+    }
+}
+
+#[test]
+fn samples_that_are_early_or_late_stay_within_the_bound() {
+    for text in alone() {
+        let tau = if text.contains("samples") { 0.4 } else { 1.0 };
+        let around = around(&text);
+        let jitter = 0.02 * around.period;
+        let uncertain = format!("jitter = {jitter:?}\n{text}");
+        let worst = report(&uncertain).worst.expect("a loop");
+        for seed in 0..8 {
+            let until = worst.held.as_ref().map(|_| 1.5 * tau);
+            let around = Loop { jitter, seed, until, ..around.clone() };
+            let [last, later] = drawn(&text, &around);
+            for (i, (x, bound)) in last.iter().zip(&worst.states).enumerate() {
+                assert!(*x <= bound.total() * (1.0 + 1e-9), "{text}x{} {x} {bound:?}", i + 1);
+                assert!(bound.jitter > 0.0, "{text}");
+            }
+            if let Some(held) = &worst.held {
+                let within = later.iter().zip(&held.x).all(|(x, most)| *x <= most * (1.0 + 1e-9));
+                assert!(within, "{text}: {later:?} {held:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_gain_or_jitter_is_refused_at_its_place() {
+    let text = &alone()[0];
+    for (line, message) in [
+        ("g_error = 0.9", "is not an interval"),
+        ("g_error = [1.1, 0.9]", "is not an interval"),
+        ("g_error = [0, 1]", "is not an interval"),
+        ("jitter = 5e-3", "is not below half a period"),
+        ("jitter = -1", "is not below half a period"),
+    ] {
+        let found = read_design(&entries(&format!("{line}\n{text}"))).expect_err(line);
+        assert!(found[0].message.contains(message), "{line}: {found:?}");
+        assert!(found[0].place.is_some(), "{line}: {found:?}");
+    }
+    let both = format!("g_error = [0.9, 1]\n{text}[plant]\ng = 2\n");
+    let found = read_design(&entries(&both)).expect_err("two gains");
+    assert!(found[0].message.contains("both say"), "{found:?}");
+    // A gain that may be 0, or varies.
+    for plant in ["b = [-0.1, 1]", "b = [0.5, 1]\n[disturbance]\nb = \"any\""] {
+        let text = format!("{text}[plant]\ng = \"b\"\n{plant}\n");
+        let (found, words) = verdict(&text);
+        assert_eq!(found, Verdict::Undecided, "{words}");
+        assert!(words.contains("may be 0") || words.contains("varies"), "{words}");
+    }
+}
+
+/// The gain of a linear plant is that of its B.
+#[test]
+fn margins_of_a_linear_plant_end() {
+    let text = "n = 2\nname = \"motor\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 2e-3\npoles = [-4, -5]\n\
+        u_max = inf\nx0_max = [1, 1]\nerror = 1e-3\n[params]\ntau = 0.1\n[plant]\nA = [[0, 1], [-3, -0.5]]\nB = [0, 2]\n";
+    let (spec, _) = read_design(&entries(text)).expect("a design");
+    let found = margins(&spec, None).expect("a sound loop");
+    let at = |gain: f64| {
+        let g_error = format!("g_error = [{gain}, {gain}]\n{text}");
+        verdict(&g_error).0
+    };
+    let [low, high] = found.gain;
+    assert!(0.2 < low && low < 1.0 && 1.0 < high && high < 5.0, "{found:?}");
+    assert_eq!([at(low * 1.001), at(high * 0.999)], [Verdict::Sound; 2], "{found:?}");
+    assert_eq!([at(low * 0.98), at(high * 1.02)], [Verdict::Refuted; 2], "{found:?}");
+}
+
 /// Each end of the margins is sound, and a little beyond it the loop is not.
 #[test]
 fn margins_end_where_the_loop_is_not_sound() {

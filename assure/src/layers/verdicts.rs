@@ -17,7 +17,8 @@ pub(super) const LAYER: Layer = Layer {
     name: "verdicts",
     claim: "Of random designs and objectives just above and just below the true supremum, which \
             mpmath, NumPy and SciPy compute, `verify` proves none that fails and fails none that \
-            holds; `check` is right just inside and outside of what it decides, `simulate` ends \
+            holds; `check` is right just inside and outside of what it decides, the bounds of `loop` are \
+            the worst case of loops run sample by sample, `simulate` ends \
             where the plant does, and what `design` chooses meets its objectives. Emitted C whose \
             `init` takes parameters of any size gives u its digits.",
     tools: &[PYTHON, GCC],
@@ -27,12 +28,13 @@ pub(super) const LAYER: Layer = Layer {
 const PACKAGES: [&str; 3] = ["mpmath>=1.3", "numpy>=1.26", "scipy>=1.11"];
 
 /// How much is drawn: objectives on each side of the truth, the greatest order, designs for `check`,
-/// runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of
+/// and for its `loop`, runs of `simulate`, wishes for `design`, suprema that are computed by another route, and sets of
 /// parameters of each emitted controller.
 struct Size {
     each_way: usize,
     order: usize,
     checks: usize,
+    loops: usize,
     simulate: usize,
     design: usize,
     attained: usize,
@@ -43,16 +45,33 @@ const FULL: Size = Size {
     each_way: 500,
     order: 8,
     checks: 600,
+    loops: 1000,
     simulate: 100,
     design: 20,
     attained: 40,
     digits: 40,
 };
-const BRIEF: Size =
-    Size { each_way: 40, order: 4, checks: 60, simulate: 16, design: 4, attained: 8, digits: 5 };
+const BRIEF: Size = Size {
+    each_way: 40,
+    order: 4,
+    checks: 60,
+    loops: 60,
+    simulate: 16,
+    design: 4,
+    attained: 8,
+    digits: 5,
+};
 /// Enough to meet a truth that is wrong by 3 %, where what is drawn is off by 1 % to 5 %.
-const SEED: Size =
-    Size { each_way: 12, order: 2, checks: 60, simulate: 4, design: 0, attained: 0, digits: 2 };
+const SEED: Size = Size {
+    each_way: 12,
+    order: 2,
+    checks: 60,
+    loops: 12,
+    simulate: 4,
+    design: 0,
+    attained: 0,
+    digits: 2,
+};
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("verdicts"), &PACKAGES)?;
@@ -67,6 +86,7 @@ fn run(context: &Context) -> Result<Finding> {
         let kinds = [
             (proved, "suprema"),
             ("its condition", "edges of checks"),
+            ("loop:", "worst cases of loops"),
             ("is off", "states"),
             ("lost digits", "controls"),
         ];
@@ -97,6 +117,7 @@ impl Attack<'_> {
             ("--each-way", size.each_way),
             ("--order", size.order),
             ("--checks", size.checks),
+            ("--loops", size.loops),
             ("--simulate", size.simulate),
             ("--design", size.design),
             ("--attained", size.attained),
@@ -130,6 +151,9 @@ fn faults(found: &Value) -> Vec<String> {
     }
     for result in list(&found["checks"]["unconfirmed"]) {
         faults.push(format!("two computations of the truth differ: {}", result["words"]));
+    }
+    for result in list(&found["loops"]["false"]) {
+        faults.push(format!("loop: {} of {}\n{}", result["why"], result["name"], shown(result)));
     }
     for result in list(&found["simulate"]["false"]) {
         let error = result["error"].as_f64().unwrap_or(f64::INFINITY);
@@ -186,6 +210,7 @@ fn tables(found: &Value, finding: &mut Finding) {
     for (check, counts) in checks["verdicts"].as_object().into_iter().flatten() {
         rows.extend(counted(check, counts));
     }
+    rows.extend(counted("loop", &found["loops"]["verdicts"]));
     finding.tables.push(Table {
         title: "Verdicts, and the truth".to_owned(),
         head: vec!["of", "verdict", "truth", "objectives or designs"],
@@ -246,6 +271,7 @@ mod tests {
     fn each_kind_of_fault_is_named() {
         let clean = json!({
             "verify": { "false": [] }, "checks": { "false": [], "unconfirmed": [] },
+            "loops": { "false": [] },
             "simulate": { "false": [] }, "design": { "false": [] }, "attained": { "miss": 1e-9 },
             "digits": { "false": [] },
         });
@@ -256,6 +282,7 @@ mod tests {
                 "false": [{ "check": "growth", "verdict": "sound", "holds": false, "words": ["--n", "1"] }],
                 "unconfirmed": [{ "words": [] }],
             },
+            "loops": { "false": [{ "name": "sampled2", "why": ["sound with a room of -0.01"] }] },
             "simulate": { "false": [{ "name": "simulate4", "error": 30.0, "words": [] }] },
             "design": { "false": [{ "name": "design5", "most": 1.01 }] },
             "attained": { "miss": 1e-3 },
@@ -267,6 +294,7 @@ mod tests {
             "exit code: 0",
             "growth is sound, but its condition does not hold",
             "two computations",
+            "loop: [\"sound with a room of -0.01\"] of \"sampled2\"",
             "simulate is off by 3.0e1",
             "design chose what reaches 1.01",
             "u has lost digits: exp, n = 2, f32",
@@ -279,11 +307,12 @@ mod tests {
     #[test]
     fn the_page_has_the_numbers_of_a_full_run() {
         let page = include_str!("../../../docs/checks/soundness.md");
-        let Size { each_way, checks, simulate, design, attained, order, digits } = FULL;
+        let Size { each_way, checks, loops, simulate, design, attained, order, digits } = FULL;
         let numbers = [
             format!("until {each_way} objectives above and {each_way} below"),
             format!("n = 1..{order} "),
             format!("for `check`: {checks} designs"),
+            format!("for `loop`: {loops} designs"),
             format!("for `simulate`: {simulate} runs"),
             format!("for `design`: {design} wishes"),
             format!("for the truth itself: {attained} suprema"),

@@ -132,7 +132,11 @@ impl Spec {
     fn promise_words(&self) -> Vec<String> {
         let promises = &self.promises;
         let mut words = Vec::new();
-        let single = [("--sample-time", &promises.sample_time), ("--u-step", &promises.u_step)];
+        let single = [
+            ("--sample-time", &promises.sample_time),
+            ("--u-step", &promises.u_step),
+            ("--jitter", &promises.jitter),
+        ];
         for (flag, value) in single {
             words.extend(value.iter().map(|value| format!("{flag}={value}")));
         }

@@ -22,6 +22,8 @@ pub struct Promises {
     /// The least and the greatest true input gain in parts of the known one; empty where they are the
     /// same.
     pub g_error: Vec<Fixed>,
+    /// How early or late a sample may be, s.
+    pub jitter: Option<Fixed>,
     /// Samples by which u acts late.
     pub delay: Option<usize>,
     /// Bounds of |x_i| at the start; empty where they are not given.

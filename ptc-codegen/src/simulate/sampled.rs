@@ -32,7 +32,13 @@ pub struct Loop {
     pub noise_rms: Vec<f64>,
     /// Resolution of each measurement; empty for none.
     pub sensor_step: Vec<f64>,
-    /// Seed of the noise, which is the same on any machine.
+    /// The least and the greatest input gain of the plant in parts of the one it is written with,
+    /// between which one is drawn for the run.
+    pub gain: [f64; 2],
+    /// Bound of how early or late a sample is, in s, evenly drawn; the first one and the end are in
+    /// time.
+    pub jitter: f64,
+    /// Seed of all that is drawn, which is the same on any machine.
     pub seed: u64,
     /// Delay of u in samples.
     pub delay: usize,
@@ -51,6 +57,8 @@ impl Default for Loop {
             noise: Vec::new(),
             noise_rms: Vec::new(),
             sensor_step: Vec::new(),
+            gain: [1.0; 2],
+            jitter: 0.0,
             seed: 0,
             delay: 0,
             until: None,
@@ -119,6 +127,9 @@ const SAME: f64 = 1e-12;
 /// Accuracy of the motion between two samples, where u is constant.
 const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
 
+/// Below it all states count as 0.
+const NOTHING: f64 = 1e-100;
+
 impl Sampled {
     /// The loop of a controller and a plant, to be run with many values.
     ///
@@ -173,6 +184,11 @@ impl Sampled {
         };
         let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
         let mut random = Pcg64Mcg::seed_from_u64(around.seed);
+        let [least, most] = around.gain;
+        let gain = match least < most {
+            true => least + (most - least) * 0.5 * (1.0 + even(&mut random)),
+            false => least,
+        };
         let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
@@ -182,6 +198,8 @@ impl Sampled {
         let mut armed = armed.into_iter().peekable();
         let mut deadline = tau;
         let mut walk = Walk::default();
+        // When the sample is taken, after t0.
+        let mut now = 0.0;
         for index in 0_u32.. {
             let since = f64::from(index) * around.period;
             let last = since >= end * (1.0 - SAME);
@@ -226,9 +244,15 @@ impl Sampled {
             if last {
                 break;
             }
-            let until = (f64::from(index + 1) * around.period).min(end);
-            let next = self.between(&mut walk, x, u, (t, t0 + until));
-            x = next.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
+            let next = f64::from(index + 1) * around.period;
+            let until = match next >= end * (1.0 - SAME) {
+                true => end,
+                false if around.jitter > 0.0 => next + around.jitter * even(&mut random),
+                false => next,
+            };
+            let moved = self.between(&mut walk, x, gain * u, (t0 + now, t0 + until));
+            now = until;
+            x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
         }
         Ok(())
     }
@@ -245,6 +269,8 @@ impl Sampled {
             Moved::Chain(motion) => motion,
             Moved::Linear(plant) => return plant.after(x, u, to - from),
         };
+        // Of states that have died out the errors of a step would underflow.
+        let x = if x.iter().all(|x| x.abs() < NOTHING) { State::zeros() } else { x };
         let mut between = Between { n: self.n, motion, u, from, length: to - from };
         let mut end = x;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;

@@ -4,6 +4,7 @@
 //! input in proportion to it. Cells are halved until each of them is decided.
 
 use super::judge::{Gain, Loop};
+use super::reach::Reach;
 use super::trust::Trust;
 use super::way::{Held, Way, larger};
 use super::worst::{Bound, Sampled};
@@ -15,8 +16,8 @@ const OPERATIONS: f64 = 1e9;
 /// Most cells of gains.
 const MOST_CELLS: f64 = 256.0;
 
-/// By how much a bound may be above what is attained, where nothing is to be decided.
-const CLOSE: f64 = 1.1;
+/// Part of a bound that the gain may add, where nothing is to be decided.
+const CLOSE: f64 = 0.1;
 
 /// The worst case of a sampled loop.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,15 +60,19 @@ impl Loop<'_> {
         let mut all: Option<Worst> = None;
         while let Some(cell) = open.pop() {
             let sampled = self.disturbed(self.acting(&cell)?, &cell);
-            let worst = self.of_cell(&sampled, way)?;
+            let reach = sampled.reach(self.samples);
+            let mut worst = self.of_cell(&sampled, reach.as_ref(), way)?;
             // As many as the time allows, of what one takes.
             let left = left.get_or_insert_with(|| {
-                (OPERATIONS / sampled.operations(self.samples)).clamp(8.0, MOST_CELLS)
+                (OPERATIONS / sampled.operations(2 * self.samples)).clamp(8.0, MOST_CELLS)
             });
             *left -= 1.0;
             if cell.error > 0.0 && *left > open.len() as f64 && !self.is_decided(&worst) {
                 open.extend(cell.halves());
                 continue;
+            }
+            if way && self.spec.after == After::Hold {
+                worst.held = reach.and_then(|reach| sampled.held(self.samples, &reach));
             }
             all = Some(match all {
                 None => worst,
@@ -77,23 +82,32 @@ impl Loop<'_> {
         all.ok_or_else(|| "no input gain is given".to_owned())
     }
 
-    /// Whether smaller cells tell no more: all is within bounds, or known closely where none are wanted
-    /// or some are exceeded.
+    /// Whether smaller cells tell no more: all is within bounds, or what the gain adds is small where no
+    /// bounds are wanted or some are exceeded without it.
     fn is_decided(&self, worst: &Worst) -> bool {
-        let wanted = self.errors();
-        let exceeded = worst.reached.iter().zip(&wanted).any(|(x, error)| x > error);
-        if !self.has_errors() || exceeded {
-            return worst.states.iter().all(|bound| bound.total() <= CLOSE * bound.attained());
+        let limit = self.limit();
+        let below = |of: fn(&Way) -> f64| worst.way.as_ref().is_none_or(|way| of(way) < limit);
+        let all = || worst.states.iter().zip(self.errors());
+        let is_within = all().all(|(bound, error)| bound.total() <= error) && below(|way| way.u);
+        let is_exceeded = all().any(|(bound, error)| bound.total() - bound.gain > error)
+            || !below(|way| way.u_attained);
+        let is_close = worst.states.iter().all(|bound| bound.gain <= CLOSE * bound.total());
+        match self.has_errors() {
+            true => is_within || is_exceeded && is_close,
+            false => is_close,
         }
-        let clipped = worst.way.as_ref().is_some_and(|way| way.u >= self.limit());
-        !clipped && worst.states.iter().zip(&wanted).all(|(bound, error)| bound.total() <= *error)
     }
 
-    fn of_cell(&self, sampled: &Sampled, way: bool) -> Result<Worst, String> {
-        let reach = sampled.reach(self.samples);
-        if sampled.gain_error > 0.0 && reach.is_none() {
+    /// The worst case of one cell up to the deadline.
+    fn of_cell(
+        &self,
+        sampled: &Sampled,
+        reach: Option<&Reach>,
+        way: bool,
+    ) -> Result<Worst, String> {
+        if sampled.is_relative() && reach.is_none() {
             return Err(format!(
-                "{} samples are more than it looks at with an uncertain input gain",
+                "{} samples are more than it looks at with an uncertain input gain or jitter",
                 self.samples
             ));
         }
@@ -103,8 +117,10 @@ impl Loop<'_> {
         let rests = rests.map(|_| sampled.fading(None, self.samples));
         let state = |i: usize| {
             let output = sampled.state(i);
-            if let Some(reach) = &reach {
-                return Some(sampled.bound(&output, self.samples, Some(Trust::Reach(reach))));
+            if let Some(reach) = reach {
+                let mut bound = sampled.bound(&output, self.samples, Some(Trust::Reach(reach)));
+                bound.jitter += sampled.of_early_switch(i - 1, self.samples, reach);
+                return Some(bound);
             }
             let own = rests.is_none().then(|| sampled.fading(Some(&output), self.samples));
             let fading = own.as_ref().or(rests.as_ref())?.as_ref()?;
@@ -113,12 +129,9 @@ impl Loop<'_> {
         let states: Option<Vec<_>> = (1..=self.spec.n).map(state).collect();
         let states =
             states.ok_or("an error of one sample may grow without a bound that is found")?;
-        let held = (way && self.spec.after == After::Hold)
-            .then(|| sampled.held(self.samples, reach.as_ref()?))
-            .flatten();
-        let way = if way { sampled.way(self.samples, reach.as_ref()) } else { None };
+        let way = if way { sampled.way(self.samples, reach) } else { None };
         let reached = states.iter().map(|bound| bound.attained() - bound.rounding).collect();
-        Ok(Worst { states, reached, samples: self.samples, way, held })
+        Ok(Worst { states, reached, samples: self.samples, way, held: None })
     }
 }
 

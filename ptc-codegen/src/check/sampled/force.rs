@@ -12,6 +12,9 @@ const DEPTH: u32 = 40;
 /// What the root is close enough for, as a part of the integral.
 const CLOSE: f64 = 1e-10;
 
+/// Greatest order of a chain.
+const MOST: usize = crate::request::MAX_ORDER;
+
 /// Bounds of f, and what a constant f of 1 makes of the states in a sample.
 #[derive(Clone, Debug)]
 pub(super) struct Force {
@@ -61,19 +64,22 @@ fn size(points: &[f64], depth: u32, enough: f64) -> [f64; 2] {
     let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / real(points.len());
     let least = mean(&mut points.iter().copied()).abs();
     let most = mean(&mut points.iter().map(|point| point.abs()));
-    if most - least <= enough || depth == 0 {
+    let is_apart = most - least > enough;
+    if !is_apart || depth == 0 {
         return [least, most];
     }
     // De Casteljau: the points of both halves.
-    let mut row = points.to_vec();
-    let (mut left, mut right) = (vec![row[0]], vec![row[row.len() - 1]]);
-    while row.len() > 1 {
-        row = row.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
-        left.push(row[0]);
-        right.push(row[row.len() - 1]);
+    let mut room = [0.0; 2 * MOST];
+    let (left, right) = room.split_at_mut(MOST);
+    let (left, right) = (&mut left[..points.len()], &mut right[..points.len()]);
+    right.copy_from_slice(points);
+    for (m, point) in left.iter_mut().enumerate() {
+        *point = right[0];
+        for i in 0..points.len() - 1 - m {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
     }
-    right.reverse();
-    let [a, b] = [left, right].map(|half| size(&half, depth - 1, enough));
+    let [a, b] = [left, right].map(|half| size(half, depth - 1, enough));
     [0, 1].map(|end| 0.5 * (a[end] + b[end]))
 }
 

@@ -98,6 +98,9 @@ impl<'a> Loop<'a> {
             }
             None => Chain::new(spec.n, period, delay),
         };
+        if plant.outputs.is_some() && promises.jitter.is_some() {
+            return Err("jitter of a linear plant is not examined".to_owned());
+        }
         Ok(Self { spec, expanded, period, samples, gains, plant })
     }
 
@@ -124,6 +127,7 @@ impl<'a> Loop<'a> {
         sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
         sampled.force = self.force();
         sampled.gain_error = gain.error;
+        sampled.jitter = promises.jitter.as_ref().map_or(0.0, double);
         sampled
     }
 

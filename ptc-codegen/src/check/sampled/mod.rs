@@ -16,14 +16,15 @@ mod judge;
 mod margins;
 mod outcome;
 mod reach;
+mod relative;
 mod rounded;
 mod transition;
 mod trust;
 mod way;
 mod worst;
 
-pub(crate) use judge::Loop;
 pub use cells::Worst;
+pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
 pub(crate) use outcome::{NAME, outcome};
 pub use way::{Held, Way};

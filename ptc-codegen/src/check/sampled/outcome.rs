@@ -78,7 +78,11 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
         }
         () if share(&nominal).1 > 1.0 => (
             Verdict::Unsound,
-            format!("in doubles {}, above error = {}", told(state, &nominal), digits(wanted[state])),
+            format!(
+                "in doubles {}, above error = {}",
+                told(state, &nominal),
+                digits(wanted[state])
+            ),
         ),
         () => (Verdict::Undecided, format!("{}, next to error", told(state, &totals))),
     };
@@ -129,6 +133,12 @@ fn assumed(spec: &Spec, samples: usize) -> String {
     if promises.delay.is_none() {
         absent.push("delay");
     }
+    if promises.g_error.is_empty() && !has_gain(spec) {
+        absent.push("an error of g");
+    }
+    if promises.jitter.is_none() {
+        absent.push("jitter");
+    }
     let absent = match absent.as_slice() {
         [] => String::new(),
         absent => format!("; without {}, not given", absent.join(", ")),
@@ -150,14 +160,18 @@ fn assumed(spec: &Spec, samples: usize) -> String {
 
 /// The true input gain, where it is not the known one.
 fn gain(spec: &Spec) -> String {
-    let told = !spec.promises.g_error.is_empty()
-        || matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }));
+    let told = !spec.promises.g_error.is_empty() || has_gain(spec);
     match true_gain(spec).ok().filter(|_| told).map(|ends| ends.each_ref().map(number)) {
         Some([low, high]) if low == high => format!(", g = {low}"),
         Some([low, high]) if linear(spec) => format!(", B times [{low}, {high}]"),
         Some([low, high]) => format!(", g in [{low}, {high}], constant"),
         None => String::new(),
     }
+}
+
+/// Whether the plant has an input gain of its own.
+fn has_gain(spec: &Spec) -> bool {
+    matches!(&spec.promises.plant, Some(PlantBounds::Bounded { gain: Some(_), .. }))
 }
 
 fn number(value: &BigRational) -> String {
@@ -211,6 +225,9 @@ fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     if bound.gain > 0.0 {
         parts.push(format!("{} g", digits(bound.gain)));
     }
+    if bound.jitter > 0.0 {
+        parts.push(format!("{} jitter", digits(bound.jitter)));
+    }
     parts.push(format!("{} rounding", digits(bound.rounding)));
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
@@ -257,11 +274,12 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         (bound.actuator, "u_step"),
         (bound.force, "f"),
         (bound.gain, "the uncertain g"),
+        (bound.jitter, "jitter"),
     ];
     let others = others.map(|(part, cause)| (part, cause.to_owned()));
     let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
     let largest = largest.map(|(part, cause)| {
-        let percent = digits((100.0 * part / (bound.attained() + bound.gain)).round());
+        let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });
     // In samples eps is a hold that the design chose.

@@ -1,7 +1,7 @@
 //! Where the loop is at each sample.
 
 use super::trust::Trust;
-use super::worst::Sampled;
+use super::worst::{Output, Sampled};
 
 /// Operations that the bounds of all samples may take: a second or two.
 const OPERATIONS: f64 = 2e9;
@@ -11,8 +11,12 @@ const OPERATIONS: f64 = 2e9;
 pub(super) struct Reach {
     /// Of each state.
     pub(super) states: Vec<Vec<f64>>,
-    /// Of the input that acts on the plant, where the input gain is not known.
+    /// Of the input that acts on the plant, where something is off in proportion to the loop.
     pub(super) acting: Vec<f64>,
+    /// Of its change since the sample before.
+    pub(super) change: Vec<f64>,
+    /// Of how far each x_i moves until it is measured.
+    pub(super) drift: Vec<Vec<f64>>,
 }
 
 impl Sampled {
@@ -35,15 +39,24 @@ impl Sampled {
     /// Adds the samples up to `at`; `None` where the loop may leave all bounds.
     pub(super) fn extend(&self, reach: &mut Reach, at: usize) -> Option<()> {
         let acts = self.acts();
+        let changes = Output { change: true, ..acts.clone() };
         for k in reach.states.len()..=at {
             let one = |i| self.bound(&self.state(i), k, Some(Trust::Reach(reach))).total();
             let states: Vec<_> = (1..=self.size()).map(one).collect();
             states.iter().all(|x| x.is_finite()).then_some(())?;
             reach.states.push(states);
-            if self.gain_error > 0.0 {
-                let acting = self.bound(&acts, k, Some(Trust::Reach(reach))).total();
+            if self.is_relative() {
+                let before = reach.acting.last().copied().unwrap_or(0.0);
+                // The first sample is what times are counted from.
+                let exact = || vec![0.0; self.chain.n];
+                let drift = if k > 0 { self.drift(&reach.states[k], before) } else { exact() };
+                reach.drift.push(drift);
+                let bound = |output| self.bound(output, k, Some(Trust::Reach(reach))).total();
                 // What a controller keeps has not been through the actuator.
+                let (acting, change) =
+                    (bound(&acts), if k > 0 && self.jitter > 0.0 { bound(&changes) } else { 0.0 });
                 reach.acting.push(acting + self.actuator);
+                reach.change.push(change + 2.0 * self.actuator);
             }
         }
         Some(())

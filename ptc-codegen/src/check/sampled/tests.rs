@@ -46,7 +46,7 @@ fn final_errors_are_those_of_the_reference() {
         let h = range(&text(&case["tau"])) / Range::from(samples as f64);
         let delay = case["delay"].as_u64().expect("delay") as usize;
         let rows = gains(&spec, None, h, samples).expect("gains");
-        let mut sampled = Sampled::new(Chain::new(n, h, Range::from(1.0), delay), &rows);
+        let mut sampled = Sampled::new(Chain::new(n, h, delay), &rows);
         sampled.x0 = numbers(&case["x0_max"]);
         sampled.noise = numbers(&case["noise"]);
         let step = case["u_step"].as_str().and_then(|step| step.parse::<f64>().ok());
@@ -107,7 +107,7 @@ fn controllers_in_samples_pass_noise_on_as_the_reference_says() {
             crate::request::read(&keys.iter().map(entry).collect::<Vec<_>>()).expect("a design");
         let own = spec.sampled().expect("a clock in samples");
         let h = range(&spec.fixed[&Parameter::SampleTime]);
-        let chain = Chain::new(n, h, Range::from(1.0), 0);
+        let chain = Chain::new(n, h, 0);
         let (steps, acting, kept) =
             super::emitted::steps(&spec, own, &chain, samples).expect("a program in rows");
         assert_eq!((acting, kept.len()), (None, 0));
@@ -171,7 +171,7 @@ fn closed(n: usize, gains_of: &str, delay: usize, samples: usize) -> Sampled {
     }
     let h = Range::from(1.0) / Range::from(samples as f64);
     let rows = gains(&spec, None, h, samples).expect("gains");
-    Sampled::new(Chain::new(n, h, Range::from(1.0), delay), &rows)
+    Sampled::new(Chain::new(n, h, delay), &rows)
 }
 
 #[test]

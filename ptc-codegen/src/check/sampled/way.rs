@@ -10,6 +10,9 @@ use super::worst::{Output, Sampled};
 /// Operations that the way to the deadline may take: seconds.
 const OPERATIONS: f64 = 2e9;
 
+/// Operations that bounds after the deadline may always take.
+const AFTER: f64 = 2e6;
+
 /// By how much bounds may be apart that count as the same.
 const CLOSE: f64 = 1e-3;
 
@@ -86,7 +89,7 @@ impl Sampled {
             }
             for i in 0..n {
                 let here = match reach {
-                    Some(reach) => reach.states[k][i],
+                    Some(reach) => reach.states[k][i] + self.of_early_switch(i, k, reach),
                     None => self.bound(&self.state(i + 1), k, trust).total(),
                 };
                 let most = if k < last { here.max(self.after(i, k, trust)) } else { here };
@@ -105,14 +108,14 @@ impl Sampled {
         let mut reach = reach.clone();
         let mut found = None;
         let mut length = 16;
-        while self.operations(from + length) <= OPERATIONS {
+        let most = (4.0 * self.operations(from)).max(AFTER).min(OPERATIONS);
+        while self.operations(from + length) <= most {
             self.extend(&mut reach, from + length)?;
-            let seen: Vec<_> = (0..self.size())
-                .map(|i| reach.states[from..].iter().map(|states| states[i]).fold(0.0, f64::max))
-                .collect();
-            let acting = reach.acting.iter().skip(from).copied().fold(0.0, f64::max);
-            if let Some((rest, later)) = self.rest(seen.clone(), acting, length) {
-                let near = rest.x0.iter().zip(&seen).all(|(x, seen)| *x <= (1.0 + CLOSE) * seen);
+            if let Some((rest, later)) = self.rest(&reach, from, length) {
+                let near = (0..self.size()).all(|i| {
+                    let seen = reach.states[from..].iter().map(|states| states[i]);
+                    rest.x0[i] <= (1.0 + CLOSE) * seen.fold(0.0, f64::max)
+                });
                 found = Some((rest, later, length));
                 if near {
                     break;
@@ -121,50 +124,58 @@ impl Sampled {
             length *= 2;
         }
         let (rest, later, length) = found?;
-        let sides = [(self, &reach, from, from + length), (&rest, &later, length, length)];
         let control = self.control();
         let mut held = Held { x: rest.x0[..self.chain.n].to_vec(), u: 0.0 };
-        for (part, reach, first, last) in sides {
+        let mut see = |part: &Self, reach: &Reach, k: usize| {
             let trust = Some(Trust::Reach(reach));
-            for k in first..=last {
-                let u = part.bound(&control, k, trust).total() - part.actuator;
-                held.u = held.u.max(u);
-                for i in 0..self.chain.n {
-                    held.x[i] = held.x[i].max(part.after(i, k, trust));
-                }
+            held.u = held.u.max(part.bound(&control, k, trust).total() - part.actuator);
+            for (i, x) in held.x.iter_mut().enumerate() {
+                *x = x.max(part.after(i, k, trust));
             }
-        }
-        Some(held)
+        };
+        (from..from + length).for_each(|k| see(self, &reach, k));
+        see(&rest, &later, length);
+        let finite = held.u.is_finite() && held.x.iter().all(|x| x.is_finite());
+        finite.then_some(held)
     }
 
-    /// The loop as it stays, from states within bounds that it does not leave: at least `most`, and
-    /// `acting` of the input. After `length` samples it is within them again.
-    fn rest(&self, most: Vec<f64>, acting: f64, length: usize) -> Option<(Self, Reach)> {
-        let mut rest = self.last(most);
-        let mut reach = Reach {
-            states: vec![rest.x0.clone(); length + 1],
-            acting: vec![acting; length + 1],
-        };
-        let acts = self.acts();
+    /// The loop as it stays, from states within bounds that it does not leave: at least those of `seen`
+    /// from sample `from` on. After `length` samples it is within them again.
+    fn rest(&self, seen: &Reach, from: usize, length: usize) -> Option<(Self, Reach)> {
+        let most = |bounds: &[f64]| bounds.iter().skip(from).copied().fold(0.0, f64::max);
+        let column =
+            |rows: &[Vec<f64>], i: usize| most(&rows.iter().map(|row| row[i]).collect::<Vec<_>>());
+        let x0 = (0..self.size()).map(|i| column(&seen.states, i)).collect();
+        let mut rest = self.last(x0);
+        let (mut acting, mut change) = (most(&seen.acting), most(&seen.change));
+        let (acts, count) = (self.acts(), length + 1);
+        let changes = Output { change: true, ..acts.clone() };
         for _ in 0..ROUNDS {
-            let trust = Some(Trust::Reach(&reach));
-            let total = |output: &Output| rest.bound(output, length, trust).total();
-            let states: Vec<_> = (1..=rest.size()).map(|i| total(&rest.state(i))).collect();
-            let acting = match rest.gain_error > 0.0 {
-                true => total(&acts) + rest.actuator,
-                false => 0.0,
+            let reach = Reach {
+                states: vec![rest.x0.clone(); count],
+                acting: vec![acting; count],
+                change: vec![change; count],
+                drift: vec![rest.drift(&rest.x0, acting); count],
             };
-            let within = states.iter().zip(&rest.x0).all(|(next, x)| next <= x);
-            if within && acting <= reach.acting[0] {
+            let total =
+                |output: &Output| rest.bound(output, length, Some(Trust::Reach(&reach))).total();
+            let mut fits = true;
+            let mut widen = |bound: f64, next: f64| {
+                fits &= next <= bound;
+                if next <= bound { bound } else { next * (1.0 + WIDER) }
+            };
+            let states: Vec<_> = (1..=rest.size()).map(|i| total(&rest.state(i))).collect();
+            let wider = states.iter().zip(&rest.x0).map(|(next, x)| widen(*x, *next)).collect();
+            if rest.is_relative() {
+                acting = widen(acting, total(&acts) + rest.actuator);
+            }
+            if rest.jitter > 0.0 {
+                change = widen(change, total(&changes) + 2.0 * rest.actuator);
+            }
+            if fits {
                 return Some((rest, reach));
             }
-            let wider = |next: &f64, x: &f64| if next <= x { *x } else { next * (1.0 + 1e-4) };
-            rest.x0 = states.iter().zip(&rest.x0).map(|(next, x)| wider(next, x)).collect();
-            let acting = wider(&acting, &reach.acting[0]);
-            reach = Reach {
-                states: vec![rest.x0.clone(); length + 1],
-                acting: vec![acting; length + 1],
-            };
+            rest.x0 = wider;
         }
         None
     }
@@ -174,27 +185,26 @@ impl Sampled {
         if self.chain.outputs.is_some() {
             return 0.0;
         }
-        // f and an error of the gain add at most what they do in a whole sample.
-        let (value, error) = self.force.as_ref().map_or((0.0, 0.0), |force| force.column[i]);
-        let of_force = self.force.as_ref().map_or(0.0, |force| force.most() * (value + error));
-        let (value, error) = self.chain.input[i];
-        let of_gain = (value.abs() + error) * self.of_gain(trust, k);
-        let points = self.between(i);
-        let most = points.iter().map(|point| self.bound(point, k, trust).total());
-        most.fold(0.0, f64::max) + of_force + of_gain
+        let points = self.between(i).into_iter();
+        let most = points.map(|(point, is_last)| {
+            let more = if is_last { self.of_whole(i, k, trust) } else { 0.0 };
+            self.bound(&point, k, trust).total() + more
+        });
+        most.fold(0.0, f64::max) + self.of_switches(i, k, trust)
     }
 
     /// The control points of x_{i+1} between two samples in Bernstein's form, of which it is a convex
-    /// combination: the inner ones, as the others are its values at the samples. Where something else
-    /// acts in the sample, which these values hold, both of them too.
-    fn between(&self, i: usize) -> Vec<Output> {
+    /// combination, and whether it is the last one: the inner ones, as the others are its values at the
+    /// samples. What acts in the sample beside u grows no faster than the last term of the form: it counts
+    /// with the last point. Samples that are not in time make a difference at once.
+    fn between(&self, i: usize) -> Vec<(Output, bool)> {
         let (n, size) = (self.chain.n, self.size());
         let degree = n - i;
         let choose = |n: usize, k: usize| {
             (0..k).fold(1.0, |product, j| product * (n - j) as f64 / (j + 1) as f64)
         };
         let point = |r: usize| {
-            let mut output = Output { row: vec![0.0; size], direct: 0.0 };
+            let mut output = Output { row: vec![0.0; size], direct: 0.0, change: false };
             for l in 0..=r {
                 let weight = choose(r, l) / choose(degree, l) * self.chain.shares[l];
                 if i + l < n {
@@ -206,13 +216,16 @@ impl Sampled {
                     }
                 }
             }
-            output
+            (output, r == degree)
         };
-        let moved = self.force.is_some() || self.gain_error > 0.0;
-        let all = if moved { 0..degree + 1 } else { 1..degree };
-        all.map(point).collect()
+        let first = usize::from(self.jitter == 0.0);
+        let last = degree + usize::from(self.force.is_some() || self.is_relative());
+        (first..last).map(point).collect()
     }
 }
 
 /// Rounds in which bounds are widened until the loop does not leave them.
 const ROUNDS: u32 = 12;
+
+/// By how much more than needed, as a part of it.
+const WIDER: f64 = 1e-4;

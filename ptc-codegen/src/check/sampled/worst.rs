@@ -37,13 +37,17 @@ pub(super) struct Sampled {
     pub(super) force: Option<Force>,
     /// How far the true input gain may be from that of the chain, as a part of it.
     pub(super) gain_error: f64,
+    /// How far the time of each sample but the first may be from its own, s.
+    pub(super) jitter: f64,
 }
 
-/// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds).
+/// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
+/// changed in a sample.
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     pub(super) row: Vec<f64>,
     pub(super) direct: f64,
+    pub(super) change: bool,
 }
 
 /// The largest size of an output, by cause.
@@ -59,6 +63,8 @@ pub struct Bound {
     pub force: f64,
     /// From an input gain that is not known, at most.
     pub gain: f64,
+    /// From samples that are early or late, at most.
+    pub jitter: f64,
     /// Standard deviation by random noise, which is not in the sum.
     pub rms: f64,
     /// From rounding in the emitted program, and the room that the proof takes.
@@ -68,10 +74,11 @@ pub struct Bound {
 impl Bound {
     /// All causes together.
     pub fn total(&self) -> f64 {
-        self.attained() + self.gain + self.rounding
+        self.attained() + self.gain + self.jitter + self.rounding
     }
 
-    /// What the worst signals reach, but for rounding, with an input gain in the middle.
+    /// What the worst signals reach, but for rounding, with the input gain in the middle of its interval
+    /// and samples in time.
     pub fn attained(&self) -> f64 {
         self.x0 + self.noise.iter().sum::<f64>() + self.actuator + self.force
     }
@@ -136,6 +143,7 @@ impl Sampled {
             actuator: 0.0,
             force: None,
             gain_error: 0.0,
+            jitter: 0.0,
         }
     }
 
@@ -158,12 +166,12 @@ impl Sampled {
     pub(super) fn state(&self, i: usize) -> Output {
         let mut row = vec![0.0; self.size()];
         row[i - 1] = 1.0;
-        Output { row, direct: 0.0 }
+        Output { row, direct: 0.0, change: false }
     }
 
     /// u and what the actuator adds.
     pub(super) fn control(&self) -> Output {
-        Output { row: vec![0.0; self.size()], direct: 1.0 }
+        Output { row: vec![0.0; self.size()], direct: 1.0, change: false }
     }
 
     /// The input that acts on the plant.
@@ -242,6 +250,7 @@ impl Sampled {
             let u = &self.step(at).u;
             let seen: Vec<_> = u.of_cause.iter().map(|(d, _)| output.direct * d).collect();
             self.add(&mut bound, &seen);
+            bound.jitter += self.of_drift(trust, at, &seen);
             inexact.direct(output.direct, u, at, self.limits());
         }
         let mut before = Vec::new();
@@ -258,7 +267,14 @@ impl Sampled {
             }
             seen.clear();
             seen.extend(step.columns.iter().map(|column| along(&row, column)));
+            let earlier = output.change && k + 1 == at;
+            if earlier {
+                let causes = seen.iter_mut().zip(&step.u.of_cause);
+                causes.for_each(|(sum, (own, _))| *sum -= output.direct * own);
+                inexact.direct(output.direct, &step.u, k, self.limits());
+            }
             self.add(&mut bound, &seen);
+            bound.jitter += self.of_drift(trust, k, &seen) + self.of_switch(trust, k, &row);
             let gain = self.of_gain(trust, k);
             bound.gain += along(&row, &self.chain.input).abs() * gain;
             let force = self.force.iter().map(|force| (&force.column, force.most()));
@@ -266,6 +282,10 @@ impl Sampled {
             inexact.sample(k, &row, &step.matrix, causes.chain([(&self.chain.input, gain)]));
             step.matrix.after(&row, &mut before);
             std::mem::swap(&mut row, &mut before);
+            if earlier {
+                let less = self.row(output, k);
+                row.iter_mut().zip(less).for_each(|(sum, own)| *sum -= own);
+            }
         }
         bound.x0 = row.iter().zip(&self.x0).map(|(p, x0)| (p * x0).abs()).sum();
         inexact.start(&self.x0);
@@ -278,20 +298,9 @@ impl Sampled {
         }
         bound.rms = bound.rms.sqrt();
         // The sums of this function round too.
-        let slack = 1e-12 * (bound.attained() + bound.gain + rounding);
+        let slack = 1e-12 * (bound.attained() + bound.gain + bound.jitter + rounding);
         bound.rounding = if trust.is_some() { rounding + slack } else { f64::INFINITY };
         bound
-    }
-
-    /// How far the input at sample `k` may be from the one that the chain knows.
-    pub(super) fn of_gain(&self, trust: Option<Trust<'_>>, k: usize) -> f64 {
-        match trust {
-            _ if self.gain_error == 0.0 => 0.0,
-            Some(Trust::Reach(reach)) => self.gain_error * reach.acting[k],
-            Some(Trust::Fading(_)) => f64::INFINITY,
-            // A bound without what the gain adds was asked for.
-            None => 0.0,
-        }
     }
 
     /// Adds the causes of one sample, each weighted by how much of it the output sees.

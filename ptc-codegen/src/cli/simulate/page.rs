@@ -94,6 +94,15 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
         parts.push(format!("sensor steps: {}", list(&promises.sensor_step)));
     }
     parts.extend(promises.u_step.as_ref().map(|step| format!("actuator step: {step}")));
+    if let [least, most] = promises.g_error.as_slice() {
+        let seed = request.seed;
+        parts.push(format!("u acts {least} to {most} times as strong, constant (seed {seed})"));
+    }
+    parts.extend(
+        promises.jitter.as_ref().map(|jitter| {
+            format!("samples up to {jitter} s early or late (seed {})", request.seed)
+        }),
+    );
     parts.extend(request.until.as_ref().map(|until| format!("until {until} s after t0")));
     parts.extend(request.arm_at.as_ref().map(|at| format!("armed again at {at} s after t0")));
     parts.extend(promises.delay.map(|delay| format!("delay: {delay} samples")));

@@ -3,6 +3,7 @@
 use num_traits::Signed;
 
 use super::{Reader, items, shown, suggestion, whole};
+use crate::algebra::BigRational;
 use crate::diagnostic::near_miss;
 use crate::keys::{CHECKS, KeyInfo};
 use crate::parameter::Fixed;
@@ -26,6 +27,7 @@ impl Reader<'_> {
             u_step: self.keys.get("u_step").copied().and_then(|node| self.u_step(node)),
             delay: self.keys.get("delay").copied().and_then(|node| self.delay(node)),
             g_error: self.g_error(),
+            jitter: self.jitter(),
             x0_max: self.bounds("x0_max", n),
             x_max: self.bounds("x_max", n),
             allow: self.allowed(),
@@ -61,6 +63,22 @@ impl Reader<'_> {
             let message = format!("delay = {} is not a number of samples", shown(&node.value));
             let help = format!("delay is an integer 0..={MAX_DELAY}");
             self.wrong("delay", Some(node.place), message, help);
+        }
+        value
+    }
+
+    /// How early or late a sample may be: less than half a period, so that samples keep their order.
+    fn jitter(&mut self) -> Option<Fixed> {
+        let node = self.keys.get("jitter").copied()?;
+        let value = not_negative(node);
+        let period = self.keys.get("sample_time").and_then(|node| finite_positive(node));
+        let half = period.and_then(|h| Some(h.number()? / BigRational::from_integer(2.into())));
+        let late = value.as_ref().zip(half).is_some_and(|(j, half)| j.number() >= Some(&half));
+        if value.is_none() || late {
+            let message = format!("jitter = {} is not below half a period", shown(&node.value));
+            let help =
+                "give how early or late a sample may be, s: a number >= 0 and < sample_time/2";
+            self.wrong("jitter", Some(node.place), message, help.to_owned());
         }
         value
     }

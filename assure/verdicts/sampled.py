@@ -1,0 +1,231 @@
+"""Designs for the check `loop`, just inside and just outside of what it asks.
+
+The loop is run here sample by sample, its worst case is the sum over all causes of what each does by
+itself, and where a gain or the times of the samples are uncertain, the worst run that was found.
+"""
+
+import json
+import random
+import subprocess
+from math import ceil, comb, factorial
+
+import numpy as np
+
+from checks import gains_at
+from draw import decimal, draw_mapping, draw_poles, pole_text
+from loop import Loop
+from mapping import FAMILIES, exp
+
+ROOMS = [0.2, 1e-6, -1e-6, -0.01]
+REAL = np.longdouble
+
+
+def moved(n, h):
+    """Phi and Gamma of a chain over a time h."""
+    phi = np.array([[REAL(h) ** (j - i) / factorial(j - i) if j >= i else 0 for j in range(n)] for i in range(n)], REAL)
+    return phi, np.array([REAL(h) ** (n - i) / factorial(n - i) for i in range(n)], REAL)
+
+
+def size_between(row, h):
+    """Integral over a sample of |sum_i row_i r^(n-i)/(n-i)!|, r the time left."""
+    n = len(row)
+    polynomial = np.array([float(row[i]) / factorial(n - 1 - i) for i in range(n)])
+    roots = [r.real for r in np.roots(polynomial)] if np.any(polynomial[:-1]) else []
+    ends = sorted([0.0, h] + [r for r in roots if 0 < r < h])
+    whole = np.polyint(polynomial)
+    return sum(abs(np.polyval(whole, b) - np.polyval(whole, a)) for a, b in zip(ends, ends[1:]))
+
+
+class Design:
+    """A sampled loop with its bounds, and its lines in a design file."""
+
+    def __init__(self, source):
+        self.samples_clock = source.random() < 0.25
+        n = self.n = source.randint(1, 4)
+        made = exp(decimal(source, 0.3, 2.5)) if self.samples_clock else draw_mapping(source, source.choice(FAMILIES))
+        poles = draw_poles(source, n, made.rho)
+        N = self.N = source.choice([10, 25, 60, 150]) + source.randint(0, 9) + n
+        period = source.choice(["0.001", "0.004", "0.02", "0.05"])
+        h = self.h = float(period)
+        tau = f"{N * int(period[2:])}e-{len(period) - 2}"
+        self.tau = float(tau)
+        self.eps = f"{self.tau * source.uniform(0.03, 0.4):.4g}" if not self.samples_clock else None
+        self.delay = 0 if self.samples_clock else source.choice([0, 0, 0, 1, 2])
+        each = lambda low, high: [f"{10 ** source.uniform(low, high):.3g}" for _ in range(n)]
+        x0 = each(-2, 1)
+        self.x0 = [float(x) for x in x0]
+        noise = each(-6, -3) if source.random() < 0.6 else ["0"] * n
+        steps = each(-6, -3) if source.random() < 0.4 else ["0"] * n
+        self.noise = [float(v) + float(q) / 2 for v, q in zip(noise, steps)]
+        u_step = f"{10 ** source.uniform(-4, -1):.3g}" if source.random() < 0.4 else "0"
+        self.u_step = float(u_step) / 2
+        self.force = source.choice([None, None, "constant", "any"])
+        self.f = sorted([round(source.uniform(-1, 1), 3), round(source.uniform(-1, 1), 3)])
+        self.gain = sorted([round(source.uniform(0.8, 1), 3), round(source.uniform(1, 1.25), 3)]) if source.random() < 0.35 else None
+        self.jitter = f"{h * source.uniform(0.001, 0.1):.3g}" if source.random() < 0.25 else None
+        loop = Loop(n, made, poles)
+        self.rows = self._in_samples(loop, poles, float(made.spellings[0].split("a=")[1].split(")")[0])) if self.samples_clock else \
+            gains_at(loop, self.tau, [max(1 - k / N, float(self.eps) / self.tau) for k in range(N + 1)])
+        self.lines = [f"n = {n}", made.spellings[0], f"poles = [{', '.join(pole_text(*p) for p in poles)}]",
+                      f"sample_time = {period}", f"x0_max = [{', '.join(x0)}]", f"noise = [{', '.join(noise)}]",
+                      f"sensor_step = [{', '.join(steps)}]", f"u_step = {u_step}"]
+        self.lines += [f"eps = {self.eps}"] if self.eps else ['clock = "samples"']
+        self.lines += [f"delay = {self.delay}"] if self.delay else []
+        self.lines += [f"g_error = {self.gain}"] if self.gain else []
+        self.lines += [f"jitter = {self.jitter}"] if self.jitter else []
+        self.tables = ["[params]", f"tau = {tau}", "u_max = inf"]
+        if self.force:
+            self.tables += ["[plant]", 'f = "push"', f"push = {self.f}"]
+            self.tables += ["[disturbance]", 'push = "any"'] if self.force == "any" else []
+
+    def _in_samples(self, loop, poles, a):
+        """u over x at samples 0..N of the law in falling powers, deadbeat at the end."""
+        n, h, N = self.n, REAL(self.h), self.N
+        phi, gamma = moved(n, h)
+        D = (phi - np.eye(n)) / h
+        # c D^i Gamma = 0 but for i = n - 1, where it is h.
+        columns = np.array([np.linalg.matrix_power(D.astype(float), i) @ gamma.astype(float) for i in range(n)])
+        c = np.linalg.solve(columns, np.array([0.0] * (n - 1) + [self.h]))
+        S = np.array([c @ np.linalg.matrix_power(D.astype(float), i) for i in range(n)])
+        row = gains_at(loop, 1.0, [1.0])[0]
+        last = max(n, ceil(max(-float(re) / a for re, _ in poles)) + n - 1)
+        rows = []
+        for k in range(N + 1):
+            M = N - k
+            if M <= last:
+                over_z = [-comb(n, j) * self.h ** (j - n) for j in range(n)]
+            else:
+                over_z = [row[j] / np.prod([(M - i) * self.h for i in range(j, n)]) for j in range(n)]
+            rows.append(np.array(over_z) @ S)
+        return np.array(rows)
+
+    def worst(self, gain, at):
+        """The greatest |x_i| at sample `at`: the sum over all causes, and the signals that attain it."""
+        n, d, h = self.n, self.delay, self.h
+        phi, gamma = moved(n, h)
+        gamma = gamma * REAL(gain)
+        one = moved(n, h)[1]
+        out = []
+        for i in range(n):
+            p = np.zeros(n + d, REAL)
+            p[i] = 1
+            causes, constant, varying = REAL(0), REAL(0), 0.0
+            for k in reversed(range(at)):
+                row = self.rows[min(k, self.N)].astype(REAL)
+                # What an input of 1 at this sample is seen as, and where the actuator's error enters.
+                acts = p[:n] @ gamma
+                of_u = acts if d == 0 else p[n + d - 1]
+                of_noise = abs(of_u * row) @ np.array(self.noise, REAL)
+                causes += of_noise + abs(of_u) * self.u_step
+                constant += p[:n] @ one
+                if self.force == "any":
+                    varying += size_between(p[:n], h)
+                before = np.zeros(n + d, REAL)
+                before[:n] = p[:n] @ phi + of_u * row
+                if d:
+                    before[n] += acts
+                    before[n + 1 :] += p[n : n + d - 1]
+                p = before
+            total = causes + abs(p[:n]) @ np.array(self.x0, REAL)
+            if self.force:
+                middle, half = sum(self.f) / 2, (self.f[1] - self.f[0]) / 2
+                total += abs(middle) * abs(constant)
+                total += half * (abs(constant) if self.force == "constant" else varying)
+            out.append(float(total))
+        return np.array(out)
+
+    def run(self, source, gain, x0, until):
+        """|x| at the deadline and the most from there on, with every error at one of its ends."""
+        n, d, J = self.n, self.delay, float(self.jitter or 0)
+        late = [0.0] * d
+        x, now, acting = np.array(x0, float), 0.0, 0.0
+        sign = lambda: source.choice([-1, 1])
+        f = source.choice(self.f) if self.force else 0.0
+        side, turns = sign(), source.randint(1, 6)
+        final, most, u_most = None, np.zeros(n), 0.0
+
+        def go(x, span):
+            phi, gamma = moved(n, span)
+            return (phi @ x + gamma * (gain * acting + f)).astype(float)
+
+        for k in range(until):
+            if k and source.random() < 1 / turns:
+                side = -side
+            if self.force == "any" and source.random() < 0.2:
+                f = source.choice(self.f)
+            if k == self.N:
+                # The deadline is in time.
+                at_end = go(x, k * self.h - now)
+                final, most = abs(at_end), np.maximum(most, abs(at_end))
+            t = k * self.h + (J * side if k else 0)
+            x, now = go(x, t - now), t
+            if k > self.N:
+                most = np.maximum(most, abs(x))
+            y = x + np.array([sign() * v for v in self.noise])
+            u = float(self.rows[min(k, self.N)] @ y)
+            if k >= self.N:
+                u_most = max(u_most, abs(u))
+            late.append(u + sign() * self.u_step)
+            acting = late.pop(0)
+        return final, most, u_most
+
+
+def trial(job):
+    """One design, checked: whether its verdict is false, and how close its bound is."""
+    command, folder, seed, index, scale, seconds = job
+    source = random.Random(f"{seed}-sampled{index}")
+    design = Design(source)
+    uncertain = design.gain or design.jitter
+    gains = np.linspace(*design.gain, 9) if design.gain else [1.0]
+    truth = np.max([design.worst(gain, design.N) for gain in gains], axis=0)
+    result = {"name": f"sampled{index}", "false": False, "verdict": "not drawn", "near": None}
+    # A loop that diverges says little.
+    if not np.all((truth > 1e-100) & (truth < 1e30)):
+        return result
+    runs = []
+    if uncertain:
+        for _ in range(30):
+            gain = source.choice(list(design.gain)) if design.gain else 1.0
+            runs.append(design.run(source, gain, [x * source.choice([-1, 1]) for x in design.x0], design.N + 40))
+        truth = np.max([truth] + [final for final, _, _ in runs], axis=0)
+    ends = [gains[0], gains[-1]] if design.gain else [1.0]
+    later = np.max([design.worst(gain, design.N + j) for gain in ends for j in (0, 1, 3, 10, 40)], axis=0)
+    later = np.max([later] + [most for _, most, _ in runs], axis=0)
+    room = source.choice(ROOMS)
+    if uncertain and room == 1e-6:
+        room = 0.5
+    errors = truth * scale * (1 + abs(room) if room > 0 else 1 + source.uniform(0, 1))
+    if room < 0:
+        errors[source.randrange(design.n)] *= 0
+        errors = np.where(errors == 0, truth * scale * (1 + room), errors)
+    text = "\n".join(design.lines + [f"error = [{', '.join(f'{e:.12g}' for e in errors)}]"] + design.tables) + "\n"
+    path = folder / f"sampled{index}.toml"
+    path.write_text(text)
+    try:
+        done = subprocess.run([command, "check", str(path), "--format", "json"], capture_output=True, text=True, timeout=seconds)
+        entry = next(c for c in json.loads(done.stdout)["checks"] if c["name"] == "loop")
+    except subprocess.TimeoutExpired:
+        return result | {"verdict": "late"}
+    except (ValueError, StopIteration):
+        return result | {"verdict": "no answer", "false": True, "printed": (done.stdout + done.stderr)[:1500]}
+    word, why = entry["verdict"], []
+    holds = room > 0
+    if word == "sound" and not holds or word in ("refuted", "unsound") and holds and not uncertain:
+        why.append(f"{word} with a room of {room}")
+    if "worst" in entry:
+        worst = entry["worst"]
+        rest = np.array(worst["from_rounding"]) + np.array(worst["from_g"]) + np.array(worst["from_jitter"])
+        bound = np.array(worst["final"]) + rest
+        if np.any(bound * (1 + 1e-9) < truth):
+            why.append(f"|x| reaches {truth}, beyond the bound {bound}")
+        if not uncertain and np.any(abs(np.array(worst["final"]) - truth) > 1e-9 * truth + 1.01 * rest):
+            why.append(f"the sums are {worst['final']}, the truth {truth}")
+        after = worst.get("after")
+        if after and np.any(np.array(after["x"]) * (1 + 1e-9) < later):
+            why.append(f"after the deadline |x| reaches {later}, beyond {after['x']}")
+        if after and any(u > after["u"] * (1 + 1e-9) for _, _, u in runs):
+            why.append(f"after the deadline |u| leaves {after['u']}")
+        result["near"] = float(np.max(bound / truth))
+        result["held"] = float(np.max(np.array(after["x"]) / later)) if after else None
+    kind = "uncertain" if uncertain else "known"
+    return result | {"verdict": f"{word}, {kind}, {'true' if holds else 'false'}", "false": bool(why), "why": why}
