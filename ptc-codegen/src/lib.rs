@@ -104,10 +104,16 @@ impl Accepted {
     /// # Errors
     /// What has no self-test.
     pub fn selftest(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
-        self.report.spec.needs_time("the self-test")?;
-        within(|| {
-            let test = selftest::SelfTest::new(&self.controller())?;
-            Ok(emit::emit_selftest(&self.controller(), &test))
+        within(|| match &self.staged {
+            Some(_) => {
+                let test = selftest::SelfTest::new(&self.controller())?;
+                Ok(emit::emit_selftest(&self.controller(), &test))
+            }
+            None => {
+                let code = emit::sampled_c(&self.report);
+                let test = selftest::samples::SelfTest::new(&self.report.spec, &code);
+                Ok(emit::emit_sampled_selftest(&self.report.spec, &code, &test))
+            }
         })
     }
 

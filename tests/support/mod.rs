@@ -8,7 +8,7 @@ pub(crate) mod vectors;
 use std::path::{Path, PathBuf};
 
 pub(crate) use ptc_assure::harness::{
-    STRICT, c_compiler, goldens, in_pairs, program, random, records, run, rustc, specs, tolerance,
+    STRICT, c_compiler, goldens, in_pairs, in_samples, program, random, records, run, rustc, specs, tolerance,
     write,
 };
 
