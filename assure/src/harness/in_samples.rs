@@ -1,7 +1,7 @@
 //! Controllers with a clock in samples, and observers alone, of every kind: chains and other plants,
 //! delays, observers, disturbances, what is fixed and what is not, both precisions, both guards.
 
-use ptc_codegen::request::Spec;
+use ptc_codegen::request::{Spec, What};
 
 use super::specs::spec;
 
@@ -175,6 +175,15 @@ pub const FIXED: [(&str, &str); 3] = [("sample_time", "1e-3"), ("tau", "0.1"), (
 /// The controller by which a layer shows that it sees defects.
 pub fn example() -> Spec {
     spec(&[&STAGE[..], &FIXED].concat())
+}
+
+/// What a row of a table is of: the mapping, or that it is one of these.
+pub fn kind(spec: &Spec) -> &'static str {
+    match (spec.sampled(), spec.what) {
+        (Some(_), What::Observer) => "observer in samples",
+        (Some(_), _) => "exp in samples",
+        (None, _) => spec.mapping_name(),
+    }
 }
 
 /// All of them.

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context as _, Result};
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::request::{Spec, What};
+use ptc_codegen::request::Spec;
 
 use self::coverage::{Coverage, measure, mixed_decisions};
 use super::seeded::{Defect, with_defect};
@@ -79,7 +79,7 @@ fn run(context: &Context) -> Result<Finding> {
         if !all.is_empty() {
             finding.failures.push(format!("{}\n{all}", spec.command()));
         }
-        let row = rows.entry((kind(spec), format!("{:?}", spec.precision))).or_default();
+        let row = rows.entry((in_samples::kind(spec), format!("{:?}", spec.precision))).or_default();
         let Coverage { branches, taken, listed, .. } = told.coverage;
         for (sum, count) in row.iter_mut().zip([1, branches, taken, listed]) {
             *sum += count;
@@ -117,15 +117,6 @@ fn run(context: &Context) -> Result<Finding> {
     );
     seeded(context, &folder, &mut finding)?;
     Ok(finding)
-}
-
-/// What the rows of the table are of.
-fn kind(spec: &Spec) -> &'static str {
-    match (spec.sampled(), spec.what) {
-        (Some(_), What::Observer) => "observer in samples",
-        (Some(_), _) => "exp in samples",
-        (None, _) => spec.mapping_name(),
-    }
 }
 
 /// Whether the self-test counts no failure on `machine`.

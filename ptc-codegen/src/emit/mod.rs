@@ -309,6 +309,11 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
     c::files_with_proof(controller)
 }
 
+/// The same of a controller in samples, from its [`sampled_c`].
+pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Vec<File> {
+    c::sampled_files_with_proof(spec, code)
+}
+
 /// The items of the Rust file on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
     code::rust_items(&program(controller, Language::Rust))

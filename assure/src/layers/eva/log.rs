@@ -25,6 +25,7 @@ const TRUSTED: [&str; 20] = [
     "fabsf",
     "Frama_C_double_interval",
     "Frama_C_float_interval",
+    "Frama_C_unsigned_int_interval",
 ];
 
 /// A log of Eva, read.

@@ -34,6 +34,7 @@ pub(super) struct Search<'a> {
 }
 
 /// A controller between two calls, and the calls so far.
+#[derive(Clone)]
 struct Life<'a> {
     instance: Instance<'a>,
     /// The branches that `init` took.
@@ -145,20 +146,34 @@ impl<'a> Search<'a> {
             let ticks = [life.ends.ladder(), life.ends.near()].concat();
             for _ in 0..CALLS {
                 let size = self.draw.of(&sizes);
-                let start = self.draw.of(&[None, Some(life.start), Some(u32::MAX - 5)]);
-                let input = Input {
-                    start,
-                    elapsed: self.draw.of(&ticks),
-                    y: anything(self.spec, self.measured, size, &mut self.draw),
-                    applied: self.draw.of(&[0.0, 0.5, size]),
-                };
-                if self.ask(&mut life, input, false) && size > LARGE {
+                let [before, input] = [(); 2].map(|()| self.any_input(&life, &ticks, size));
+                let mut later = life.clone();
+                // Some branches are taken from a state alone that is large already.
+                let known = self.taken.clone();
+                if self.draw.of(&[true, false]) {
+                    self.ask(&mut later, before, true);
+                }
+                if !self.ask(&mut later, input, false) {
+                    self.taken = known;
+                    continue;
+                }
+                life = later;
+                if size > LARGE {
                     self.end(life);
                     let Some(next) = self.begin(&set) else { return };
                     life = next;
                 }
             }
             self.end(life);
+        }
+    }
+
+    fn any_input(&mut self, life: &Life<'_>, ticks: &[u32], size: f64) -> Input {
+        Input {
+            start: self.draw.of(&[None, Some(life.start), Some(u32::MAX - 5)]),
+            elapsed: self.draw.of(ticks),
+            y: anything(self.spec, self.measured, size, &mut self.draw),
+            applied: settle(self.draw.of(&[0.0, 0.5, size]), self.spec.precision),
         }
     }
 
