@@ -46,7 +46,9 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("eva");
     let mut names = BTreeSet::new();
     let random = context.random(RANDOM).into_iter().map(within_range).collect();
-    let mut specs = [context.goldens(), context.families(context.order(6)), context.in_samples(), random].concat();
+    let mut specs =
+        [context.goldens(), context.families(context.order(6)), context.in_samples(), random]
+            .concat();
     // The goldens hold families of the orders 1 to 5.
     specs.retain(|spec| names.insert(spec.name()));
     // The iterated ones take longest: first, so that none is waited for at the end.

@@ -79,7 +79,8 @@ fn run(context: &Context) -> Result<Finding> {
         if !all.is_empty() {
             finding.failures.push(format!("{}\n{all}", spec.command()));
         }
-        let row = rows.entry((in_samples::kind(spec), format!("{:?}", spec.precision))).or_default();
+        let row =
+            rows.entry((in_samples::kind(spec), format!("{:?}", spec.precision))).or_default();
         let Coverage { branches, taken, listed, .. } = told.coverage;
         for (sum, count) in row.iter_mut().zip([1, branches, taken, listed]) {
             *sum += count;

@@ -90,7 +90,9 @@ pub(super) fn run(
 fn estimated(controller: &mut Instance<'_>, code: &Code) -> Vec<f64> {
     let functions = ["estimate", "disturbance"];
     let known = functions.into_iter().filter(|function| code.function(function).is_some());
-    known.flat_map(|function| controller.call(function, &[]).results.into_values().flatten()).collect()
+    known
+        .flat_map(|function| controller.call(function, &[]).results.into_values().flatten())
+        .collect()
 }
 
 /// The samples of a loop, what is left of the state, and what differs from the program.
@@ -128,7 +130,8 @@ fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
         let behind = estimated(&mut controller, &code);
         let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
         if bits(estimates) != bits(&behind) && faults.is_empty() {
-            faults.push(format!("sample {k}: {estimates:?} where the program estimates {behind:?}"));
+            faults
+                .push(format!("sample {k}: {estimates:?} where the program estimates {behind:?}"));
         }
         samples += 1;
         left = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

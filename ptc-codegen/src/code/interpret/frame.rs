@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use super::{Called, Held, Outcome};
 use crate::code::branch::Taken;
 use crate::code::{
-    Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test, Variable,
+    Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
+    Variable,
 };
 use crate::internal::fault;
 use crate::parameter::Precision;

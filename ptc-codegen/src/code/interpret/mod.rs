@@ -57,7 +57,6 @@ impl<'a> Instance<'a> {
         Self::started(code, given, None).0
     }
 
-
     fn started(
         code: &'a Code,
         given: &[Argument<'_>],
@@ -179,9 +178,7 @@ impl<'a> Instance<'a> {
 }
 
 /// The values of parameters by their names, those of an array together.
-fn grouped(
-    values: impl IntoIterator<Item = (Parameter, f64)>,
-) -> BTreeMap<&'static str, Vec<f64>> {
+fn grouped(values: impl IntoIterator<Item = (Parameter, f64)>) -> BTreeMap<&'static str, Vec<f64>> {
     let mut given: BTreeMap<_, Vec<f64>> = BTreeMap::new();
     for (parameter, value) in values {
         given.entry(parameter.key()).or_default().push(value);

@@ -91,11 +91,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         alone,
         work: work.first().map(text_of_call).unwrap_or_default(),
         results: results(code),
-        reads: others
-            .iter()
-            .filter(|call| call.function != "arm")
-            .map(text_of_call)
-            .collect(),
+        reads: others.iter().filter(|call| call.function != "arm").map(text_of_call).collect(),
         null_calls: calls
             .iter()
             .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))

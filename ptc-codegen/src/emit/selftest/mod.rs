@@ -49,7 +49,9 @@ fn both(spec: &Spec, about: &About<'_>, source: askama::Result<String>) -> Vec<F
         command: &spec.command(),
         version: env!("CARGO_PKG_VERSION"),
         about,
-        unreachable: &unreachable.map(|(c, reason)| (c.clone(), wrapped(c, reason))).collect::<Vec<_>>(),
+        unreachable: &unreachable
+            .map(|(c, reason)| (c.clone(), wrapped(c, reason)))
+            .collect::<Vec<_>>(),
     };
     [(format!("{name}_selftest.h"), header.render()), (format!("{name}_selftest.c"), source)]
         .into_iter()

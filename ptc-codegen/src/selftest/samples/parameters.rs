@@ -74,7 +74,12 @@ impl<'a> Sets<'a> {
         for (at, parameter) in self.open.iter().enumerate() {
             let values = match parameter {
                 Parameter::Samples => {
-                    vec![0.0, f64::from(self.least) - 1.0, f64::from(self.least), f64::from(u32::MAX)]
+                    vec![
+                        0.0,
+                        f64::from(self.least) - 1.0,
+                        f64::from(self.least),
+                        f64::from(u32::MAX),
+                    ]
                 }
                 parameter => self.odd(*parameter),
             };
@@ -93,8 +98,16 @@ impl<'a> Sets<'a> {
 
     fn odd(&self, parameter: Parameter) -> Vec<f64> {
         let most = greatest(self.spec);
-        let mut values =
-            vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, most, -most, least(self.spec)];
+        let mut values = vec![
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            0.0,
+            -1.0,
+            most,
+            -most,
+            least(self.spec),
+        ];
         if let Some((least, greatest)) = self.spec.ends(parameter) {
             values.extend([0.75 * least, least, greatest, 1.25 * greatest]);
         }
