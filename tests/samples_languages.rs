@@ -10,184 +10,23 @@ use std::path::Path;
 
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::emit::Language;
-use ptc_codegen::request::Spec;
 use ptc_codegen::samples;
 use support::random::Random;
 use support::sampled::{
     Call, Design, LANGUAGES, in_c, in_cpp, in_octave, in_python, in_rust, in_structured_text,
     script,
 };
-use support::specs::spec;
-use support::{folder, in_pairs};
+use support::{folder, in_pairs, in_samples};
 
 /// Calls of `init` for each design, and steps for each of them.
 const INITS: usize = 12;
 const STEPS: usize = 14;
 
-type Keys = &'static [(&'static str, &'static str)];
-
-const DESIGNS: [Keys; 18] = [
-    &[("n", "1"), ("mu", "exp")],
-    &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
-    &[
-        ("n", "3"),
-        ("mu", "exp(a=1)"),
-        ("poles", "-4,-5,-6"),
-        ("sample_time", "1e-3"),
-        ("tau", "0.02"),
-        ("u_max", "inf"),
-        ("guard", "none"),
-    ],
-    &[
-        ("n", "2"),
-        ("mu", "exp(a=1)"),
-        ("poles", "-4,-5,-6"),
-        ("sample_time", "1e-3"),
-        ("tau", "0.04"),
-        ("delay", "1"),
-        ("measured", "x1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6"),
-        ("observer_samples", "20"),
-    ],
-    &[
-        ("n", "2"),
-        ("mu", "exp(a=2)"),
-        ("precision", "f32"),
-        ("measured", "x1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6"),
-        ("after", "zero"),
-    ],
-    &[("n", "4"), ("mu", "exp"), ("delay", "2"), ("eps", "0.01"), ("guard", "none")],
-    &[
-        ("n", "3"),
-        ("mu", "exp(a=0.7)"),
-        ("measured", "x1,x2"),
-        ("observer_poles", "-4,-5.3"),
-        ("sample_time", "2e-3"),
-        ("g", "2"),
-        ("f", "0.5"),
-    ],
-    &[
-        ("n", "1"),
-        ("mu", "exp(a=1)"),
-        ("precision", "f32"),
-        ("gains", "3"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5"),
-        ("guard", "none"),
-    ],
-    &[
-        ("n", "2"),
-        ("mu", "exp(a=1)"),
-        ("poles", "-4,-5"),
-        ("sample_time", "1e-3"),
-        ("tau", "0.03"),
-        ("eps", "0.005"),
-        ("after", "zero"),
-        ("u_max", "3"),
-    ],
-    &[
-        ("n", "3"),
-        ("mu", "exp(a=1)"),
-        ("delay", "1"),
-        ("measured", "x1"),
-        ("observer_poles", "-4,-5,-6"),
-        ("observer_eps", "0.05"),
-        ("eps", "0.02"),
-        ("u_max", "1e3"),
-    ],
-    &[("n", "2"), ("mu", "exp(a=1.3)"), ("deadbeat", "20"), ("precision", "f32")],
-    &[
-        ("n", "4"),
-        ("mu", "exp(a=1)"),
-        ("precision", "f32"),
-        ("measured", "x1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6,-7,-8"),
-        ("sample_time", "0.01"),
-    ],
-    &[
-        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
-        ("B", "[0,0,500]"),
-        ("C", "[[1,0,0],[0,0,1]]"),
-        ("mu", "exp(a=1)"),
-        ("sample_time", "1e-3"),
-        ("delay", "1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6,-7"),
-        ("after_observer", "-90+20i,-90-20i,-100,-120"),
-    ],
-    &[
-        ("A", "[[0,1],[49,-0.1]]"),
-        ("B", "[0.1,-1.3]"),
-        ("C", "[[1,0.5],[0.2,-1]]"),
-        ("mu", "exp(a=1)"),
-        ("sample_time", "0.01"),
-        ("precision", "f32"),
-        ("after", "zero"),
-    ],
-    &[
-        ("what", "observer"),
-        ("n", "3"),
-        ("mu", "exp(a=1)"),
-        ("measured", "x1"),
-        ("observer_poles", "-4,-5+i,-5-i"),
-        ("observer_samples", "12"),
-    ],
-    &[
-        ("what", "observer"),
-        ("n", "2"),
-        ("mu", "exp(a=1.5)"),
-        ("precision", "f32"),
-        ("measured", "x1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6"),
-        ("observer_samples", "9"),
-        ("observer_eps", "0.05"),
-        ("delay", "2"),
-        ("f", "-9.81"),
-        ("g", "0.5"),
-    ],
-    &[
-        ("what", "observer"),
-        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
-        ("B", "[0,0,500]"),
-        ("C", "[[1,0,0],[0,0,1]]"),
-        ("mu", "exp(a=1)"),
-        ("sample_time", "1e-3"),
-        ("delay", "1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6,-7"),
-        ("observer_samples", "20"),
-        ("after_observer", "-90+20i,-90-20i,-100,-120"),
-    ],
-    &[
-        ("what", "observer"),
-        ("n", "2"),
-        ("mu", "exp(a=1)"),
-        ("guard", "none"),
-        ("measured", "x1,x2"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5"),
-        ("observer_samples", "8"),
-    ],
-];
-
-/// A name of its own, long for one of them, so that its signatures are.
-fn named(index: usize, keys: Keys) -> Spec {
-    let name = match index {
-        4 => format!("a_name_that_fills_half_of_a_line_alone_{index}"),
-        _ => format!("stage{index}"),
-    };
-    spec(&[keys, &[("clock", "samples"), ("name", name.as_str())]].concat())
-}
-
 fn designs(folder: &Path, indices: &[usize]) -> Vec<Design> {
     let mut designs = Vec::new();
+    let all = in_samples::controllers();
     for index in indices {
-        let report = examine(&named(*index, DESIGNS[*index]));
+        let report = examine(&all[*index]);
         report.accepted().expect("a legal design");
         let sampled = report.spec.sampled().expect("a clock in samples");
         // Without the passes that only shorten lines.
@@ -321,7 +160,7 @@ fn every_language_gives_the_bits_of_the_interpreter() {
         (Language::Python, in_python),
         (Language::Matlab, in_octave),
     ];
-    let all: Vec<_> = (0..DESIGNS.len()).collect();
+    let all: Vec<_> = (0..in_samples::controllers().len()).collect();
     let statuses = agree("samples_languages", &all, &runs);
     println!("{statuses:?}");
     for status in ["I 0", "I -1", "S 0", "S 1", "S 2", "S 3", "S -2", "S -3"] {

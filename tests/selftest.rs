@@ -10,7 +10,7 @@ use ptc_codegen::generate_selftest;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use support::specs::spec;
-use support::{STRICT, c_compiler, folder, in_pairs, run, write};
+use support::{STRICT, c_compiler, folder, in_pairs, in_samples, run, write};
 
 /// The self-test of `spec` in `folder`, linked with the controller there.
 fn program(folder: &Path, spec: &Spec) -> PathBuf {
@@ -101,7 +101,7 @@ fn kinds() -> Vec<Spec> {
 
 #[test]
 fn self_tests_pass() {
-    let (home, kinds) = (folder("selftest"), kinds());
+    let (home, kinds) = (folder("selftest"), [kinds(), in_samples::controllers()].concat());
     let counts = in_pairs(&kinds, |spec| {
         let folder = home.join(spec.name());
         fs::create_dir_all(&folder).expect("a folder");
@@ -138,13 +138,42 @@ fn an_altered_controller_fails() {
             "} else if (1.0 <= past) {",
         ),
     ];
-    for (index, (keys, good, bad)) in altered.into_iter().enumerate() {
+    altered_fail(&home, &altered);
+}
+
+#[test]
+fn an_altered_controller_in_samples_fails() {
+    let stage = |more: &[(&'static str, &'static str)]| [&in_samples::STAGE[..], more].concat();
+    let fixed = stage(&in_samples::FIXED);
+    let open = [("n", "2"), ("mu", "exp"), ("clock", "samples"), ("name", "stage")];
+    let alone = stage(&[("what", "observer"), ("observer_samples", "30")]);
+    let altered = [
+        (&fixed[..], "k - self->start", "k"),
+        (&fixed, "self->start = k", "self->start = k + 1U"),
+        (&fixed, "self->u1 = u_now", "self->u1 = v"),
+        (&fixed, "u_now = -6.0", "u_now = 6.0"),
+        (&fixed, "(isfinite(y[0]) != 0)", "(y[0] < 1e300)"),
+        (&fixed, "self->d_hat = d;", "self->d_hat = 0.5 * d;"),
+        (&fixed, "self->seen = 1U", "self->seen = 0U"),
+        (&fixed, "status = PTC_HOLD", "status = PTC_OK"),
+        (&open[..], "(0.0 < params->u_max)", "(-1.0 < params->u_max)"),
+        (&open, "(1U < params->samples)", "(0U < params->samples)"),
+        (&open, "(0.0 <= params->deadbeat)", "(-2.0 <= params->deadbeat)"),
+        (&alone, "(isfinite(u) != 0)", "(u < 1e300)"),
+        (&alone, "self->u1 = u;", "self->u1 = 1.0;"),
+    ];
+    altered_fail(&folder("selftest_altered_samples"), &altered);
+}
+
+/// Each defect put into a controller makes its self-test fail.
+fn altered_fail(home: &Path, altered: &[(&[(&str, &str)], &str, &str)]) {
+    for (index, (keys, good, bad)) in altered.iter().enumerate() {
         let (spec, folder) = (spec(keys), home.join(index.to_string()));
         fs::create_dir_all(&folder).expect("a folder");
         write(&folder, &spec, Language::C);
         let source = folder.join(format!("{}.c", spec.name()));
         let text = fs::read_to_string(&source).expect("the source");
-        assert!(text.contains(good), "{good} in {}", spec.name());
+        assert!(text.contains(*good), "{good} in {}\n{text}", spec.name());
         fs::write(&source, text.replacen(good, bad, 1)).expect("an altered source");
         assert!(failures(&folder, &spec) > 0, "{good} -> {bad}");
     }

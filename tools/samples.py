@@ -2,13 +2,14 @@
 
     python3 tools/samples.py table COMMAND   both laws side by side, by h/tau
     python3 tools/samples.py rest COMMAND    what is left of the state at sample N
+    python3 tools/samples.py alone COMMAND   what an observer alone is off by at its sample N_o
     python3 tools/samples.py plants COMMAND  the same of random linear plants
     python3 tools/samples.py gains COMMAND   tests/data/sampled_plants.json: gains of linear plants, without COMMAND's help
     python3 tools/samples.py stage COMMAND   examples/encoder.toml with its encoder, by the gains held
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
-`rest` ends with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a plant that
-is not the controller's.
+`rest` and `alone` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
+plant that is not the controller's.
 """
 
 import argparse
@@ -25,20 +26,52 @@ from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr
 mp.dps = 120
 ROOM = 4096  # bytes for a controller, whatever its fields
 LUCK = mpf("1e-28")  # what is claimed to be left at most
+OFF = mpf("1e-13")  # what estimates are claimed to be off by at most
 
 
-class Controller:
-    """A controller emitted by `command` with `flags`, as a shared library."""
+class Emitted:
+    """C emitted by `command` with `flags`, whose symbols begin with `name`, as a shared library."""
 
-    def __init__(self, command, *flags):
+    def __init__(self, command, name, flags):
         self.folder = tempfile.TemporaryDirectory()
         folder = Path(self.folder.name)
-        emit = [command, "emit", "--lang", "c", "--name", "probe", "--u-max", "inf", "-o", folder]
+        emit = [command, "emit", "--lang", "c", "--name", "probe", "-o", folder]
         subprocess.run([*emit, *flags], check=True, stdout=subprocess.DEVNULL)
         library = folder / "probe.so"
         flags = ["-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fPIC"]
-        subprocess.run(["cc", *flags, folder / "probe.c", "-o", library, "-lm"], check=True)
+        subprocess.run(["cc", *flags, folder / f"{name}.c", "-o", library, "-lm"], check=True)
         self.library, self.state = ctypes.CDLL(library), ctypes.create_string_buffer(ROOM)
+
+
+class Observer(Emitted):
+    """An observer alone, all of whose parameters are fixed."""
+
+    def __init__(self, command, *flags):
+        super().__init__(command, "probe_observer", ["--what", "observer", *flags])
+        if self.library.probe_observer_init(self.state, ctypes.byref(ctypes.c_char())) != 0:
+            raise ValueError("init refuses")
+
+    def update(self, k, y, u):
+        """Takes y of tick k and u of the tick before."""
+        given = (ctypes.c_double * len(y))(*map(float, y))
+        status = self.library.probe_observer_update(
+            self.state, ctypes.c_uint32(k), given, ctypes.c_double(u)
+        )
+        if status < 0:
+            raise ValueError(f"update({k}, {y}, {u}) gives {status}")
+
+    def estimate(self, count):
+        """The `count` estimates."""
+        xhat = (ctypes.c_double * count)()
+        self.library.probe_observer_estimate(self.state, xhat)
+        return list(xhat)
+
+
+class Controller(Emitted):
+    """A controller whose u is not bounded."""
+
+    def __init__(self, command, *flags):
+        super().__init__(command, "probe", ["--u-max", "inf", *flags])
 
     def init(self, *parameters):
         """Starts at 0 with run-time parameters, which are doubles."""
@@ -180,8 +213,8 @@ def rest(command, gain):
 
     for n, delay in ((n, delay) for n in range(1, 5) for delay in range(3)):
         for samples in (n + 2, 20, 1000):
-            enough = ">=" if samples >= 2 * (n + delay) else "<"
-            loop(f"all states, N {enough} 2 (n + d)", n, delay, samples)
+            short = f"all states, N = n + 2, d = {delay}"
+            loop(short if samples == n + 2 else "all states, N >= 2 (n + d)", n, delay, samples)
         for measured in range(1, n + 1):
             if measured < n:
                 loop("observer, N = 20", n, delay, 20, measured)
@@ -193,6 +226,46 @@ def rest(command, gain):
         print(f"| {group} | {len(left)} | {float(max(left)):.1e} |")
     claimed = ("all states, N >= 2 (n + d)", "observer, N = 1000, two rounds")
     return int(max(max(found[group]) for group in claimed) > LUCK)
+
+
+def observed(command, rng, n, delay, samples, measured, force, gain):
+    """What the estimates are off by at sample N_o, in parts of the largest |x_i| on the way, with time in samples."""
+    h = rng.choice(["0.001", "0.4"])
+    states = ",".join(f"x{i + 1}" for i in range(measured))
+    count = n + 1 - measured + (force != 0)
+    flags = ["--n", str(n), "--mu", "exp(a=1)", "--clock", "samples", "--sample-time", h,
+             "--delay", str(delay), "--measured", states, "--observer-samples", str(samples),
+             f"--observer-poles={poles(rng, count, count)}"]
+    observer = Observer(command, *flags, *(["--disturbance", "constant"] if force else []))
+    chain = Chain(h, [rng.uniform(-1, 1) for _ in range(n)], delay, force, gain=gain)
+    size = lambda first, values: max(abs(x) * mpf(h) ** i for i, x in enumerate(values, first))
+    u, most = 0.0, size(0, chain.x)
+    for k in range(samples):
+        observer.update(k, chain.x[:measured], u)
+        u = rng.uniform(-1, 1)
+        chain.step(u)
+        most = max(most, size(0, chain.x))
+    observer.update(samples, chain.x[:measured], u)
+    exact = chain.x[measured - 1 :]
+    off = [mpf(a) - b for a, b in zip(observer.estimate(len(exact)), exact)]
+    return size(measured - 1, off) / most
+
+
+def alone(command, gain):
+    """Rows of Markdown: what the estimates are off by. 1 where it is above what the page claims."""
+    rng, found = random.Random(1), {}
+    for n, delay in ((n, delay) for n in range(1, 5) for delay in range(3)):
+        for measured in range(1, n + 1):
+            for samples in (n + 2, 20, 1000):
+                size = "n + 2" if samples == n + 2 else samples
+                if measured < n:
+                    off = observed(command, rng, n, delay, samples, measured, 0, gain)
+                    found.setdefault(f"observer alone, N_o = {size}", []).append(off)
+                off = observed(command, rng, n, delay, samples, measured, 0.3, gain)
+                found.setdefault(f"observer alone and force, N_o = {size}", []).append(off)
+    for group, left in sorted(found.items()):
+        print(f"| {group} | {len(left)} | {float(max(left)):.1e} |")
+    return int(max(map(max, found.values())) > OFF)
 
 
 def plant(rng, n, kind, h):
@@ -366,7 +439,7 @@ def stage(command, _):
 
 
 if __name__ == "__main__":
-    commands = {"table": table, "rest": rest, "plants": plants, "gains": gains, "stage": stage}
+    commands = {"table": table, "rest": rest, "alone": alone, "plants": plants, "gains": gains, "stage": stage}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("what", choices=commands)
     parser.add_argument("command", metavar="COMMAND")

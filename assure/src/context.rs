@@ -9,7 +9,7 @@ use ptc_codegen::request::Spec;
 
 use crate::harness::random::Random;
 use crate::harness::specs::{families, random, spec};
-use crate::harness::{empty, goldens};
+use crate::harness::{empty, goldens, in_samples};
 
 /// The folder of the work and the seed of what is random.
 #[derive(Clone, Debug)]
@@ -80,6 +80,11 @@ impl Context {
             }
         }
         all
+    }
+
+    /// Controllers with a clock in samples, and observers alone, of every kind.
+    pub fn in_samples(&self) -> Vec<Spec> {
+        in_samples::controllers()
     }
 
     /// Infinite-time systems: with gains, with a user-defined law, with latched states.

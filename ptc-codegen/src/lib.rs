@@ -104,10 +104,16 @@ impl Accepted {
     /// # Errors
     /// What has no self-test.
     pub fn selftest(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
-        self.report.spec.needs_time("the self-test")?;
-        within(|| {
-            let test = selftest::SelfTest::new(&self.controller())?;
-            Ok(emit::emit_selftest(&self.controller(), &test))
+        within(|| match &self.staged {
+            Some(_) => {
+                let test = selftest::SelfTest::new(&self.controller())?;
+                Ok(emit::emit_selftest(&self.controller(), &test))
+            }
+            None => {
+                let code = emit::sampled_c(&self.report);
+                let test = selftest::samples::SelfTest::new(&self.report.spec, &code);
+                Ok(emit::emit_sampled_selftest(&self.report.spec, &code, &test))
+            }
         })
     }
 
@@ -117,8 +123,13 @@ impl Accepted {
     /// # Errors
     /// A fault of the generator.
     pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
-        self.report.spec.needs_time("the proof of run-time errors")?;
-        within(|| Ok(emit::emit_with_proof(&self.controller())))
+        within(|| match &self.staged {
+            Some(_) => Ok(emit::emit_with_proof(&self.controller())),
+            None => {
+                let code = emit::sampled_c(&self.report);
+                Ok(emit::emit_sampled_with_proof(&self.report.spec, &code))
+            }
+        })
     }
 
     /// The files of a small project around it, by their paths in it.

@@ -200,12 +200,12 @@ fn a_clock_in_samples_has_steps_of_a_sample() {
         let all = elements(&text(&entries, "modelDescription.xml"));
         let simulation = all.iter().find(|(name, _)| name == "CoSimulation").expect("one");
         assert_eq!(simulation.1["canHandleVariableCommunicationStepSize"], "false");
-        let inputs: Vec<_> = all
-            .iter()
-            .filter(|(_, a)| a.get("causality").is_some_and(|causality| causality == "input"))
-            .map(|(_, a)| a["name"].as_str())
-            .collect();
-        assert_eq!(inputs, ["y1"]);
+        let of = |wanted: &str| -> Vec<_> {
+            let is = |a: &BTreeMap<String, String>| a.get("causality").is_some_and(|c| c == wanted);
+            all.iter().filter(|(_, a)| is(a)).map(|(_, a)| a["name"].as_str()).collect()
+        };
+        assert_eq!(of("input"), ["y1"]);
+        assert_eq!(of("output"), ["u", "time_to_go", "status", "xhat1", "xhat2", "d"]);
         let experiment = all.iter().find(|(name, _)| name == "DefaultExperiment").expect("one");
         assert_eq!(experiment.1["stepSize"], "0.01");
         assert_eq!(experiment.1["stopTime"], "10");

@@ -41,7 +41,7 @@ fn bare(text: &str) -> Vec<String> {
     kept.lines().map(str::trim_end).filter(|l| !l.is_empty()).map(str::to_owned).collect()
 }
 
-const DESIGNS: [&[&str]; 9] = [
+const DESIGNS: [&[&str]; 12] = [
     &["--n=3", "--mu=exp"],
     &["--n=2", "--mu=exp_sum", "--precision=f32"],
     &["--n=2", "--mu=exp_sum(rates=[0.5,1.5])"],
@@ -51,6 +51,24 @@ const DESIGNS: [&[&str]; 9] = [
     &["--n=2", "--mu=exp", "--pi0=extern", "--after=extern"],
     &["--n=1", "--mu=exp", "--pi0=-20*xi1/(1.1*abs(xi1_0)+1)^2"],
     &["--n=1", "--mu=exp(a=1)", "--gains=2", "--tau=1", "--t0=0", "--eps=0.01", "--u-max=5"],
+    &["--n=3", "--mu=exp", "--clock=samples", "--delay=1", "--guard=none"],
+    &[
+        "--n=2",
+        "--mu=exp(a=1)",
+        "--clock=samples",
+        "--measured=x1",
+        "--disturbance=constant",
+        "--observer-poles=-4,-5,-6",
+    ],
+    &[
+        "--what=observer",
+        "--n=2",
+        "--mu=exp(a=1)",
+        "--clock=samples",
+        "--measured=x1",
+        "--observer-poles=-4,-5",
+        "--observer-samples=9",
+    ],
 ];
 
 #[test]
@@ -93,6 +111,28 @@ fn the_harness_tells_its_commands_and_draws_from_the_design() {
     }
     assert!(!text.contains("#ifndef PTC_EXP2_EVA_TAU_MIN"), "tau is fixed:\n{text}");
     assert!(files[1].1.contains("0.5 <= p->a"), "{}", files[1].1);
+}
+
+#[test]
+fn the_harness_in_samples_draws_what_calls_may_leave() {
+    let design = ["--n=2", "--mu=exp(a=1)", "--clock=samples", "--measured=x1", "--name=cart"];
+    let observer = ["--observer-poles=-4,-5", "--x-max=3,4", "--u-max=7"];
+    let files = emitted("harness_samples", &[&["--acsl"], &design[..], &observer].concat());
+    let (name, text) = &files[2];
+    assert_eq!(name, "cart_eva.c");
+    for part in [
+        " -warn-special-float none cart_eva.c cart.c\n",
+        "#ifndef CART_EVA_Y1_MAX\n#define CART_EVA_Y1_MAX 3.0\n#endif\n",
+        "#define CART_EVA_U1_MAX 7.0\n",
+        "    self->x2_hat = cart_eva_draw(-CART_EVA_X2_HAT_MAX, CART_EVA_X2_HAT_MAX);\n",
+        "    self->seen = cart_eva_count(0U, 1U);\n",
+        "    status = cart_step(self, k, y, &u);\n",
+        "    status = cart_estimate(self, xhat);\n",
+        "    cart_eva_live(7.0, 2);\n",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+    assert!(files[1].1.contains("assigns *self, *u;"), "{}", files[1].1);
 }
 
 #[test]

@@ -6,6 +6,7 @@ pub mod command;
 pub mod cost;
 pub mod cpp;
 pub mod goldens;
+pub mod in_samples;
 pub mod inert;
 pub mod injection;
 pub mod machine;

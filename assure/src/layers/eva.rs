@@ -14,7 +14,7 @@ use ptc_codegen::request::Spec;
 
 use self::log::Log;
 use crate::context::Context;
-use crate::harness::{empty, in_pairs, write_with_proof};
+use crate::harness::{empty, in_pairs, in_samples, write_with_proof};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ShownBy, Source, Tool};
 
@@ -46,7 +46,9 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("eva");
     let mut names = BTreeSet::new();
     let random = context.random(RANDOM).into_iter().map(within_range).collect();
-    let mut specs = [context.goldens(), context.families(context.order(6)), random].concat();
+    let mut specs =
+        [context.goldens(), context.families(context.order(6)), context.in_samples(), random]
+            .concat();
     // The goldens hold families of the orders 1 to 5.
     specs.retain(|spec| names.insert(spec.name()));
     // The iterated ones take longest: first, so that none is waited for at the end.
@@ -73,7 +75,7 @@ fn run(context: &Context) -> Result<Finding> {
         sum[2] += log.alarms.len();
         for spec in *batch {
             let own = [format!(" {}.", spec.name()), format!("{}_eva.c", spec.name())];
-            let counts = groups.entry((spec.mapping_name(), precision(spec))).or_default();
+            let counts = groups.entry((in_samples::kind(spec), precision(spec))).or_default();
             let alarms =
                 log.alarms.iter().filter(|alarm| own.iter().any(|file| alarm.contains(file)));
             counts[1 + usize::from(mode.1.is_some())] += alarms.count();
@@ -205,7 +207,18 @@ fn options(files: &[PathBuf]) -> Result<Vec<String>> {
 /// The functions of the controllers, and those of their harnesses that begin.
 fn emitted(names: &[String], text: &str) -> Vec<String> {
     let of = |name: &String| {
-        let own = ["init", "arm", "step", "tick", "axis", "rate", "eva"];
+        let own = [
+            "init",
+            "arm",
+            "step",
+            "tick",
+            "axis",
+            "rate",
+            "update",
+            "estimate",
+            "disturbance",
+            "eva",
+        ];
         own.map(|function| format!("{name}_{function}")).to_vec()
     };
     let all = names.iter().flat_map(of);

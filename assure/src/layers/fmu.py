@@ -178,6 +178,8 @@ def samples(listed):
         instance.start(0.0, [], x[:shown])
         given = [v for v in instance.model.modelVariables if v.causality == "parameter"]
         counts = ("Integer", "Int32")
+        outputs = [v for v in instance.model.modelVariables if v.causality == "output"]
+        estimates = [v.valueReference for v in outputs if v.name == "d" or v.name.startswith("xhat")]
         read = lambda v: (instance.integer if v.type in counts else instance.get)([v.valueReference])[0]
         lines = [" ".join(hexed(read(v)) for v in given)]
         for k in range(round(end / h) + 1):
@@ -185,7 +187,8 @@ def samples(listed):
             for _ in range(k % 3):
                 instance.outputs()
             u, _, status = instance.outputs()
-            lines.append(" ".join([str(status), *(hexed(v) for v in [*x, u])]))
+            behind = instance.get(estimates) if estimates else []
+            lines.append(" ".join([str(status), *(hexed(v) for v in [*x, u, *behind])]))
             late.append(u)
             acting = late.pop(0)
             for i in range(n):

@@ -14,7 +14,8 @@ use crate::tool::PYTHON;
 pub(super) const LAYER: Layer = Layer {
     name: "samples",
     claim: "Emitted C with a clock in samples, in the loop with the exact chain in 120 digits, is at \
-            rest at sample N: orders 1 to 4, delays, observers, unknown forces. The figures of \
+            rest at sample N, and an observer alone has the state at sample N_o: orders 1 to 4, \
+            delays, N = n + 2 too, observers, unknown forces. The figures of \
             README.md and docs/samples.md are those of this machine.",
     tools: &[PYTHON],
     run,
@@ -28,24 +29,39 @@ fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3"])?;
     let command = generator()?;
     let mut finding = Finding::default();
-    for (what, page) in [("rest", PAGE), ("stage", PAGE), ("table", README)] {
+    for (what, page) in [("rest", PAGE), ("alone", PAGE), ("stage", PAGE), ("table", README)] {
         let output = measured(&python, &command, &[what])?;
         let printed = String::from_utf8_lossy(&output.stdout).into_owned();
         if !output.status.success() {
             finding.failures.push(format!("more is left than claimed:\n{printed}"));
         }
         finding.failures.extend(missing(&printed, page).map(|row| format!("{what} gives {row}")));
-        if what == "rest" {
-            finding.tables.push(rest(&printed));
+        match what {
+            "rest" => finding.tables.push(rows("What is left of the state at sample N", &printed)),
+            "alone" => {
+                finding
+                    .tables
+                    .push(rows("What an observer alone is off by at sample N_o", &printed));
+            }
+            _ => {}
         }
     }
-    let wrong = measured(&python, &command, &["rest", "--gain", "1.000001"])?;
-    let left = String::from_utf8_lossy(&wrong.stdout).lines().next().map(str::to_owned);
-    finding
-        .seed("a plant with an input gain off by 1e-6", left.filter(|_| !wrong.status.success()));
-    let loops: usize =
-        finding.tables[0].rows.iter().filter_map(|row| row[1].parse::<usize>().ok()).sum();
-    finding.summary = format!("{loops} loops end at rest, as far as doubles go");
+    for (what, seed) in [
+        ("rest", "a plant with an input gain off by 1e-6"),
+        ("alone", "an observer of a plant with an input gain off by 1e-6"),
+    ] {
+        let wrong = measured(&python, &command, &[what, "--gain", "1.000001"])?;
+        let left = String::from_utf8_lossy(&wrong.stdout).lines().next().map(str::to_owned);
+        finding.seed(seed, left.filter(|_| !wrong.status.success()));
+    }
+    let count = |table: &Table| -> usize {
+        table.rows.iter().filter_map(|row| row[1].parse::<usize>().ok()).sum()
+    };
+    finding.summary = format!(
+        "{} loops end at rest and {} observers with the state, as far as doubles go",
+        count(&finding.tables[0]),
+        count(&finding.tables[1])
+    );
     Ok(finding)
 }
 
@@ -69,10 +85,10 @@ fn missing<'a>(printed: &'a str, page: &'a str) -> impl Iterator<Item = &'a str>
     printed.lines().filter(|row| !page.lines().any(|line| line.trim() == *row))
 }
 
-fn rest(printed: &str) -> Table {
+fn rows(title: &str, printed: &str) -> Table {
     let cells = |row: &str| row.trim_matches(['|', ' ']).split(" | ").map(str::to_owned).collect();
     Table {
-        title: "What is left of the state at sample N".to_owned(),
+        title: title.to_owned(),
         head: vec!["loops", "number", "in parts of the largest state"],
         rows: printed.lines().map(cells).collect(),
     }
@@ -89,6 +105,6 @@ mod tests {
         assert_eq!(missing(row, PAGE).next(), None);
         let other = row.replace("20 | 18", "20 | 17");
         assert_eq!(missing(&other, PAGE).collect::<Vec<_>>(), [other.as_str()]);
-        assert_eq!(rest(row).rows[0][1], "18");
+        assert_eq!(rows("rest", row).rows[0][1], "18");
     }
 }

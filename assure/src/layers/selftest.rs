@@ -22,7 +22,7 @@ use super::seeded::{Defect, with_defect};
 use crate::context::Context;
 use crate::harness::machine::Machine;
 use crate::harness::selftest::{main_program, sources, write_selftest};
-use crate::harness::{STRICT, empty, in_pairs, run as execute};
+use crate::harness::{STRICT, empty, in_pairs, in_samples, run as execute};
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ARM_GCC, GCC, NEWLIB, QEMU_ARM, ShownBy, Source, Tool};
 
@@ -50,7 +50,8 @@ struct Told {
 
 fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("selftest");
-    let specs = [context.goldens(), context.families(2), context.random(20)].concat();
+    let specs =
+        [context.in_samples(), context.goldens(), context.families(2), context.random(20)].concat();
     let indexed: Vec<_> = specs.iter().enumerate().collect();
     let told = in_pairs(&indexed, |(index, spec)| -> Result<Told> {
         let folder = empty(&folder.join(index.to_string()));
@@ -78,7 +79,8 @@ fn run(context: &Context) -> Result<Finding> {
         if !all.is_empty() {
             finding.failures.push(format!("{}\n{all}", spec.command()));
         }
-        let row = rows.entry((spec.mapping_name(), format!("{:?}", spec.precision))).or_default();
+        let row =
+            rows.entry((in_samples::kind(spec), format!("{:?}", spec.precision))).or_default();
         let Coverage { branches, taken, listed, .. } = told.coverage;
         for (sum, count) in row.iter_mut().zip([1, branches, taken, listed]) {
             *sum += count;
@@ -102,13 +104,14 @@ fn run(context: &Context) -> Result<Finding> {
         [mapping.to_owned(), precision.to_lowercase()].into_iter().chain(numbers).collect()
     };
     finding.tables.push(Table {
-        title: "Branches of init, arm, step, tick and axis, by gcov".to_owned(),
+        title: "Branches of init, arm, step, tick, axis and update, by gcov".to_owned(),
         head: vec!["mapping", "precision", "controllers", "branches", "taken", "listed"],
         rows: rows.into_iter().map(row).collect(),
     });
     finding.notes.push(
-        "Listed are checks of coefficients that no parameters make the first to fail, and turns of \
-         an iteration that no input brings about: NAME_selftest.h names each with the reason. No \
+        "Listed are checks of coefficients that no parameters make the first to fail, turns of an \
+         iteration that no input brings about, and cases of a clock in samples that what is fixed \
+         rules out: NAME_selftest.h names each with the reason. No \
          decision mixes && and ||, so branch coverage of the short-circuit code is modified \
          condition/decision coverage."
             .to_owned(),
@@ -144,13 +147,26 @@ const DEFECTS: [Defect; 12] = [
     ("gains->status = status;", "gains->status = PTC_OK;", "the hold forgotten by tick"),
 ];
 
+/// Defects of the example in samples.
+const IN_SAMPLES: [Defect; 6] = [
+    ("k - self->start", "k", "a start that is not subtracted from the tick"),
+    ("self->u1 = u_now", "self->u1 = v", "an input kept before it is clipped"),
+    ("self->seen = 1U", "self->seen = 0U", "estimates that begin anew at each call"),
+    ("u_now = -6.0", "u_now = 6.0", "no clipping from below, in samples"),
+    ("(isfinite(y[0]) != 0)", "(y[0] < 1e300)", "a measurement that is not checked"),
+    ("status = PTC_HOLD", "status = PTC_OK", "no status of the hold"),
+];
+
 fn seeded(context: &Context, folder: &Path, finding: &mut Finding) -> Result<()> {
     let spec = Spec { precision: Precision::F64, ..context.example() };
-    for (index, defect) in DEFECTS.into_iter().enumerate() {
+    let in_samples = in_samples::example();
+    let defects = DEFECTS.into_iter().map(|defect| (&spec, defect));
+    let defects = defects.chain(IN_SAMPLES.into_iter().map(|defect| (&in_samples, defect)));
+    for (index, (spec, defect)) in defects.enumerate() {
         let folder = folder.join(format!("seeded{index}"));
-        with_defect(&folder, &spec, Language::C, defect)?;
-        let sources = write_selftest(&folder, &spec)?;
-        let told = [Machine::Host, Machine::CortexM4f].map(|m| passes(m, &folder, &spec, &sources));
+        with_defect(&folder, spec, Language::C, defect)?;
+        let sources = write_selftest(&folder, spec)?;
+        let told = [Machine::Host, Machine::CortexM4f].map(|m| passes(m, &folder, spec, &sources));
         let caught = told == [false, false];
         finding
             .seed(defect.2, caught.then(|| "the self-test, here and on a Cortex-M4F".to_owned()));

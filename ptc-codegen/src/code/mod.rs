@@ -5,12 +5,14 @@
 //! simulated and tested is what is emitted. A function fails before it has changed anything:
 //! [`Code::check`] refuses a [`Statement::Require`] behind an assignment to a field.
 
+mod branch;
 mod check;
 mod expression;
 mod function;
 mod interpret;
 mod visit;
 
+pub use branch::{Branch, Taken};
 pub use expression::{Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};

@@ -2,6 +2,7 @@
 
 use super::code::Notes;
 use super::{Controller, File, Language, Print, Target, acsl, code, eva, program};
+use crate::code::Code;
 use crate::parameter::Precision;
 use crate::request::Spec;
 
@@ -20,6 +21,13 @@ pub(super) fn files_with_proof(controller: &Controller<'_>) -> Vec<File> {
     let program = program(controller, Language::C);
     let mut files = code::c(&program, &acsl::notes(controller, &program));
     files.push(eva::harness(controller, &program));
+    files
+}
+
+/// The same of a controller in samples.
+pub(super) fn sampled_files_with_proof(spec: &Spec, program: &Code) -> Vec<File> {
+    let mut files = code::c(program, &acsl::in_samples(program));
+    files.push(eva::in_samples(spec, program));
     files
 }
 

@@ -286,13 +286,32 @@ fn names(spec: &Spec) -> Vec<(String, String)> {
 
 /// The C files of the self-test of a controller.
 pub fn emit_selftest(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
-    selftest::files(controller, test)
+    selftest::in_time(controller, test)
+}
+
+/// The C files of the self-test of a controller in samples, from its [`sampled_c`].
+pub fn emit_sampled_selftest(
+    spec: &Spec,
+    code: &Code,
+    test: &crate::selftest::samples::SelfTest,
+) -> Vec<File> {
+    selftest::in_samples(spec, code, test)
+}
+
+/// The program of a controller in samples as its C prints it.
+pub fn sampled_c(report: &Report) -> Code {
+    sampled::program(report, Language::C).unwrap_or_else(|| fault("a controller without samples"))
 }
 
 /// The C files of a controller with contracts and case splits in comments, and a harness with which
 /// Frama-C's plug-in Eva proves that they have no error at run time.
 pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
     c::files_with_proof(controller)
+}
+
+/// The same of a controller in samples, from its [`sampled_c`].
+pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Vec<File> {
+    c::sampled_files_with_proof(spec, code)
 }
 
 /// The items of the Rust file on the types of the facade crate `ptc`.

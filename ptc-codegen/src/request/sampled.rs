@@ -41,6 +41,11 @@ impl Sampled {
         self.observer.is_some()
     }
 
+    /// The number of the first state that an observer estimates: of a chain the last one measured.
+    pub fn first_estimated(&self) -> usize {
+        if self.linear.is_some() { 1 } else { self.measured }
+    }
+
     /// Whether the state itself is measured.
     pub fn measures_states(&self) -> bool {
         !self.observes() && self.linear.as_ref().is_none_or(Linear::measures_states)

@@ -30,14 +30,9 @@ pub(super) struct Named {
 impl<'a> Builder<'a> {
     /// What the observer estimates: of a chain x_m, ..., x_n, else all states, and the disturbance.
     pub(super) fn estimated(&self) -> Vec<String> {
-        let states = self.first_estimated()..=self.spec.n;
+        let states = self.sampled.first_estimated()..=self.spec.n;
         let disturbance = self.sampled.disturbance.then(|| "d".to_owned());
         states.map(|j| format!("x{j}")).chain(disturbance).collect()
-    }
-
-    /// The number of the first state that the observer estimates.
-    fn first_estimated(&self) -> usize {
-        if self.sampled.linear.is_some() { 1 } else { self.sampled.measured }
     }
 
     /// The estimates from what is measured; its round ends at sample `end`, and `acting` is the
@@ -273,7 +268,7 @@ impl<'a> Builder<'a> {
             guarded: self.guarded(),
         };
         let mut functions = Vec::new();
-        let known = self.first_estimated();
+        let known = self.sampled.first_estimated();
         let state = |j: usize| Expr::field(format!("x{j}_hat"));
         let values: Vec<_> = (known..=self.spec.n).map(state).collect();
         let xhat = Variable::new("xhat", Shape::Reals(values.len()), "estimates");

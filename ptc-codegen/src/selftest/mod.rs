@@ -11,6 +11,7 @@ mod overflow;
 mod parameters;
 mod range;
 mod refused;
+pub mod samples;
 mod trial;
 mod zero;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// Functions of the C library that Eva may take from a contract in place of code, and those that
 /// draw inputs. No function of a controller or a harness is among them.
-const TRUSTED: [&str; 20] = [
+const TRUSTED: [&str; 21] = [
     "tan",
     "tanf",
     "atan",
@@ -25,6 +25,7 @@ const TRUSTED: [&str; 20] = [
     "fabsf",
     "Frama_C_double_interval",
     "Frama_C_float_interval",
+    "Frama_C_unsigned_int_interval",
 ];
 
 /// A log of Eva, read.

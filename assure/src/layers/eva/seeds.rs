@@ -8,7 +8,7 @@ use ptc_codegen::request::Spec;
 
 use super::{MODES, analyse};
 use crate::context::Context;
-use crate::harness::{empty, in_pairs, write_with_proof};
+use crate::harness::{empty, in_pairs, in_samples, write_with_proof};
 use crate::layer::Finding;
 use crate::layers::seeded::{Defect, put_in};
 
@@ -40,11 +40,23 @@ const DEFECTS: [(Defect, usize); 10] = [
 const IN_LOOPS: [(Defect, usize); 1] =
     [(("m < 9U", "m <= 9U", "a loop that runs one round too far"), 0)];
 
+/// Defects of the example in samples.
+const IN_SAMPLES: [(Defect, usize); 6] = [
+    (("isfinite(y[0]) != 0", "y[0] < 1e300", "the guard of y left out"), 0),
+    ((" && (y != NULL)", "", "the check of y for NULL left out"), 0),
+    (("y[0] - p1", "y[1] - p1", "a measurement beyond the array"), 0),
+    (("(xhat != NULL)", "(self != NULL)", "the check of xhat for NULL left out"), 0),
+    (("(v < -6.0)", "(v < -12.0)", "the lower clamp too low, in samples"), 1),
+    (("(8.0 < m0)", "(0.0 < m0)", "the law used where it does not exist"), 1),
+];
+
 /// Puts each defect in and records whether Eva reports it.
 pub(super) fn seeded(folder: &Path, context: &Context, finding: &mut Finding) -> Result<()> {
     let looped = Spec::new(9, Family::ExpSum);
     let defects = DEFECTS.iter().map(|defect| (context.example(), defect));
     let defects = defects.chain(IN_LOOPS.iter().map(|defect| (looped.clone(), defect)));
+    let in_samples = in_samples::example();
+    let defects = defects.chain(IN_SAMPLES.iter().map(|defect| (in_samples.clone(), defect)));
     let defects: Vec<_> = defects.enumerate().collect();
     let told = in_pairs(&defects, |(index, (spec, (defect, mode)))| {
         let folder = empty(&folder.join(format!("seeded{index}")));

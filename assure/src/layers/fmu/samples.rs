@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use ptc_codegen::code::Instance;
+use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::request::Spec;
 use ptc_codegen::samples;
 
@@ -86,6 +86,15 @@ pub(super) fn run(
     Ok(())
 }
 
+/// The estimates behind a call, that of the disturbance last.
+fn estimated(controller: &mut Instance<'_>, code: &Code) -> Vec<f64> {
+    let functions = ["estimate", "disturbance"];
+    let known = functions.into_iter().filter(|function| code.function(function).is_some());
+    known
+        .flat_map(|function| controller.call(function, &[]).results.into_values().flatten())
+        .collect()
+}
+
 /// The samples of a loop, what is left of the state, and what differs from the program.
 fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
     if let Some(problems) = told.strip_prefix("invalid ") {
@@ -107,7 +116,9 @@ fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
             continue;
         }
         let numbers: Vec<_> = rest.split(' ').map(number).collect::<Result<_>>()?;
-        let [x @ .., u] = numbers.as_slice() else { bail!("{line}") };
+        let Some((x, [u, estimates @ ..])) = numbers.split_at_checked(spec.n) else {
+            bail!("{line}")
+        };
         let k = u32::try_from(samples)?;
         let given = [("k", &[f64::from(k)][..]), ("x", x), ("y", &x[..sampled.measured])];
         let outcome = controller.call("step", &given);
@@ -115,6 +126,12 @@ fn compared(spec: &Spec, told: &str) -> Result<(usize, f64, Vec<String>)> {
         let same = own.to_bits() == u.to_bits() && outcome.status.number().to_string() == status;
         if !same && faults.is_empty() {
             faults.push(format!("sample {k}: {status}, {u:e} where the program gives {own:e}"));
+        }
+        let behind = estimated(&mut controller, &code);
+        let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        if bits(estimates) != bits(&behind) && faults.is_empty() {
+            faults
+                .push(format!("sample {k}: {estimates:?} where the program estimates {behind:?}"));
         }
         samples += 1;
         left = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

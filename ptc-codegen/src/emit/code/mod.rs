@@ -14,7 +14,9 @@ mod short;
 mod st;
 mod text;
 
-pub(super) use c::{Condition, Notes, domain, externs, files as c, start_tests, zero_tests};
+pub(super) use c::{
+    Condition, Notes, domain, externs, files as c, start_tests, word, written, zero_tests,
+};
 pub(super) use cpp::file as cpp;
 pub(super) use matlab::files as matlab;
 pub(super) use python::file as python;

@@ -134,6 +134,7 @@ fn with_token(
     let samples = spec.sampled().map(|_| Samples {
         count: known(Parameter::Samples),
         period: known(Parameter::SampleTime),
+        estimates: variables::estimates(spec).len(),
     });
     let core = Core {
         name: &name,
@@ -164,6 +165,7 @@ fn with_token(
             .filter(|v| v.place.is_none())
             .map(|v| (v.reference, example.value(Parameter::Samples).to_string())),
         samples,
+        disturbance: spec.sampled().is_some_and(|sampled| sampled.disturbance),
         frame: &frame,
     };
     let core = text_of(core.render());
@@ -318,6 +320,8 @@ struct Core<'a> {
     samples_reference: Option<usize>,
     samples_fixed: Option<(usize, String)>,
     samples: Option<Samples>,
+    /// Whether the last estimate is that of the disturbance.
+    disturbance: bool,
     frame: &'a Outline,
 }
 
@@ -325,6 +329,8 @@ struct Core<'a> {
 struct Samples {
     count: String,
     period: String,
+    /// Values that an observer estimates, that of the disturbance last.
+    estimates: usize,
 }
 
 #[derive(Template)]

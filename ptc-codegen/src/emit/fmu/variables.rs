@@ -89,6 +89,20 @@ pub(super) fn outputs(variables: &[Variable]) -> Vec<&Variable> {
     variables.iter().filter(|v| v.causality == "output").collect()
 }
 
+/// What an observer estimates, by name, in the order in which the controller gives it.
+pub(super) fn estimates(spec: &Spec) -> Vec<(String, String)> {
+    let Some(sampled) = spec.sampled().filter(|sampled| sampled.observes()) else {
+        return Vec::new();
+    };
+    let states = (sampled.first_estimated()..=spec.n).map(|j| format!("xhat{j}"));
+    let states = states.map(|name| {
+        let about = format!("Estimate of the state x{}", &name["xhat".len()..]);
+        (name, about)
+    });
+    let disturbance = ("d".to_owned(), "Estimate of the constant that is added to u".to_owned());
+    states.chain(sampled.disturbance.then_some(disturbance)).collect()
+}
+
 /// All variables but time, by their value references from 1.
 pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
     let kind3 = if spec.precision == Precision::F32 { "Float32" } else { "Float64" };
@@ -154,6 +168,15 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         dependencies: every.join(" "),
         ..blank()
     });
+    for (name, description) in estimates(spec) {
+        all.push(Variable {
+            name,
+            causality: "output",
+            description,
+            dependencies: every.join(" "),
+            ..blank()
+        });
+    }
     let (free, fixed): (Vec<_>, Vec<_>) =
         spec.parameters().into_iter().partition(|p| !spec.fixed.contains_key(p));
     let of_parameter = |parameter: Parameter, range: &str| {

@@ -1,7 +1,7 @@
 //! Conditions of `init` and `arm` as C writes them, for the files around the controller.
 
 use super::super::legal::{checks, copies};
-use super::super::text::Text;
+use super::super::text::{Text, bare};
 use super::{C, Notes};
 use crate::code::{Code, Expr, Statement, Test};
 
@@ -13,6 +13,11 @@ pub(in crate::emit) struct Condition {
     pub(in crate::emit) parameter: String,
     /// Its legal values, in words.
     pub(in crate::emit) legal: String,
+}
+
+/// A test as it is written where it stands alone; within others it has brackets.
+pub(in crate::emit) fn written(code: &Code, test: &Test) -> String {
+    bare(C::new(code, &Notes::default()).test(test))
 }
 
 /// The conditions on the parameters.

@@ -7,7 +7,7 @@ mod source;
 
 use std::collections::BTreeMap;
 
-pub(in crate::emit) use conditions::{Condition, domain, start_tests, zero_tests};
+pub(in crate::emit) use conditions::{Condition, domain, start_tests, written, zero_tests};
 
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Callback, Code, Function, Owner, Shape, Solve, Status};
@@ -177,7 +177,7 @@ impl<'a> C<'a> {
 }
 
 /// The word of a status.
-fn word(status: Status) -> &'static str {
+pub(in crate::emit) fn word(status: Status) -> &'static str {
     match status {
         Status::Ok => "PTC_OK",
         Status::Hold => "PTC_HOLD",

@@ -1,5 +1,9 @@
 //! ACSL in comments: contracts for the header, and the cases that Eva has to look at apart.
 
+mod samples;
+
+pub(super) use samples::{changed, notes as in_samples};
+
 use super::Controller;
 use super::code::Notes;
 use crate::code::Code;

@@ -1,159 +1,54 @@
-//! The interpreter: whole controllers, in the operations and the precision of the emitted code.
+//! Statements, values and tests of one call.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use super::{
-    Access, Code, Ending, Expr, Finish, Operator, Place, Shape, Solve, Statement, Status, Test,
+use super::{Called, Held, Outcome};
+use crate::code::branch::Taken;
+use crate::code::{
+    Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
     Variable,
 };
 use crate::internal::fault;
-use crate::parameter::{Parameter, Precision};
+use crate::parameter::Precision;
 use crate::program::{Op, Value, apply, number, rows::rows};
 
-/// What a name holds.
-#[derive(Clone, Debug, PartialEq)]
-enum Held {
-    Real(f64),
-    Count(u32),
-    Reals(Vec<f64>),
-}
-
-/// A value handed to a call or given by it.
-pub type Argument<'a> = (&'a str, &'a [f64]);
-
-/// A controller that runs.
-#[derive(Clone, Debug)]
-pub struct Instance<'a> {
-    code: &'a Code,
-    fields: BTreeMap<&'a str, Held>,
-    /// The status of gains; that of a controller is not asked for.
-    status: Status,
-}
-
-/// What a call gave: its status, and its results, none of them where it failed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// Its status.
-    pub status: Status,
-    /// Its results by name; those of gains by the names in them.
-    pub results: BTreeMap<String, Vec<f64>>,
-}
-
-/// A function of the user's: its name, and what it gives for an array and a time.
-pub type Called<'a> = (&'a str, &'a dyn Fn(&[f64], f64) -> f64);
-
 /// The names that one call knows.
-struct Frame<'a, 'b> {
-    precision: Precision,
-    fields: &'b mut BTreeMap<&'a str, Held>,
-    parameters: BTreeMap<&'b str, Held>,
-    locals: BTreeMap<Cow<'b, str>, Held>,
-    callbacks: &'b [Called<'b>],
+pub(super) struct Frame<'a, 'b> {
+    pub(super) precision: Precision,
+    pub(super) fields: &'b mut BTreeMap<&'a str, Held>,
+    pub(super) parameters: BTreeMap<&'b str, Held>,
+    pub(super) locals: BTreeMap<Cow<'b, str>, Held>,
+    pub(super) callbacks: &'b [Called<'b>],
+    /// The branches taken so far, where they are recorded.
+    pub(super) taken: Option<RefCell<Taken>>,
 }
 
-impl<'a> Instance<'a> {
-    /// The controller that `init` makes of the parameters, each a list of numbers; counts are given
-    /// as numbers. A state that is latched is given by its name too.
-    ///
-    /// # Errors
-    /// The status with which `init` fails.
-    pub fn new(code: &'a Code, given: &[Argument<'_>]) -> Result<Self, Status> {
-        let mut fields: BTreeMap<&str, Held> = code
-            .fields
-            .iter()
-            .map(|field| (field.name.as_str(), held(field, &[f64::NAN], code.precision)))
-            .collect();
-        let mut frame = Frame {
-            precision: code.precision,
-            fields: &mut fields,
-            parameters: bound(&code.parameters, given, code.precision),
-            locals: BTreeMap::new(),
-            callbacks: &[],
-        };
-        if let Some(status) = frame.block(&code.init) {
-            return Err(status);
-        }
-        let time = code.start.as_ref().map(|start| frame.real(&start.time));
-        let mut built = Self { code, fields, status: Status::Ok };
-        if let (Some(time), Some(start)) = (time, &code.start) {
-            let x0 = start.state.as_ref().and_then(|state| {
-                given.iter().find(|(name, _)| *name == state.name).map(|(_, values)| *values)
-            });
-            let outcome = built.call("arm", &[("t0", &[time]), ("x0", x0.unwrap_or_default())]);
-            if outcome.status.number() < 0 {
-                return Err(outcome.status);
-            }
-        }
-        Ok(built)
-    }
-
-    /// The controller that `init` makes of its run-time parameters; the elements of an array are in
-    /// their order.
-    ///
-    /// # Errors
-    /// The status with which `init` fails.
-    pub fn with_parameters(
-        code: &'a Code,
-        values: impl IntoIterator<Item = (Parameter, f64)>,
-    ) -> Result<Self, Status> {
-        let mut given: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
-        for (parameter, value) in values {
-            given.entry(parameter.key()).or_default().push(value);
-        }
-        let given: Vec<_> = given.iter().map(|(key, values)| (*key, values.as_slice())).collect();
-        Self::new(code, &given)
-    }
-
-    /// The gains that a call gave, for the functions that belong to them.
-    pub fn gains(&self, outcome: &Outcome) -> Self {
-        let values = |name: &str| outcome.results.get(name).map_or(&[][..], Vec::as_slice);
-        let field =
-            |of: &'a Variable| (of.name.as_str(), held(of, values(&of.name), self.code.precision));
-        let fields = self.code.gains.iter().map(field).collect();
-        Self { code: self.code, fields, status: outcome.status }
-    }
-
-    /// Calls a function with its arguments.
-    pub fn call(&mut self, name: &str, arguments: &[Argument<'_>]) -> Outcome {
-        self.call_with(name, arguments, &[])
-    }
-
-    /// Calls a function with its arguments and the functions that it calls.
-    pub fn call_with(
+impl<'b> Frame<'_, 'b> {
+    /// Runs a function whose gains, if it belongs to any, have the status `standing`.
+    pub(super) fn run(
         &mut self,
-        name: &str,
-        arguments: &[Argument<'_>],
-        callbacks: &[Called<'_>],
+        function: &'b Function,
+        standing: Status,
+        gains: &[Variable],
     ) -> Outcome {
-        let Some(function) = self.code.function(name) else { fault(format!("no function {name}")) };
-        let mut changed = self.fields.clone();
-        let mut frame = Frame {
-            precision: self.code.precision,
-            fields: &mut changed,
-            parameters: BTreeMap::new(),
-            locals: bound(&function.arguments, arguments, self.code.precision)
-                .into_iter()
-                .map(|(name, held)| (Cow::from(name), held))
-                .collect(),
-            callbacks,
-        };
         let failed = |status| Outcome { status, results: BTreeMap::new() };
-        if let Some(status) = frame.block(&function.body) {
+        if let Some(status) = self.block(&function.body) {
             return failed(status);
         }
         let mut finish = &function.finish;
         let (values, status) = loop {
             match finish {
-                Finish::If(test, yes, no) => finish = if frame.test(test) { yes } else { no },
+                Finish::If(test, yes, no) => finish = if self.test(test) { yes } else { no },
                 Finish::Give(values, Ending::Known(status)) => break (values, *status),
-                Finish::Give(values, Ending::OfGains) => break (values, self.status),
+                Finish::Give(values, Ending::OfGains) => break (values, standing),
                 Finish::Fail(status) => return failed(*status),
             }
         };
-        let mut values = values.iter().map(|value| frame.real(value));
+        let mut values = values.iter().map(|value| self.real(value));
         let parts = function.results.iter().flat_map(|result| match result.shape {
-            Shape::Gains => self.code.gains.iter().collect(),
+            Shape::Gains => gains.iter().collect(),
             _ => vec![result],
         });
         let mut results = BTreeMap::new();
@@ -161,53 +56,11 @@ impl<'a> Instance<'a> {
             let count = part.shape.length().unwrap_or(1);
             results.insert(part.name.clone(), values.by_ref().take(count).collect());
         }
-        drop(values);
-        if function.access == Access::Change {
-            self.fields = changed;
-        }
         Outcome { status, results }
     }
 
-    /// What a field holds, as a number.
-    pub fn field(&self, name: &str) -> Option<f64> {
-        match self.fields.get(name)? {
-            Held::Real(value) => Some(*value),
-            Held::Count(count) => Some(f64::from(*count)),
-            Held::Reals(_) => None,
-        }
-    }
-}
-
-/// `values` as `variable` holds them.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn held(variable: &Variable, values: &[f64], precision: Precision) -> Held {
-    let first = values.first().copied().unwrap_or(f64::NAN);
-    match variable.shape {
-        Shape::Real => Held::Real(number::settle(first, precision)),
-        // A count beyond 2^32 is given modulo 2^32, as a counter wraps.
-        Shape::Count => Held::Count(first as u64 as u32),
-        Shape::Reals(_) => {
-            Held::Reals(values.iter().map(|v| number::settle(*v, precision)).collect())
-        }
-        Shape::Gains => fault("gains are no value".to_owned()),
-    }
-}
-
-fn bound<'b>(
-    variables: &'b [Variable],
-    given: &[Argument<'_>],
-    precision: Precision,
-) -> BTreeMap<&'b str, Held> {
-    let value = |variable: &'b Variable| {
-        let values = given.iter().find(|(name, _)| *name == variable.name).map(|(_, v)| *v);
-        (variable.name.as_str(), held(variable, values.unwrap_or_default(), precision))
-    };
-    variables.iter().map(value).collect()
-}
-
-impl<'b> Frame<'_, 'b> {
     /// Runs statements; the status where one of them fails.
-    fn block(&mut self, statements: &'b [Statement]) -> Option<Status> {
+    pub(super) fn block(&mut self, statements: &'b [Statement]) -> Option<Status> {
         for statement in statements {
             match statement {
                 Statement::Let(name, shape, value) => {
@@ -297,7 +150,7 @@ impl<'b> Frame<'_, 'b> {
         }
     }
 
-    fn real(&self, value: &Expr) -> f64 {
+    pub(super) fn real(&self, value: &Expr) -> f64 {
         let round = |result| number::settle(result, self.precision);
         match value {
             Expr::Number(value) => number::round(value, self.precision),
@@ -346,7 +199,11 @@ impl<'b> Frame<'_, 'b> {
         match value {
             Expr::Count(count) => *count,
             Expr::CountSub(a, b) => self.count(a).wrapping_sub(self.count(b)),
-            Expr::CountLeft(a, b) => self.count(a).saturating_sub(self.count(b)),
+            Expr::CountLeft(a, b) => {
+                let (a, b) = (self.count(a), self.count(b));
+                self.note(std::ptr::from_ref(value).addr(), b < a);
+                a.saturating_sub(b)
+            }
             Expr::CountHalf(a) => self.count(a) / 2,
             name => match self.held(name) {
                 (Held::Count(count), _) => *count,
@@ -371,15 +228,23 @@ impl<'b> Frame<'_, 'b> {
         }
     }
 
-    fn test(&self, test: &Test) -> bool {
-        match test {
+    pub(super) fn test(&self, test: &Test) -> bool {
+        let holds = match test {
             Test::Less(a, b) => self.real(a) < self.real(b),
             Test::AtMost(a, b) => self.real(a) <= self.real(b),
             Test::CountLess(a, b) => self.count(a) < self.count(b),
             Test::CountEqual(a, b) => self.count(a) == self.count(b),
             Test::Finite(a) => self.real(a).is_finite(),
             Test::NotNumber(a) => self.real(a).is_nan(),
-            Test::All(tests) => tests.iter().all(|test| self.test(test)),
+            Test::All(tests) => return tests.iter().all(|test| self.test(test)),
+        };
+        self.note(std::ptr::from_ref(test).addr(), holds);
+        holds
+    }
+
+    fn note(&self, place: usize, holds: bool) {
+        if let Some(taken) = &self.taken {
+            taken.borrow_mut().insert(place, holds);
         }
     }
 }

@@ -1,5 +1,9 @@
 //! The harness with which Frama-C's plug-in Eva proves that the emitted C has no error at run time.
 
+mod samples;
+
+pub(super) use samples::harness as in_samples;
+
 use askama::Template;
 
 use super::acsl::place;
@@ -232,7 +236,7 @@ fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec
 }
 
 #[derive(Template)]
-#[template(path = "eva.c.txt", escape = "none")]
+#[template(path = "eva/time.c.txt", escape = "none")]
 struct Harness<'a> {
     name: &'a str,
     /// What macros begin with.

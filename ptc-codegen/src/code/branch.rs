@@ -1,0 +1,114 @@
+//! The branches of a program: each condition, taken either way.
+
+use std::collections::BTreeSet;
+
+use super::{Code, Expr, Finish, Statement, Test};
+
+/// The branches that calls took; a condition is known by its place in the program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Taken(BTreeSet<(usize, bool)>);
+
+/// One way out of a condition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// The function in which it is.
+    pub function: &'static str,
+    /// The condition.
+    pub condition: Test,
+    /// Whether it holds on this way.
+    pub holds: bool,
+    place: usize,
+}
+
+impl Taken {
+    pub(super) fn insert(&mut self, place: usize, holds: bool) {
+        self.0.insert((place, holds));
+    }
+
+    /// Whether a branch is among them.
+    pub fn has(&self, branch: &Branch) -> bool {
+        self.0.contains(&(branch.place, branch.holds))
+    }
+
+    /// Whether one of them is not among `known`.
+    pub fn adds_to(&self, known: &Self) -> bool {
+        !self.0.is_subset(&known.0)
+    }
+
+    /// Takes in the `others`.
+    pub fn extend(&mut self, others: &Self) {
+        self.0.extend(&others.0);
+    }
+}
+
+impl Code {
+    /// Every branch of every function, in the order of the program. They are those of this very
+    /// program: a copy has others.
+    pub fn branches(&self) -> Vec<Branch> {
+        let mut found = Vec::new();
+        statements("init", &self.init, &mut found);
+        for function in &self.functions {
+            statements(function.name, &function.body, &mut found);
+            finish(function.name, &function.finish, &mut found);
+        }
+        found
+    }
+}
+
+fn statements(function: &'static str, all: &[Statement], found: &mut Vec<Branch>) {
+    for statement in all {
+        match statement {
+            Statement::If(condition, yes, no) => {
+                test(function, condition, found);
+                statements(function, yes, found);
+                statements(function, no, found);
+            }
+            Statement::Require(condition, _) => test(function, condition, found),
+            other => other.visit(&mut |value| expression(function, value, found)),
+        }
+    }
+}
+
+fn finish(function: &'static str, end: &Finish, found: &mut Vec<Branch>) {
+    if let Finish::If(condition, yes, no) = end {
+        test(function, condition, found);
+        finish(function, yes, found);
+        finish(function, no, found);
+    } else {
+        end.visit(&mut |value| expression(function, value, found));
+    }
+}
+
+fn test(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
+    if let Test::All(tests) = condition {
+        return tests.iter().for_each(|part| test(function, part, found));
+    }
+    both(function, condition.clone(), std::ptr::from_ref(condition).addr(), found);
+    condition.visit(&mut |value| expression(function, value, found));
+}
+
+/// The conditions of an expression itself; those in it are visited by themselves.
+fn expression(function: &'static str, value: &Expr, found: &mut Vec<Branch>) {
+    match value {
+        Expr::Choose(condition, ..) => each(function, condition, found),
+        Expr::CountLeft(a, b) => {
+            let less = Test::CountLess((**b).clone(), (**a).clone());
+            both(function, less, std::ptr::from_ref(value).addr(), found);
+        }
+        _ => {}
+    }
+}
+
+/// The parts of a condition, the expressions in which are visited apart.
+fn each(function: &'static str, condition: &Test, found: &mut Vec<Branch>) {
+    match condition {
+        Test::All(tests) => tests.iter().for_each(|part| each(function, part, found)),
+        one => both(function, one.clone(), std::ptr::from_ref(one).addr(), found),
+    }
+}
+
+fn both(function: &'static str, condition: Test, place: usize, found: &mut Vec<Branch>) {
+    for holds in [true, false] {
+        found.push(Branch { function, condition: condition.clone(), holds, place });
+    }
+}

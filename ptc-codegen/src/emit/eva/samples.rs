@@ -1,0 +1,196 @@
+//! The harness of a controller in samples, or of an observer alone.
+//!
+//! A call changes the controller, so the proof is one of any call: from whatever the calls before it
+//! may have left, within bounds in finite mode.
+
+use askama::Template;
+
+use super::{Call, LAW, OPTIONS, Range, STATE, literal, rounded, stem};
+use crate::code::{Code, Shape, Variable};
+use crate::emit::acsl::{changed, place};
+use crate::emit::apart::apart;
+use crate::emit::outline::Outline;
+use crate::emit::{File, text_of, tidy};
+use crate::parameter::{Domain, Parameter};
+use crate::request::{Guard, Spec, What};
+
+/// A field that a call changes, and the macro of its bound where it is a number.
+struct Kept {
+    name: String,
+    bound: Option<String>,
+}
+
+/// A macro of a bound, and its default.
+struct Bound {
+    stem: String,
+    value: String,
+}
+
+/// The harness, beside the annotated source.
+pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
+    let name = spec.name();
+    let prefix = format!("{}_EVA", name.to_uppercase());
+    let text = |value: f64| literal(value, spec.precision);
+    let limit = spec.fixed.get(&Parameter::UMax).filter(|fixed| fixed.number().is_some());
+    let limit = limit.map(|fixed| rounded(fixed, spec));
+    let open = |p: Parameter| spec.run_time_parameters().any(|of| of == p);
+    let mut bounds = Vec::new();
+    let mut bound = |of: &str, value: f64| {
+        let stem = format!("{prefix}_{}_MAX", of.to_uppercase());
+        bounds.push(Bound { stem: stem.clone(), value: text(value) });
+        stem
+    };
+    let alone = spec.what == What::Observer;
+    let measured = spec.sampled().map_or(0, |sampled| sampled.measured);
+    let x_max = |j: usize| spec.promises.x_max.get(j).map_or(STATE, |bound| rounded(bound, spec));
+    let y_max = match spec.sampled() {
+        Some(sampled) if sampled.linear.is_none() => (0..measured).map(x_max).collect(),
+        _ => vec![STATE; measured],
+    };
+    let y: Vec<_> = (1..).zip(&y_max).map(|(j, value)| bound(&format!("y{j}"), *value)).collect();
+    let applied = alone.then(|| bound("applied", LAW));
+    let changed = changed(code);
+    let kept = code.fields.iter().filter(|field| changed.contains(field.name.as_str()));
+    let kept = kept.map(|field| {
+        let input = field.name.strip_prefix('u').is_some_and(|rest| rest.parse::<u32>().is_ok());
+        let most = if input { limit.unwrap_or(LAW) } else { STATE };
+        let number = field.shape == Shape::Real;
+        Kept { name: field.name.clone(), bound: number.then(|| bound(&field.name, most)) }
+    });
+    let kept: Vec<_> = kept.collect();
+    let calls: Vec<_> = code.functions.iter().map(call).collect();
+    let (work, others): (Vec<_>, Vec<_>) =
+        calls.iter().partition(|call| matches!(call.function, "step" | "update"));
+    let text_of_call = |call: &&Call| call.text(&name, None);
+    let compared = |p: Parameter| !matches!(spec.domain(p), Domain::Finite | Domain::Positive);
+    let drawn = |p: Parameter| Drawn {
+        place: place("params.", p),
+        stem: stem(&prefix, p),
+        count: p == Parameter::Samples,
+        compared: compared(p),
+    };
+    let parameters = spec.run_time_parameters().filter(|p| *p != Parameter::UMax);
+    let full = spec.guard == Guard::Full;
+    let harness = Harness {
+        name: &name,
+        options: OPTIONS,
+        frame: &Outline::new(spec, code),
+        ranges: ranges(spec, &prefix),
+        bounds,
+        parameters: parameters.map(drawn).collect(),
+        has_parameters: !code.parameters.is_empty(),
+        compared: spec.run_time_parameters().any(compared),
+        run_time_limit: open(Parameter::UMax),
+        limit_stem: stem(&prefix, Parameter::UMax),
+        fixed_limit: limit.map(text),
+        given: if spec.sampled().is_some_and(|s| s.measures_states()) { "x" } else { "y" },
+        y,
+        applied,
+        kept,
+        full,
+        alone,
+        work: work.first().map(text_of_call).unwrap_or_default(),
+        results: results(code),
+        reads: others.iter().filter(|call| call.function != "arm").map(text_of_call).collect(),
+        null_calls: calls
+            .iter()
+            .flat_map(|call| call.pointers.iter().map(|at| call.text(&name, Some(*at))))
+            .collect(),
+        zero: text(0.0),
+        one: text(1.0),
+        pattern: text(42.0),
+    };
+    apart(File { name: format!("{name}_eva.c"), text: tidy(&text_of(harness.render())) }, &name)
+}
+
+/// What each parameter that is open is drawn from in finite mode.
+fn ranges(spec: &Spec, prefix: &str) -> Vec<Range> {
+    let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.n));
+    let range = |p: Parameter| {
+        let number = |value: f64| literal(value, spec.precision);
+        let (least, greatest) = match p {
+            Parameter::Samples => {
+                (format!("{least}U"), format!("{}U", least.saturating_mul(2).max(1000)))
+            }
+            Parameter::SampleTime => (number(1e-2), number(1e-2)),
+            Parameter::Eps | Parameter::Deadbeat => (number(0.0), number(0.0)),
+            Parameter::UMax => (number(LAW), number(LAW)),
+            Parameter::Gain(_) => (number(-100.0), number(100.0)),
+            _ => (number(1.0), number(1.0)),
+        };
+        Range { stem: stem(prefix, p), least, greatest, open: true }
+    };
+    spec.run_time_parameters().map(range).collect()
+}
+
+/// What the functions give beside u.
+fn results(code: &Code) -> Vec<Variable> {
+    let results = code.functions.iter().flat_map(|function| &function.results);
+    results.filter(|result| result.name != "u").cloned().collect()
+}
+
+/// A function with what it is called with.
+fn call(function: &crate::code::Function) -> Call {
+    let mut arguments = vec!["self".to_owned()];
+    let mut pointers = vec![0];
+    for argument in &function.arguments {
+        if argument.shape.length().is_some() {
+            pointers.push(arguments.len());
+        }
+        arguments.push(argument.name.clone());
+    }
+    for result in &function.results {
+        pointers.push(arguments.len());
+        arguments.push(match result.shape.length() {
+            Some(_) => result.name.clone(),
+            None => format!("&{}", result.name),
+        });
+    }
+    Call { function: function.name, arguments, pointers }
+}
+
+/// A run-time parameter but u_max.
+struct Drawn {
+    place: String,
+    stem: String,
+    count: bool,
+    /// Whether a comparison alone shows its domain.
+    compared: bool,
+}
+
+#[derive(Template)]
+#[template(path = "eva/samples.c.txt", escape = "none")]
+struct Harness<'a> {
+    name: &'a str,
+    options: &'static str,
+    frame: &'a Outline,
+    ranges: Vec<Range>,
+    bounds: Vec<Bound>,
+    parameters: Vec<Drawn>,
+    has_parameters: bool,
+    compared: bool,
+    /// Whether u_max is left to run time, the stem of its range, and its value where it is fixed.
+    run_time_limit: bool,
+    limit_stem: String,
+    fixed_limit: Option<String>,
+    /// What is measured: its name, and the macros of its bounds.
+    given: &'static str,
+    y: Vec<String>,
+    /// The macro of the bound of the input that an observer alone is given.
+    applied: Option<String>,
+    /// What calls change.
+    kept: Vec<Kept>,
+    /// Whether every pointer and input is checked.
+    full: bool,
+    alone: bool,
+    /// The call of `step` or `update`, and those that give the estimates with their results.
+    work: String,
+    results: Vec<Variable>,
+    reads: Vec<String>,
+    /// Calls in which one pointer is NULL.
+    null_calls: Vec<String>,
+    zero: String,
+    one: String,
+    /// What fields hold that nothing has set.
+    pattern: String,
+}

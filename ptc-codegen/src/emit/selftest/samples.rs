@@ -1,0 +1,110 @@
+//! The self-test of a controller in samples, or of an observer alone.
+
+use askama::Template;
+
+use super::numbers::Numbers;
+use super::{About, both, suffix};
+use crate::code::Code;
+use crate::emit::outline::Outline;
+use crate::emit::{File, code as printed};
+use crate::request::{Guard, Spec};
+use crate::selftest::samples::{Call, SelfTest, Session};
+
+/// Where the expected values come from.
+const EXPECTED: [&str; 2] = [
+    "computed by the generator, which runs this very program in the arithmetic of IEEE 754: the",
+    "operations are its own alone, so that a target has to give the same numbers.",
+];
+
+/// The header and the source.
+pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<File> {
+    let name = spec.name();
+    let numbers = Numbers::new(spec, code);
+    let about = About {
+        sessions: test.sessions.len(),
+        calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
+        refused: test.refused.len(),
+        subject: "values were",
+        expected: &EXPECTED.map(str::to_owned),
+        unreachable: test
+            .untaken
+            .iter()
+            .map(|one| (printed::written(code, &one.condition), one.reason.clone()))
+            .collect(),
+    };
+    let mut first = 0;
+    let session = |session: &Session| {
+        let (from, count) = (first, session.calls.len());
+        first += count;
+        let parameters = numbers.parameters(&session.parameters);
+        format!(".params = {{ {parameters} }}, .first = {from}U, .count = {count}U")
+    };
+    let sessions: Vec<_> = test.sessions.iter().map(session).collect();
+    let calls = test.sessions.iter().flat_map(|session| &session.calls);
+    let estimate = |name: &str| {
+        let result = code.function(name).and_then(|function| function.results.first());
+        result.map(|result| result.shape.length().unwrap_or(1))
+    };
+    let states = estimate("estimate");
+    let source = Source {
+        name: &name,
+        noun: code.noun(),
+        abs: format!("fabs{}", suffix(spec)),
+        poison: numbers.number(12345.0),
+        measured: spec.sampled().map_or(0, |sampled| sampled.measured),
+        alone: code.function("update").is_some(),
+        states,
+        disturbance: estimate("disturbance").is_some(),
+        sessions: &sessions,
+        calls: &calls.map(|call| numbers.sample(call, states.unwrap_or(0))).collect::<Vec<_>>(),
+        refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
+        has_parameters: !code.parameters.is_empty(),
+        frame: &Outline::new(spec, code),
+    };
+    both(spec, &about, source.render())
+}
+
+impl Numbers<'_> {
+    /// A call whose estimates are those of `states` states, and then that of the disturbance.
+    fn sample(&self, call: &Call, states: usize) -> String {
+        let mut fields = vec![
+            format!(".is_armed = {}U", u8::from(call.start.is_some())),
+            format!(".start = {}U", call.start.unwrap_or(0)),
+            format!(".k = {}U", call.k),
+            format!(".y = {{ {} }}", self.list(&call.y)),
+        ];
+        fields.extend(call.applied.map(|u| format!(".applied = {}", self.number(u))));
+        fields.push(format!(".status = {}", printed::word(call.status)));
+        fields.extend(call.u.map(|u| format!(".u = {}", self.number(u))));
+        let (xhat, d) = call.estimates.split_at(states.min(call.estimates.len()));
+        if !xhat.is_empty() {
+            fields.push(format!(".xhat = {{ {} }}", self.list(xhat)));
+        }
+        fields.extend(d.first().map(|d| format!(".d = {}", self.number(*d))));
+        fields.join(", ")
+    }
+}
+
+#[derive(Template)]
+#[template(path = "selftest/samples.c.txt", escape = "none")]
+struct Source<'a> {
+    name: &'a str,
+    noun: &'static str,
+    abs: String,
+    /// What a result is before a call, which must overwrite it.
+    poison: String,
+    /// Values that are measured.
+    measured: usize,
+    /// Whether it is an observer alone.
+    alone: bool,
+    /// States that are estimated; `None` without an observer.
+    states: Option<usize>,
+    /// Whether the disturbance is estimated.
+    disturbance: bool,
+    /// The fields of each entry of the tables.
+    sessions: &'a [String],
+    calls: &'a [String],
+    refused: &'a [String],
+    has_parameters: bool,
+    frame: &'a Outline,
+}

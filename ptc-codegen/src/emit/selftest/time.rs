@@ -1,0 +1,152 @@
+//! The self-test of a controller in time.
+
+use askama::Template;
+
+use super::numbers::Numbers;
+use super::{About, both, suffix};
+use crate::controller::Controller;
+use crate::emit::outline::Outline;
+use crate::emit::{File, Language, code, program};
+use crate::parameter::Precision;
+use crate::reference::tolerance;
+use crate::request::{After, Feedback, Guard, Spec};
+use crate::selftest::{Always, Call, SelfTest, Session};
+
+/// The header and the source.
+pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Vec<File> {
+    let spec = controller.spec();
+    let name = spec.name();
+    let program = program(controller, Language::C);
+    let numbers = Numbers::new(spec, &program);
+    let frame = Outline::new(controller.spec(), &program);
+    let tests = (code::start_tests(&program), code::zero_tests(&program));
+    let about = About {
+        sessions: test.sessions.len(),
+        calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
+        refused: test.refused.len(),
+        subject: "u was",
+        expected: &expected(spec),
+        unreachable: test
+            .unreachable
+            .iter()
+            .map(|one| (text(&one.condition, &tests), one.reason.clone()))
+            .collect(),
+    };
+    let calls: Vec<_> = test.sessions.iter().flat_map(|session| &session.calls).collect();
+    let has_gains = controller.program.axis.is_some();
+    let mut first = 0;
+    let sessions: Vec<_> = test
+        .sessions
+        .iter()
+        .map(|session| {
+            let text = numbers.session(session, first);
+            first += session.calls.len();
+            text
+        })
+        .collect();
+    let source = Source {
+        name: &name,
+        abs: format!("fabs{}", suffix(spec)),
+        eighth: numbers.number(0.125),
+        three_halves: numbers.number(1.5),
+        poison: numbers.number(12345.0),
+        largest: numbers.number(match spec.precision {
+            Precision::F64 => f64::MAX,
+            Precision::F32 => f64::from(f32::MAX),
+        }),
+        pi0: format!("{name}_selftest_pi0"),
+        after: format!("{name}_selftest_after"),
+        is_after: spec.after == After::Extern,
+        has_context: spec.after == After::Extern || spec.feedback == Feedback::Extern,
+        has_gains,
+        tau_is_kept: test.tau_is_kept,
+        sessions: &sessions,
+        calls: &calls.iter().map(|call| numbers.call(call, has_gains)).collect::<Vec<_>>(),
+        refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
+        states: &test
+            .refused_states
+            .iter()
+            .map(|(start, x0)| format!("{}, {}", numbers.list(x0), numbers.number(*start)))
+            .collect::<Vec<_>>(),
+        frame: &frame,
+    };
+    both(spec, &about, source.render())
+}
+
+/// Where the expected u comes from.
+fn expected(spec: &Spec) -> [String; 2] {
+    [
+        format!(
+            "computed from the definition of the controller with {} or more digits; its tolerance is",
+            crate::reference::DIGITS
+        ),
+        format!("{:e} of the sum of the absolute values of its terms.", tolerance::of(spec)),
+    ]
+}
+
+/// The text of a condition.
+fn text(always: &Always, ([init, arm], zero): &([Vec<String>; 2], Vec<Vec<String>>)) -> String {
+    match always {
+        Always::Init(at) => init[*at].clone(),
+        Always::Arm(at) => arm[*at].clone(),
+        Always::NotZero(at, factor) => zero[*at][*factor].clone(),
+        Always::Written(text) => text.clone(),
+    }
+}
+
+impl Numbers<'_> {
+    fn session(&self, session: &Session, first: usize) -> String {
+        let mut fields = vec![format!(".params = {{ {} }}", self.parameters(&session.parameters))];
+        if !session.x0.is_empty() {
+            fields.push(format!(".x0 = {{ {} }}", self.list(&session.x0)));
+        }
+        fields.extend([
+            format!(".t0 = {}", self.number(session.again.unwrap_or(0.0))),
+            format!(".is_armed_again = {}U", u8::from(session.again.is_some())),
+            format!(".first = {first}U"),
+            format!(".count = {}U", session.calls.len()),
+        ]);
+        fields.join(", ")
+    }
+
+    fn call(&self, call: &Call, has_gains: bool) -> String {
+        let mut fields = vec![
+            format!(".t = {}", self.number(call.t)),
+            format!(".x = {{ {} }}", self.list(&call.x)),
+            format!(".u = {}", self.number(call.u)),
+            format!(".tolerance = {}", self.number(call.tolerance)),
+            format!(".status = {}", call.status.c_name()),
+        ];
+        if has_gains {
+            fields.push(format!(".axis = {}", call.axis.unwrap_or(call.status).c_name()));
+            fields.push(format!(".has_axis = {}U", u8::from(call.axis.is_some())));
+        }
+        fields.join(", ")
+    }
+}
+
+#[derive(Template)]
+#[template(path = "selftest/time.c.txt", escape = "none")]
+struct Source<'a> {
+    name: &'a str,
+    abs: String,
+    eighth: String,
+    three_halves: String,
+    /// What u is before a call, which must overwrite it.
+    poison: String,
+    /// The greatest finite number.
+    largest: String,
+    /// The functions that stand for the user's.
+    pi0: String,
+    after: String,
+    is_after: bool,
+    has_context: bool,
+    has_gains: bool,
+    tau_is_kept: bool,
+    /// The fields of each entry of the tables.
+    sessions: &'a [String],
+    calls: &'a [String],
+    refused: &'a [String],
+    states: &'a [String],
+    frame: &'a Outline,
+}

@@ -1,0 +1,84 @@
+//! What a self-test of a controller in samples asks, and what must come.
+//!
+//! Its operations are those of IEEE 754 alone, so the interpreter of the whole program gives every
+//! bit that a target must. What it decides besides is which calls are worth asking: those that take a
+//! branch of the program which no other takes.
+
+mod inputs;
+mod parameters;
+mod search;
+
+use crate::code::{Branch, Code, Status, Test};
+use crate::request::Spec;
+
+/// A call of `step`, or of `update`, and of the functions that give the estimates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Call {
+    /// The tick at which the controller is armed before it, if it is.
+    pub start: Option<u32>,
+    /// The tick.
+    pub k: u32,
+    /// What is measured.
+    pub y: Vec<f64>,
+    /// The input of the tick before, which `update` takes.
+    pub applied: Option<f64>,
+    /// The status that it must give.
+    pub status: Status,
+    /// The u that it must give; `None` of an observer alone.
+    pub u: Option<f64>,
+    /// The estimates that it must leave, the disturbance last; empty without an observer.
+    pub estimates: Vec<f64>,
+}
+
+/// Parameters that `init` takes, and calls one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session {
+    /// Run-time parameters in the order of the emitted struct.
+    pub parameters: Vec<f64>,
+    /// The calls, at least one.
+    pub calls: Vec<Call>,
+}
+
+/// A way out of a condition that no call tried took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Untaken {
+    /// The condition.
+    pub condition: Test,
+    /// What is known of it.
+    pub reason: String,
+}
+
+/// A self-test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SelfTest {
+    /// What must work, the first of them a round to the deadline and beyond.
+    pub sessions: Vec<Session>,
+    /// Parameters that `init` must refuse.
+    pub refused: Vec<Vec<f64>>,
+    /// What is tested and was never decided otherwise.
+    pub untaken: Vec<Untaken>,
+}
+
+impl SelfTest {
+    /// The self-test of a controller in samples, or of an observer alone, by its program.
+    pub fn new(spec: &Spec, code: &Code) -> Self {
+        let mut search = search::Search::new(spec, code);
+        search.round();
+        search.parameters();
+        search.inputs();
+        let search::Search { sessions, refused, taken, sets, tried, .. } = search;
+        let left = |branch: &Branch| !taken.has(branch);
+        let untaken = code.branches().into_iter().filter(left).map(|branch| Untaken {
+            reason: match (branch.function, branch.holds) {
+                ("init", false) => {
+                    format!("held with each of {sets} sets of parameters that passed the tests before it")
+                }
+                ("init", true) => format!("held with none of {sets} sets of parameters"),
+                (_, false) => format!("never false in {tried} calls"),
+                (_, true) => format!("never true in {tried} calls"),
+            },
+            condition: branch.condition,
+        });
+        Self { sessions, refused, untaken: untaken.collect() }
+    }
+}
