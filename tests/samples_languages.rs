@@ -16,6 +16,7 @@ use support::sampled::{
     Call, Design, LANGUAGES, in_c, in_cpp, in_octave, in_python, in_rust, in_structured_text,
     script,
 };
+use support::specs::spec;
 use support::{folder, in_pairs, in_samples};
 
 /// Calls of `init` for each design, and steps for each of them.

@@ -165,8 +165,11 @@ fn an_altered_controller_in_samples_fails() {
     altered_fail(&folder("selftest_altered_samples"), &altered);
 }
 
+/// Keys of a design, and what replaces what in its C.
+type Defect<'a> = (&'a [(&'a str, &'a str)], &'a str, &'a str);
+
 /// Each defect put into a controller makes its self-test fail.
-fn altered_fail(home: &Path, altered: &[(&[(&str, &str)], &str, &str)]) {
+fn altered_fail(home: &Path, altered: &[Defect<'_>]) {
     for (index, (keys, good, bad)) in altered.iter().enumerate() {
         let (spec, folder) = (spec(keys), home.join(index.to_string()));
         fs::create_dir_all(&folder).expect("a folder");

@@ -254,6 +254,17 @@ fn margins_of_a_linear_plant_end() {
     assert_eq!([at(low * 0.98), at(high * 1.02)], [Verdict::Refuted; 2], "{found:?}");
 }
 
+/// x2 ends at 0 whatever a constant force is: what doubles leave of it is no verdict.
+#[test]
+fn rounding_alone_refuses_nothing() {
+    let text = "n = 2\nname = \"stage\"\nmu = \"exp(a=1.93)\"\nclock = \"samples\"\nsample_time = 1e-3\npoles = [-6.84, -7.89]\n\
+        u_max = inf\nx0_max = [0.0548, 0.0307]\nerror = [1e-6, 2e-23]\n[params]\ntau = 0.158\n[plant]\nf = \"push\"\npush = [-0.348, 0.932]\n";
+    let (found, words) = verdict(text);
+    assert_eq!(found, Verdict::Undecided, "{words}");
+    let (found, words) = verdict(&text.replace("2e-23", "2e-17"));
+    assert_eq!(found, Verdict::Sound, "{words}");
+}
+
 /// Each end of the margins is sound, and a little beyond it the loop is not.
 #[test]
 fn margins_end_where_the_loop_is_not_sound() {

@@ -267,7 +267,7 @@ fn a_loop_that_is_off_stays_within_reach() {
                 let off: Vec<_> = entries.map(|(entry, error)| entry + sign() * error).collect();
                 let row = |row: &[f64]| row.iter().zip(&s).map(|(m, x)| m * x).sum::<f64>();
                 s = off.chunks_exact(size).map(row).collect();
-                for (x, most) in s.iter().zip(&reach[k + 1]) {
+                for (x, most) in s.iter().zip(&reach.states[k + 1]) {
                     assert!(x.abs() <= *most, "n = {n}, sample {k}: {x} {most}");
                     nearest = nearest.min(most / x.abs());
                 }

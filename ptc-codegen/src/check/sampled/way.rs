@@ -108,7 +108,7 @@ impl Sampled {
         let mut reach = reach.clone();
         let mut found = None;
         let mut length = 16;
-        let most = (4.0 * self.operations(from)).max(AFTER).min(OPERATIONS);
+        let most = (4.0 * self.operations(from)).clamp(AFTER, OPERATIONS);
         while self.operations(from + length) <= most {
             self.extend(&mut reach, from + length)?;
             if let Some((rest, later)) = self.rest(&reach, from, length) {

@@ -86,7 +86,7 @@ impl Reader<'_> {
     /// The least and the greatest true input gain, in parts of the known one.
     fn g_error(&mut self) -> Vec<Fixed> {
         let Some(node) = self.keys.get("g_error").copied() else { return Vec::new() };
-        let ends: Vec<_> = items(node).iter().filter_map(|item| finite_positive(item)).collect();
+        let ends: Vec<_> = items(node).iter().filter_map(finite_positive).collect();
         match ends.as_slice() {
             [low, high] if items(node).len() == 2 && low.number() <= high.number() => ends,
             _ => {
