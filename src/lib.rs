@@ -51,10 +51,10 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-/// The code of the README is compiled and run.
+/// The code of the first page is compiled and run.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[doc = include_str!("../docs/start.md")]
+struct Start;
 
 /// So is that of the page on expressions.
 #[cfg(doctest)]

@@ -9,6 +9,14 @@ use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
 
+const START: &str = include_str!("../../docs/start.md");
+
+const FAMILIES: &str = include_str!("../../docs/families.md");
+
+const LIMITS: &str = include_str!("../../docs/limits.md");
+
+const BENCHMARKS: &str = include_str!("../../docs/BENCHMARKS.md");
+
 const EXPRESSIONS: &str = include_str!("../../docs/expressions.md");
 
 const SIMULATE: &str = include_str!("../../docs/simulate.md");
@@ -21,7 +29,7 @@ const TIME: &str = include_str!("../../docs/time.md");
 
 const SAMPLES: &str = include_str!("../../docs/samples.md");
 
-/// The design of the README's example, which docs/samples.md uses too.
+/// The design of the README and of docs/start.md, which docs/samples.md uses too.
 const ENCODER: &str = include_str!("../../examples/encoder.toml");
 
 /// The design of a linear plant, which docs/samples.md shows.
@@ -30,7 +38,12 @@ const MOTOR: &str = include_str!("../../examples/motor.toml");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 19] = [
+const PAGES: [(&str, &str); 24] = [
+    ("start.md", START),
+    ("families.md", FAMILIES),
+    ("limits.md", LIMITS),
+    ("languages.md", include_str!("../../docs/languages.md")),
+    ("evidence.md", include_str!("../../docs/evidence.md")),
     ("time.md", TIME),
     ("samples.md", SAMPLES),
     ("theory/samples.md", include_str!("../../docs/theory/samples.md")),
@@ -122,12 +135,47 @@ fn walk(page: &str, folder: &Path) {
 #[test]
 fn from_plant_to_firmware() {
     let folder = folder("readme");
+    assert_eq!(blocks_of(START, "toml"), [ENCODER]);
     assert_eq!(blocks_of(README, "toml"), [ENCODER]);
     fs::create_dir(folder.join("examples")).expect("writable");
     fs::write(folder.join("examples/encoder.toml"), ENCODER).expect("writable");
-    walk(README, &folder);
-    for file in ["pitch.toml", "out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c"] {
+    for command in commands(README, "cargo run --release -p ptc-codegen") {
+        shell(&command, &folder);
+    }
+    for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c"] {
         assert!(folder.join(file).is_file(), "{file}");
+    }
+    walk(START, &folder);
+    assert!(folder.join("pitch.toml").is_file());
+    let [shown] = &blocks_of(README, "text")[..] else { panic!("one output") };
+    let all = blocks_of(START, "text").concat();
+    assert!(shown.lines().all(|line| all.contains(line)), "{shown}");
+}
+
+/// The README's figures beside other tools are those of the page that a command writes.
+#[test]
+fn what_is_compared_was_measured() {
+    let rows: Vec<Vec<_>> = BENCHMARKS
+        .lines()
+        .filter(|line| line.starts_with("| "))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    let measured = |family: &str, n: &str, generator: &str, column: usize| {
+        let row = |row: &&Vec<&str>| row.len() == 8 && row[..3] == [family, n, generator];
+        rows.iter().find(row).unwrap_or_else(|| panic!("no {family} {n} {generator}"))[column]
+    };
+    for (start, family, n, column) in [
+        ("| instructions of a step, `exp`, n = 3 |", "exp", "3", 3),
+        ("| instructions of a step, `tan`, n = 6 |", "tan", "6", 3),
+        ("| error of u for T/tau down to 1e-12, `tan`, n = 6 |", "tan", "6", 7),
+    ] {
+        let line = README.lines().find(|line| line.starts_with(start)).expect("a row");
+        let shown: Vec<_> = line[start.len()..].split('|').map(str::trim).collect();
+        let hand = if n == "3" { "hand" } else { "hand_loop" };
+        let casadi = if n == "3" { "casadi_diff" } else { "casadi_mu" };
+        for (place, generator) in ["ptc-codegen", hand, "sympy_tuned", casadi].iter().enumerate() {
+            assert_eq!(shown[place], measured(family, n, generator, column), "{start} {generator}");
+        }
     }
 }
 
@@ -204,13 +252,13 @@ fn pages_show_what_is_printed() {
 #[test]
 fn families_show_the_eps_that_the_check_sets() {
     let folder = folder("families");
-    let line = README.lines().find_map(|line| {
+    let line = FAMILIES.lines().find_map(|line| {
         let command = line.split('`').find(|part| part.starts_with("ptc-codegen check "))?;
         line.starts_with("The eps is for n = 2").then(|| command.to_owned())
     });
     let line = line.expect("the command of the table");
     for family in &ptc_codegen::family::FAMILIES {
-        let row = README.lines().find(|line| line.starts_with(&format!("| `{}` |", family.name)));
+        let row = FAMILIES.lines().find(|line| line.starts_with(&format!("| `{}` |", family.name)));
         let cells: Vec<_> = row.expect("a row").split('|').map(str::trim).collect();
         let arguments = match family.name {
             "power" => "a=1,m=2",
@@ -272,8 +320,8 @@ fn what_is_told_is_there() {
     }
     for family in &ptc_codegen::family::FAMILIES {
         let row = format!("\n| `{}` | ", family.name);
-        assert!(README.contains(&row), "{} has no row", family.name);
+        assert!(FAMILIES.contains(&row), "{} has no row", family.name);
     }
     let orders = format!("1..={}", ptc_codegen::request::MAX_ORDER);
-    assert!(README.contains(&orders), "{orders}");
+    assert!(LIMITS.contains(&orders), "{orders}");
 }
