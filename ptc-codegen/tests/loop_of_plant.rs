@@ -5,7 +5,7 @@ mod support;
 
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
-use ptc_codegen::check::sampled::margins;
+use ptc_codegen::check::sampled::{curve, margins};
 use ptc_codegen::plant::read_design;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
 use support::entries;
@@ -252,6 +252,28 @@ fn margins_of_a_linear_plant_end() {
     assert!(0.2 < low && low < 1.0 && 1.0 < high && high < 5.0, "{found:?}");
     assert_eq!([at(low * 1.001), at(high * 0.999)], [Verdict::Sound; 2], "{found:?}");
     assert_eq!([at(low * 0.98), at(high * 1.02)], [Verdict::Refuted; 2], "{found:?}");
+}
+
+/// The curve over eps is what the check finds with each of them.
+#[test]
+fn the_curve_over_eps_is_what_the_check_finds() {
+    for text in [&designs()[3], &designs()[5]] {
+        let (spec, _) = read_design(&entries(text)).expect("a design");
+        let curve = curve(&spec, None);
+        assert_eq!(curve.len(), 33, "{text}");
+        for choice in curve.iter().skip(4).step_by(7) {
+            let eps = text.lines().find(|line| line.starts_with("eps")).expect("an eps");
+            let other = text.replace(eps, &format!("eps = {:?}", choice.eps));
+            let worst = report(&other).worst.expect("a loop");
+            for (x, bound) in choice.x.iter().zip(&worst.states) {
+                let expected = bound.attained();
+                assert!((x - expected).abs() <= 1e-9 * expected, "{other}{choice:?} {bound:?}");
+            }
+            let way = worst.way.expect("a way");
+            assert!(choice.u <= way.u * (1.0 + 1e-9), "{choice:?} {way:?}");
+            assert!(choice.u >= way.u * 0.9, "{choice:?} {way:?}");
+        }
+    }
 }
 
 /// x2 ends at 0 whatever a constant force is: what doubles leave of it is no verdict.

@@ -127,8 +127,8 @@ const SAME: f64 = 1e-12;
 /// Accuracy of the motion between two samples, where u is constant.
 const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };
 
-/// Below it all states count as 0.
-const NOTHING: f64 = 1e-100;
+/// Where all states are below the first, and u below the second, they count as 0.
+const NOTHING: [f64; 2] = [1e-100, 1e-80];
 
 impl Sampled {
     /// The loop of a controller and a plant, to be run with many values.
@@ -270,7 +270,8 @@ impl Sampled {
             Moved::Linear(plant) => return plant.after(x, u, to - from),
         };
         // Of states that have died out the errors of a step would underflow.
-        let x = if x.iter().all(|x| x.abs() < NOTHING) { State::zeros() } else { x };
+        let nothing = x.iter().all(|x| x.abs() < NOTHING[0]) && u.abs() < NOTHING[1];
+        let (x, u) = if nothing { (State::zeros(), 0.0) } else { (x, u) };
         let mut between = Between { n: self.n, motion, u, from, length: to - from };
         let mut end = x;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;

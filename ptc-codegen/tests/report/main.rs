@@ -285,3 +285,55 @@ fn an_objective_that_fails_is_reported_too() {
     assert_eq!(run(&folder, &["verify", "stage.toml", "--report", "no.pdf"]).0, Some(2));
     assert!(!folder.join("no.pdf").exists());
 }
+
+/// The bars of the bounds of a loop: their parts are those of `check`, and add up.
+#[test]
+fn the_bounds_of_a_loop_are_bars() {
+    let design = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\neps = 0.1\nsample_time = 5e-3\n\
+        x0_max = [1, 1]\nerror = [1, 1e-3]\nnoise = 1e-4\nu_step = 1e-3\nallow = \"loop\"\n[params]\ntau = 1\nu_max = inf\n[plant]\nf = 0\n";
+    let folder = folder("bars", design);
+    let page = report(&folder, &["simulate", "stage.toml", "--x0", "1,0"]);
+    let page = parse(&page);
+    let checks = section(&page, "checks");
+    let (code, told, _) = run(&folder, &["check", "stage.toml"]);
+    assert_eq!(code, Some(0));
+    let lists: Vec<_> =
+        named(checks, "ul").map(|list| named(list, "li").map(text).collect::<Vec<_>>()).collect();
+    assert_eq!(lists.len(), 2);
+    let bars: Vec<_> =
+        named(checks, "div").filter(|div| div.attribute("class") == Some("bar")).collect();
+    for (i, (list, bar)) in lists.iter().zip(&bars).enumerate() {
+        let line = told.lines().find(|line| line.contains(&format!("|x{}| <= ", i + 1)));
+        let causes = line.and_then(|line| line.split_once(": ")).expect("a split").1;
+        assert_eq!(causes.split(" + ").count(), list.len(), "{causes} {list:?}");
+        for (cause, shown) in causes.split(" + ").zip(list) {
+            let (value, name) = cause.split_once(' ').expect("a cause");
+            let (shown_name, shown) = shown.rsplit_once(' ').expect("a part");
+            let [a, b]: [f64; 2] = [value, shown].map(|x| x.parse().expect("a number"));
+            assert!(name == shown_name && (a / b - 1.0).abs() < 1e-9, "{cause} {shown}");
+        }
+        let widths = named(*bar, "span").map(|span| {
+            let style = span.attribute("style").expect("a width");
+            let width = style.trim_start_matches("width: ").trim_end_matches('%');
+            width.parse::<f64>().expect("a number")
+        });
+        let (sum, mark) = (widths.sum::<f64>(), named(*bar, "i").next().expect("a mark"));
+        let mark = mark.attribute("style").expect("a place").contains("left: 100.000%");
+        // x1 is within what is wanted, x2 is not.
+        assert_eq!((sum < 99.0, mark), (i == 0, i == 0), "{sum}");
+    }
+    // What eps makes of the loop.
+    let charts: Vec<_> =
+        named(checks, "svg").filter(|svg| svg.attribute("class") == Some("chart")).collect();
+    assert_eq!(charts.len(), 2);
+    for chart in charts {
+        let line = named(chart, "polyline").next().expect("a line").attribute("points");
+        let inside = |point: &str| {
+            let (x, y) = point.split_once(',').expect("a point");
+            let [x, y]: [f64; 2] = [x, y].map(|place| place.parse().expect("a number"));
+            (60.0..=420.0).contains(&x) && (0.0..=200.0).contains(&y)
+        };
+        let points: Vec<_> = line.expect("points").split_whitespace().collect();
+        assert!(points.len() > 20 && points.iter().all(|point| inside(point)), "{points:?}");
+    }
+}

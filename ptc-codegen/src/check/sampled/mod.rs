@@ -24,8 +24,10 @@ mod way;
 mod worst;
 
 pub use cells::Worst;
+pub use eps::{Choice, curve};
 pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
+pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
 pub use way::{Held, Way};
 pub use worst::Bound;

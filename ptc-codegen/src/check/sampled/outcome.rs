@@ -4,6 +4,7 @@ use num_traits::ToPrimitive;
 
 use super::cells::Worst;
 use super::judge::{Loop, true_gain};
+use super::worst::Bound;
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, list};
@@ -219,26 +220,28 @@ fn noise_of(spec: &Spec, j: usize) -> String {
     format!("noise of {}{j}", if linear(spec) { "y" } else { "x" })
 }
 
+/// What a bound is made of: the state at the start, every other cause that adds to it, and rounding.
+pub fn causes(spec: &Spec, bound: &Bound) -> Vec<(String, f64)> {
+    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (noise_of(spec, j), *part));
+    let others = [
+        ("u_step", bound.actuator),
+        ("f", bound.force),
+        ("g", bound.gain),
+        ("jitter", bound.jitter),
+    ];
+    let others = others.map(|(cause, part)| (cause.to_owned(), part));
+    let mut all = vec![("x0".to_owned(), bound.x0)];
+    all.extend(noise.chain(others).filter(|(_, part)| *part > 0.0));
+    all.push(("rounding".to_owned(), bound.rounding));
+    all
+}
+
 /// Where the worst case of a state comes from.
 fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     let bound = &worst.states[i];
-    let noise = bound.noise.iter().zip(1..).filter(|(part, _)| **part > 0.0);
-    let noise = noise.map(|(part, j)| format!("{} {}", digits(*part), noise_of(spec, j)));
-    let mut parts = vec![format!("{} x0", digits(bound.x0))];
-    parts.extend(noise);
-    if bound.actuator > 0.0 {
-        parts.push(format!("{} steps of the actuator", digits(bound.actuator)));
-    }
-    if bound.force > 0.0 {
-        parts.push(format!("{} f", digits(bound.force)));
-    }
-    if bound.gain > 0.0 {
-        parts.push(format!("{} g", digits(bound.gain)));
-    }
-    if bound.jitter > 0.0 {
-        parts.push(format!("{} jitter", digits(bound.jitter)));
-    }
-    parts.push(format!("{} rounding", digits(bound.rounding)));
+    let parts = causes(spec, bound);
+    let parts: Vec<_> =
+        parts.iter().map(|(cause, part)| format!("{} {cause}", digits(*part))).collect();
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
 
@@ -278,17 +281,11 @@ fn random(worst: &Worst) -> Option<String> {
 /// What accounts for most of an error that is too large, and the eps that makes it least.
 fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
     let bound = &worst.states[state];
-    let noise = bound.noise.iter().zip(1..).map(|(part, j)| (*part, noise_of(spec, j)));
-    let others = [
-        (bound.x0, "x0"),
-        (bound.actuator, "u_step"),
-        (bound.force, "f"),
-        (bound.gain, "the uncertain g"),
-        (bound.jitter, "jitter"),
-    ];
-    let others = others.map(|(part, cause)| (part, cause.to_owned()));
-    let largest = noise.chain(others).max_by(|a, b| a.0.total_cmp(&b.0));
-    let largest = largest.map(|(part, cause)| {
+    let mut parts = causes(spec, bound);
+    // What may be changed is not rounding.
+    parts.pop();
+    let largest = parts.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    let largest = largest.map(|(cause, part)| {
         let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });

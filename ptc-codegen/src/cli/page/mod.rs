@@ -1,5 +1,7 @@
 //! The report of a run: one self-contained page of HTML.
 
+mod budget;
+mod curve;
 mod design;
 mod formulas;
 
@@ -18,6 +20,7 @@ use ptc_codegen::request::Spec;
 use super::mathml::{Math, display, inline};
 use super::report::Failure;
 use super::source::Source;
+use budget::Bar;
 use design::{Fact, Known};
 pub(crate) use design::{command, short};
 use formulas::Group;
@@ -101,6 +104,8 @@ struct Page<'a> {
     groups: Vec<Group>,
     report: &'a Report,
     refusals: Vec<&'static str>,
+    budget: Vec<Bar>,
+    charts: Vec<Svg>,
     section: &'a Section,
     files: Vec<File>,
     /// Why there is no code.
@@ -154,6 +159,8 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
         design: source.text().map(|text| (design::file(spec), text)),
         groups: formulas::groups(&report.spec, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
+        budget: budget::bars(report),
+        charts: budget::charts(report),
         report,
         section,
         files,
