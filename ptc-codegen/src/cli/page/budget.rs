@@ -4,9 +4,9 @@ use ptc_codegen::check::examine::Report;
 use ptc_codegen::check::sampled::{causes, curve};
 use ptc_codegen::parameter::{Fixed, Parameter};
 
-use super::Svg;
 use super::curve::Chart;
-use super::design::short;
+use super::number::digits;
+use super::svg::Svg;
 
 /// Colours of causes, which the page defines.
 const COLOURS: usize = 8;
@@ -28,15 +28,6 @@ pub(super) struct Part {
     pub(super) percent: String,
     /// The class that gives it its colour.
     pub(super) colour: String,
-}
-
-/// A number with the digits that a bound is worth.
-pub(super) fn digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    match (1e-3..1e5).contains(&rounded) {
-        true => short(rounded),
-        false => format!("{rounded:e}"),
-    }
 }
 
 /// The final error in parts of what is wanted, or of the largest state, and the peak of u over eps.

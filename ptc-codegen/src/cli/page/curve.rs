@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::Svg;
-use super::budget::digits;
+use super::number::digits;
+use super::svg::Svg;
 
 /// Size of a chart, and the room for its axes, in pixels.
 const WIDTH: f64 = 420.0;

@@ -4,17 +4,17 @@ mod budget;
 mod curve;
 mod design;
 mod formulas;
+mod number;
+mod svg;
 
 use std::path::Path;
 
 use askama::Template;
-use askama::filters::HtmlSafe;
 use ptc_codegen::Accepted;
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::Report;
 use ptc_codegen::emit::{File, Language};
 use ptc_codegen::plant::Plant;
-use ptc_codegen::plot::Figure;
 use ptc_codegen::request::Spec;
 
 use super::mathml::{Math, display, inline};
@@ -24,31 +24,7 @@ use budget::Bar;
 use design::{Fact, Known};
 pub(crate) use design::{command, short};
 use formulas::Group;
-
-/// A drawing, which is part of the page.
-pub(crate) struct Svg(String);
-
-impl std::fmt::Display for Svg {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-/// What draws figures escapes what it writes.
-impl HtmlSafe for Svg {}
-
-impl Svg {
-    /// The drawing of a figure.
-    pub(crate) fn of(figure: &Figure) -> Result<Self, Failure> {
-        figure.svg().map(Self).map_err(|wrong| undrawn(&wrong))
-    }
-}
-
-/// A figure that cannot be drawn.
-pub(crate) fn undrawn(wrong: &str) -> Failure {
-    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
-    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
-}
+pub(crate) use svg::{Svg, undrawn};
 
 /// A table with a head.
 #[derive(Default)]

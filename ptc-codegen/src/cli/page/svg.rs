@@ -1,0 +1,31 @@
+//! Drawings of a page.
+
+use askama::filters::HtmlSafe;
+use ptc_codegen::plot::Figure;
+
+use crate::cli::report::Failure;
+
+/// A drawing, which is part of the page.
+pub(crate) struct Svg(pub(super) String);
+
+impl std::fmt::Display for Svg {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// What draws figures escapes what it writes.
+impl HtmlSafe for Svg {}
+
+impl Svg {
+    /// The drawing of a figure.
+    pub(crate) fn of(figure: &Figure) -> Result<Self, Failure> {
+        figure.svg().map(Self).map_err(|wrong| undrawn(&wrong))
+    }
+}
+
+/// A figure that cannot be drawn.
+pub(crate) fn undrawn(wrong: &str) -> Failure {
+    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
+    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
+}
