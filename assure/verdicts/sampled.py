@@ -191,13 +191,14 @@ def trial(job):
     ends = [gains[0], gains[-1]] if design.gain else [1.0]
     later = np.max([design.worst(gain, design.N + j) for gain in ends for j in (0, 1, 3, 10, 40)], axis=0)
     later = np.max([later] + [most for _, most, _ in runs], axis=0)
+    truth = truth * scale
     room = source.choice(ROOMS)
     if uncertain and room == 1e-6:
         room = 0.5
-    errors = truth * scale * (1 + abs(room) if room > 0 else 1 + source.uniform(0, 1))
+    errors = truth * (1 + abs(room) if room > 0 else 1 + source.uniform(0, 1))
     if room < 0:
         errors[source.randrange(design.n)] *= 0
-        errors = np.where(errors == 0, truth * scale * (1 + room), errors)
+        errors = np.where(errors == 0, truth * (1 + room), errors)
     text = "\n".join(design.lines + [f"error = [{', '.join(f'{e:.12g}' for e in errors)}]"] + design.tables) + "\n"
     path = folder / f"sampled{index}.toml"
     path.write_text(text)
