@@ -195,10 +195,11 @@ def trial(job):
     room = source.choice(ROOMS)
     if uncertain and room == 1e-6:
         room = 0.5
-    errors = truth * (1 + abs(room) if room > 0 else 1 + source.uniform(0, 1))
+    errors = truth * (1 + (room if room > 0 else source.uniform(0, 1)))
     if room < 0:
-        errors[source.randrange(design.n)] *= 0
-        errors = np.where(errors == 0, truth * (1 + room), errors)
+        # One state is above its bound.
+        state = source.randrange(design.n)
+        errors[state] = truth[state] * (1 + room)
     text = "\n".join(design.lines + [f"error = [{', '.join(f'{e:.12g}' for e in errors)}]"] + design.tables) + "\n"
     path = folder / f"sampled{index}.toml"
     path.write_text(text)

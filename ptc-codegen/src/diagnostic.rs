@@ -158,7 +158,7 @@ pub fn near_miss<'a>(given: &str, legal: impl IntoIterator<Item = &'a str>) -> O
 }
 
 /// A number to four significant digits.
-pub(crate) fn digits(value: f64) -> String {
+pub fn digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     // + 0 turns -0 into 0.
     let size = f64::abs(rounded);

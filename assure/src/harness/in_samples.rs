@@ -7,6 +7,21 @@ use super::specs::spec;
 
 type Keys = &'static [(&'static str, &'static str)];
 
+/// A motor: its observer alone, and behind the first two keys a controller with it.
+const MOTOR: [(&str, &str); 11] = [
+    ("what", "observer"),
+    ("observer_samples", "20"),
+    ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
+    ("B", "[0,0,500]"),
+    ("C", "[[1,0,0],[0,0,1]]"),
+    ("mu", "exp(a=1)"),
+    ("sample_time", "1e-3"),
+    ("delay", "1"),
+    ("disturbance", "constant"),
+    ("observer_poles", "-4,-5,-6,-7"),
+    ("after_observer", "-90+20i,-90-20i,-100,-120"),
+];
+
 const DESIGNS: [Keys; 18] = [
     &[("n", "1"), ("mu", "exp")],
     &[("n", "2"), ("mu", "exp"), ("precision", "f32"), ("after", "zero")],
@@ -89,17 +104,7 @@ const DESIGNS: [Keys; 18] = [
         ("observer_poles", "-4,-5,-6,-7,-8"),
         ("sample_time", "0.01"),
     ],
-    &[
-        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
-        ("B", "[0,0,500]"),
-        ("C", "[[1,0,0],[0,0,1]]"),
-        ("mu", "exp(a=1)"),
-        ("sample_time", "1e-3"),
-        ("delay", "1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6,-7"),
-        ("after_observer", "-90+20i,-90-20i,-100,-120"),
-    ],
+    MOTOR.split_at(2).1,
     &[
         ("A", "[[0,1],[49,-0.1]]"),
         ("B", "[0.1,-1.3]"),
@@ -131,19 +136,7 @@ const DESIGNS: [Keys; 18] = [
         ("f", "-9.81"),
         ("g", "0.5"),
     ],
-    &[
-        ("what", "observer"),
-        ("A", "[[0,1,0],[0,-0.5,1500],[0,-15,-600]]"),
-        ("B", "[0,0,500]"),
-        ("C", "[[1,0,0],[0,0,1]]"),
-        ("mu", "exp(a=1)"),
-        ("sample_time", "1e-3"),
-        ("delay", "1"),
-        ("disturbance", "constant"),
-        ("observer_poles", "-4,-5,-6,-7"),
-        ("observer_samples", "20"),
-        ("after_observer", "-90+20i,-90-20i,-100,-120"),
-    ],
+    &MOTOR,
     &[
         ("what", "observer"),
         ("n", "2"),

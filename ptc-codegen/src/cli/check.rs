@@ -124,7 +124,7 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "u_rms": worst.way.as_ref().map(|way| way.u_rms),
         "u": worst.way.as_ref().map(|way| way.u),
         "x": worst.way.as_ref().map(|way| &way.x),
-        "after": worst.held.as_ref().map(|held| json!({ "x": held.x, "u": held.u })),
+        "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u })),
     })
 }
 

@@ -3,6 +3,7 @@
 //! The same drawing becomes SVG and PNG. The page is white, which prints; where a reader's page is
 //! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
 
+mod curve;
 mod panel;
 mod range;
 mod style;
@@ -11,6 +12,7 @@ use plotters::backend::BitMapBackend;
 use plotters::drawing::DrawingArea;
 use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 
+pub use curve::Curve;
 use panel::Panel;
 
 /// What is drawn.

@@ -8,7 +8,7 @@ use plotters::drawing::DrawingArea;
 use plotters::element::PathElement;
 use plotters::prelude::DrawingBackend;
 use plotters::series::{DashedLineSeries, LineSeries};
-use plotters::style::{Color, ShapeStyle};
+use plotters::style::ShapeStyle;
 
 use super::{Figure, Trace, range, style};
 
@@ -76,12 +76,12 @@ impl Panel {
         if let Some(bound) = self.bound(figure) {
             for level in [bound, -bound].into_iter().filter(|y| (up.0..=up.1).contains(y)) {
                 let points = vec![(across.0, level), (across.1, level)];
-                dashed(&mut chart, points, (4, 3), style::BOUND.stroke_width(1))?;
+                dashed(&mut chart, points, (4, 3), style::bound())?;
             }
         }
         for points in self.bounds(figure, across) {
             let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
-            dashed(&mut chart, points, (4, 3), style::BOUND.stroke_width(1))?;
+            dashed(&mut chart, points, (4, 3), style::bound())?;
         }
         for (index, trace) in figure.traces.iter().enumerate() {
             if self != Self::Stretched {
@@ -222,7 +222,8 @@ fn settled(trace: &Trace) -> f64 {
     if last > 0.0 { (1.5 * last).min(most) } else { most }
 }
 
-fn dashed<B: DrawingBackend>(
+/// A line of dashes, or a whole one where the gap is 0.
+pub(super) fn dashed<B: DrawingBackend>(
     chart: &mut Chart<'_, B>,
     points: Vec<(f64, f64)>,
     (dash, gap): (u32, u32),

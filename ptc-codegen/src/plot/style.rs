@@ -12,7 +12,7 @@ pub(super) const PAGE: RGBColor = RGBColor(0xff, 0xff, 0xff);
 pub(super) const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub(super) const FRAME: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
-pub(super) const BOUND: RGBColor = RGBColor(0xa0, 0x20, 0x30);
+const BOUND: RGBColor = RGBColor(0xa0, 0x20, 0x30);
 const TRACES: [RGBColor; 5] = [
     RGBColor(0x1b, 0x5f, 0xa8),
     RGBColor(0xc2, 0x50, 0x0a),
@@ -47,6 +47,11 @@ pub(super) const FAMILY: &str = "sans-serif";
 pub(super) fn register_letters() -> Result<(), String> {
     register_font(FAMILY, FontStyle::Normal, LETTERS)
         .map_err(|_| "the letters cannot be read".to_owned())
+}
+
+/// Line of a bound.
+pub(super) fn bound() -> ShapeStyle {
+    BOUND.stroke_width(1)
 }
 
 /// Line of the run with this index.

@@ -7,7 +7,7 @@ mod read;
 mod sampled;
 
 pub use poles::{Pole, PoleError, gains};
-pub use promises::{PlantBounds, Promises};
+pub use promises::{PlantBounds, Promises, one_or_each};
 pub(crate) use read::known;
 pub use read::{Entry, read};
 pub use sampled::{Observer, Sampled};

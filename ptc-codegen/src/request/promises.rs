@@ -1,5 +1,7 @@
 //! What a design promises beyond the code.
 
+use num_traits::ToPrimitive;
+
 use crate::algebra::BigRational;
 use crate::parameter::Fixed;
 
@@ -35,6 +37,12 @@ pub struct Promises {
     /// What is known of the plant's f and g, from the table `[plant]`; `None` for a chain with f = 0
     /// and the controller's own g.
     pub plant: Option<PlantBounds>,
+}
+
+/// Number `j`, from 0, of a list that holds one for all, or one each.
+pub fn one_or_each(values: &[Fixed], j: usize) -> Option<f64> {
+    let value = if values.len() == 1 { values.first() } else { values.get(j) };
+    value?.number()?.to_f64()
 }
 
 /// Bounds of f and g of the plant, for the sampled loop.

@@ -3,10 +3,10 @@
 //! In a cell of gains each differs from the middle by a part of it, which acts as an error of the
 //! input in proportion to it. Cells are halved until each of them is decided.
 
-use super::judge::{Gain, Loop};
+use super::judge::Loop;
 use super::reach::Reach;
 use super::trust::Trust;
-use super::way::{Held, Way, larger};
+use super::way::{Afterwards, Way, larger};
 use super::worst::{Bound, Sampled};
 use crate::request::After;
 
@@ -31,7 +31,7 @@ pub struct Worst {
     /// On the way; `None` if there are too many samples to look at all of them.
     pub way: Option<Way>,
     /// From the deadline on with the gains held; `None` where no bounds are found.
-    pub held: Option<Held>,
+    pub after: Option<Afterwards>,
 }
 
 impl Worst {
@@ -44,7 +44,7 @@ impl Worst {
             reached: larger(self.reached, &other.reached),
             samples: self.samples,
             way: both(self.way, &other.way),
-            held: self.held.zip(other.held).map(|(a, b)| a.most(&b)),
+            after: self.after.zip(other.after).map(|(a, b)| a.most(&b)),
         }
     }
 }
@@ -72,7 +72,7 @@ impl Loop<'_> {
                 continue;
             }
             if way && self.spec.after == After::Hold {
-                worst.held = reach.and_then(|reach| sampled.held(self.samples, &reach));
+                worst.after = reach.and_then(|reach| sampled.afterwards(self.samples, &reach));
             }
             all = Some(match all {
                 None => worst,
@@ -131,16 +131,6 @@ impl Loop<'_> {
             states.ok_or("an error of one sample may grow without a bound that is found")?;
         let way = if way { sampled.way(self.samples, reach) } else { None };
         let reached = states.iter().map(|bound| bound.attained() - bound.rounding).collect();
-        Ok(Worst { states, reached, samples: self.samples, way, held: None })
-    }
-}
-
-impl Gain {
-    /// Both halves of a cell.
-    fn halves(&self) -> [Self; 2] {
-        let reach = self.error * self.value.middle().abs();
-        let [low, high] = [-1.0, 1.0].map(|side| self.value.middle() + side * reach);
-        let middle = self.value.middle();
-        [Self::between(low, middle), Self::between(middle, high)]
+        Ok(Worst { states, reached, samples: self.samples, way, after: None })
     }
 }

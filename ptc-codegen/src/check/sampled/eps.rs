@@ -5,7 +5,8 @@
 #![allow(clippy::cast_precision_loss)]
 
 use super::chain::{Chain, Gains};
-use super::judge::{Gain, Loop};
+use super::gain::Gain;
+use super::judge::Loop;
 use super::worst::Sampled;
 use crate::check::examine::Numbers;
 use crate::expansion::Expanded;

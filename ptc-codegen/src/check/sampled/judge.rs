@@ -8,6 +8,7 @@ use num_traits::{Signed, ToPrimitive};
 use super::chain::Chain;
 use super::emitted;
 use super::force::Force;
+use super::gain::{Gain, true_gain};
 use super::gains::gains;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
@@ -15,30 +16,10 @@ use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{PlantBounds, Spec};
+use crate::request::{PlantBounds, Spec, one_or_each};
 
 /// Numbers that the matrices of all samples may hold together: some 300 MB.
 const ENTRIES: f64 = 2e7;
-
-/// Input gains that a plant may have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Gain {
-    /// One in the middle.
-    pub(super) value: Range,
-    /// How far others are from it at most, as a part of it; 0 for one alone.
-    pub(super) error: f64,
-}
-
-impl Gain {
-    /// All gains between two of the same sign.
-    pub(super) fn between(low: f64, high: f64) -> Self {
-        let middle = 0.5 * (low + high);
-        let value = Range::from(middle);
-        let ends = [low, high].map(|end| (Range::from(end) - value).size().high());
-        let error = Range::from(ends[0].max(ends[1])) / value.size();
-        Self { value, error: error.high() }
-    }
-}
 
 /// The loop of a design in numbers.
 pub(crate) struct Loop<'a> {
@@ -117,9 +98,7 @@ impl<'a> Loop<'a> {
     pub(super) fn disturbed(&self, mut sampled: Sampled, gain: &Gain) -> Sampled {
         let promises = &self.spec.promises;
         sampled.x0 = promises.x0_max.iter().map(double).collect();
-        let each = |bounds: &[Fixed], j: usize| {
-            bounds.get(if bounds.len() == 1 { 0 } else { j }).map_or(0.0, double)
-        };
+        let each = |bounds: &[Fixed], j| one_or_each(bounds, j).unwrap_or(0.0);
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
         sampled.noise = (0..self.plant.sensors()).map(noise).collect();
         let rms = |j| each(&promises.noise_rms, j);
@@ -173,8 +152,7 @@ impl<'a> Loop<'a> {
     /// The wanted bound of each state; 1 where it is not given.
     pub(super) fn errors(&self) -> Vec<f64> {
         let errors = &self.spec.promises.error;
-        let one = |i: usize| errors.get(if errors.len() == 1 { 0 } else { i });
-        (0..self.spec.n).map(|i| one(i).map_or(1.0, double)).collect()
+        (0..self.spec.n).map(|i| one_or_each(errors, i).unwrap_or(1.0)).collect()
     }
 }
 
@@ -184,22 +162,4 @@ fn exact(value: Option<&Fixed>) -> Option<BigRational> {
 
 fn double(value: &Fixed) -> f64 {
     value.number().and_then(ToPrimitive::to_f64).unwrap_or(f64::INFINITY)
-}
-
-/// Between which numbers the true input gain is.
-pub(super) fn true_gain(spec: &Spec) -> Result<[BigRational; 2], String> {
-    if let Some(PlantBounds::Bounded { gain: Some(gain), .. }) = &spec.promises.plant {
-        return Ok(gain.clone());
-    }
-    let known = match &spec.input_gain {
-        None => BigRational::from_integer(1.into()),
-        Some(g) => g.number().cloned().ok_or("the input gain g is not a number")?,
-    };
-    let parts = spec.promises.g_error.iter().filter_map(|part| Some(part.number()? * &known));
-    let mut ends: Vec<_> = parts.collect();
-    ends.sort();
-    match ends.as_slice() {
-        [low, high] => Ok([low.clone(), high.clone()]),
-        _ => Ok([known.clone(), known]),
-    }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::FromPrimitive;
 
-use super::judge::true_gain;
+use super::gain::true_gain;
 use super::outcome::outcome_of;
 use crate::algebra::BigRational;
 use crate::check::Verdict;

@@ -11,6 +11,7 @@ mod chain;
 mod emitted;
 mod eps;
 mod force;
+mod gain;
 mod gains;
 mod judge;
 mod margins;
@@ -29,7 +30,7 @@ pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
 pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
-pub use way::{Held, Way};
+pub use way::{Afterwards, Way};
 pub use worst::Bound;
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use num_traits::ToPrimitive;
 
 use super::cells::Worst;
-use super::judge::{Loop, true_gain};
+use super::gain::true_gain;
+use super::judge::Loop;
 use super::worst::Bound;
 use crate::algebra::BigRational;
 use crate::check::examine::Numbers;
@@ -255,7 +256,7 @@ fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
 /// What holds after the deadline.
 fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     worst.way.as_ref()?;
-    let Some(held) = &worst.held else {
+    let Some(after) = &worst.after else {
         let why = match spec.after {
             After::Hold => "no bounds are found of what follows the deadline",
             After::Zero => "u = 0 after the deadline, which holds no state",
@@ -263,9 +264,9 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
         };
         return Some(why.to_owned());
     };
-    let x = list(held.x.iter().copied());
-    let clipped = if held.u < closed.limit() { "" } else { ", unless u is clipped" };
-    Some(format!("from the deadline on |x| <= {x} and |u| <= {}{clipped}", digits(held.u)))
+    let x = list(after.x.iter().copied());
+    let clipped = if after.u < closed.limit() { "" } else { ", unless u is clipped" };
+    Some(format!("from the deadline on |x| <= {x} and |u| <= {}{clipped}", digits(after.u)))
 }
 
 /// What random noise adds, which has no bound.

@@ -38,8 +38,6 @@ impl Sampled {
 
     /// Adds the samples up to `at`; `None` where the loop may leave all bounds.
     pub(super) fn extend(&self, reach: &mut Reach, at: usize) -> Option<()> {
-        let acts = self.acts();
-        let changes = Output { change: true, ..acts.clone() };
         for k in reach.states.len()..=at {
             let one = |i| self.bound(&self.state(i), k, Some(Trust::Reach(reach))).total();
             let states: Vec<_> = (1..=self.size()).map(one).collect();
@@ -51,14 +49,22 @@ impl Sampled {
                 let exact = || vec![0.0; self.chain.n];
                 let drift = if k > 0 { self.drift(&reach.states[k], before) } else { exact() };
                 reach.drift.push(drift);
-                let bound = |output| self.bound(output, k, Some(Trust::Reach(reach))).total();
-                // What a controller keeps has not been through the actuator.
-                let (acting, change) =
-                    (bound(&acts), if k > 0 && self.jitter > 0.0 { bound(&changes) } else { 0.0 });
-                reach.acting.push(acting + self.actuator);
-                reach.change.push(change + 2.0 * self.actuator);
+                let (acting, change) = self.inputs(reach, k);
+                reach.acting.push(acting);
+                reach.change.push(change);
             }
         }
         Some(())
+    }
+
+    /// Bounds of the input that acts at sample `k` and of its change since the sample before, with the
+    /// actuator, through which what a controller keeps has not been. 0 where nothing counts with them.
+    pub(super) fn inputs(&self, reach: &Reach, k: usize) -> (f64, f64) {
+        let total = |output: &Output| self.bound(output, k, Some(Trust::Reach(reach))).total();
+        let acts = self.acts();
+        let changes = Output { change: true, ..acts.clone() };
+        let acting = if self.is_relative() { total(&acts) + self.actuator } else { 0.0 };
+        let moves = self.jitter > 0.0 && k > 0;
+        (acting, if moves { total(&changes) + 2.0 * self.actuator } else { 0.0 })
     }
 }

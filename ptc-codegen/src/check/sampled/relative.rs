@@ -8,10 +8,18 @@ use super::reach::Reach;
 use super::trust::Trust;
 use super::worst::Sampled;
 
+/// More than a few products and sums in doubles lose.
+const ROUNDED: f64 = 1.0 + 1e-14;
+
 impl Sampled {
     /// Whether something is off in proportion to the loop.
     pub(super) fn is_relative(&self) -> bool {
         self.gain_error > 0.0 || self.jitter > 0.0
+    }
+
+    /// The greatest size of the true input gain.
+    fn greatest_gain(&self) -> f64 {
+        self.chain.gain.abs() * (1.0 + self.gain_error)
     }
 
     /// How far the input at sample `k` may be from the one that the chain knows.
@@ -27,8 +35,7 @@ impl Sampled {
     pub(super) fn drift(&self, states: &[f64], acting: f64) -> Vec<f64> {
         let n = self.chain.n;
         let force = self.force.as_ref().map_or(0.0, |force| force.most());
-        let gain = self.chain.gain.abs() * (1.0 + self.gain_error);
-        let last = (gain * acting + force) * (1.0 + 1e-14);
+        let last = (self.greatest_gain() * acting + force) * ROUNDED;
         let moved = |i: usize| {
             let mut share = 1.0;
             (1..=n - i).fold(0.0, |sum, m| {
@@ -56,8 +63,7 @@ impl Sampled {
             share *= self.jitter / count(n - i);
             sum
         });
-        let gain = self.chain.gain.abs() * (1.0 + self.gain_error);
-        sum * self.jitter * gain * at(trust, k, |reach| &reach.change)
+        sum * self.jitter * self.greatest_gain() * at(trust, k, |reach| &reach.change)
     }
 
     /// What the times of the measurement at sample `k` add, seen by how much each counts.
@@ -78,8 +84,7 @@ impl Sampled {
             return 0.0;
         }
         let share: f64 = (1..=self.chain.n - i).map(|m| self.jitter / count(m)).product();
-        let gain = self.chain.gain.abs() * (1.0 + self.gain_error);
-        share * gain * reach.change[k] * (1.0 + 1e-14)
+        share * self.greatest_gain() * reach.change[k] * ROUNDED
     }
 
     /// What f and an error of the input gain add at most to x_{i+1} in a whole sample.
@@ -87,7 +92,7 @@ impl Sampled {
         let (value, error) = self.force.as_ref().map_or((0.0, 0.0), |force| force.column[i]);
         let of_force = self.force.as_ref().map_or(0.0, |force| force.most() * (value + error));
         let (value, error) = self.chain.input[i];
-        (of_force + (value.abs() + error) * self.of_gain(trust, k)) * (1.0 + 1e-14)
+        (of_force + (value.abs() + error) * self.of_gain(trust, k)) * ROUNDED
     }
 
     /// What the times of both switches add at most to x_{i+1} from sample `k` to the next.
@@ -98,9 +103,8 @@ impl Sampled {
         let power = self.chain.n - 1 - i;
         let late = 1.0 + self.jitter / self.chain.shares[1];
         let share = self.chain.shares[power] * late.powf(count(power));
-        let gain = self.chain.gain.abs() * (1.0 + self.gain_error);
         let change = |k| at(trust, k, |reach| &reach.change);
-        share * self.jitter * gain * (change(k) + change(k + 1)) * (1.0 + 1e-14)
+        share * self.jitter * self.greatest_gain() * (change(k) + change(k + 1)) * ROUNDED
     }
 }
 

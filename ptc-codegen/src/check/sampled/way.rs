@@ -31,7 +31,7 @@ pub struct Way {
 
 /// Bounds that hold from the deadline on, of a chain between the samples too.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Held {
+pub struct Afterwards {
     /// Of each |x_i|.
     pub x: Vec<f64>,
     /// Of |u|.
@@ -50,7 +50,7 @@ impl Way {
     }
 }
 
-impl Held {
+impl Afterwards {
     /// The greater of two bounds.
     pub(super) fn most(self, other: &Self) -> Self {
         Self { x: larger(self.x, &other.x), u: self.u.max(other.u) }
@@ -92,7 +92,7 @@ impl Sampled {
                     Some(reach) => reach.states[k][i] + self.of_early_switch(i, k, reach),
                     None => self.bound(&self.state(i + 1), k, trust).total(),
                 };
-                let most = if k < last { here.max(self.after(i, k, trust)) } else { here };
+                let most = if k < last { here.max(self.until_next(i, k, trust)) } else { here };
                 way.x[i] = way.x[i].max(most);
             }
         }
@@ -104,7 +104,7 @@ impl Sampled {
     ///
     /// With s_{k+J} = M^J s_k + what J samples add, bounds that hold at J samples in a row, and by this
     /// equation at the next one, hold at all later ones.
-    pub(super) fn held(&self, from: usize, reach: &Reach) -> Option<Held> {
+    pub(super) fn afterwards(&self, from: usize, reach: &Reach) -> Option<Afterwards> {
         let mut reach = reach.clone();
         let mut found = None;
         let mut length = 16;
@@ -125,18 +125,18 @@ impl Sampled {
         }
         let (rest, later, length) = found?;
         let control = self.control();
-        let mut held = Held { x: rest.x0[..self.chain.n].to_vec(), u: 0.0 };
+        let mut after = Afterwards { x: rest.x0[..self.chain.n].to_vec(), u: 0.0 };
         let mut see = |part: &Self, reach: &Reach, k: usize| {
             let trust = Some(Trust::Reach(reach));
-            held.u = held.u.max(part.bound(&control, k, trust).total() - part.actuator);
-            for (i, x) in held.x.iter_mut().enumerate() {
-                *x = x.max(part.after(i, k, trust));
+            after.u = after.u.max(part.bound(&control, k, trust).total() - part.actuator);
+            for (i, x) in after.x.iter_mut().enumerate() {
+                *x = x.max(part.until_next(i, k, trust));
             }
         };
         (from..from + length).for_each(|k| see(self, &reach, k));
         see(&rest, &later, length);
-        let finite = held.u.is_finite() && held.x.iter().all(|x| x.is_finite());
-        finite.then_some(held)
+        let finite = after.u.is_finite() && after.x.iter().all(|x| x.is_finite());
+        finite.then_some(after)
     }
 
     /// The loop as it stays, from states within bounds that it does not leave: at least those of `seen`
@@ -148,8 +148,7 @@ impl Sampled {
         let x0 = (0..self.size()).map(|i| column(&seen.states, i)).collect();
         let mut rest = self.last(x0);
         let (mut acting, mut change) = (most(&seen.acting), most(&seen.change));
-        let (acts, count) = (self.acts(), length + 1);
-        let changes = Output { change: true, ..acts.clone() };
+        let count = length + 1;
         for _ in 0..ROUNDS {
             let reach = Reach {
                 states: vec![rest.x0.clone(); count],
@@ -166,12 +165,8 @@ impl Sampled {
             };
             let states: Vec<_> = (1..=rest.size()).map(|i| total(&rest.state(i))).collect();
             let wider = states.iter().zip(&rest.x0).map(|(next, x)| widen(*x, *next)).collect();
-            if rest.is_relative() {
-                acting = widen(acting, total(&acts) + rest.actuator);
-            }
-            if rest.jitter > 0.0 {
-                change = widen(change, total(&changes) + 2.0 * rest.actuator);
-            }
+            let next = rest.inputs(&reach, length);
+            (acting, change) = (widen(acting, next.0), widen(change, next.1));
             if fits {
                 return Some((rest, reach));
             }
@@ -181,7 +176,7 @@ impl Sampled {
     }
 
     /// Bound of |x_{i+1}| between sample `k` and the next, of a chain.
-    fn after(&self, i: usize, k: usize, trust: Option<Trust<'_>>) -> f64 {
+    fn until_next(&self, i: usize, k: usize, trust: Option<Trust<'_>>) -> f64 {
         if self.chain.outputs.is_some() {
             return 0.0;
         }

@@ -4,7 +4,6 @@ mod budget;
 mod curve;
 mod design;
 mod formulas;
-mod number;
 mod svg;
 
 use std::path::Path;
@@ -136,7 +135,7 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
         groups: formulas::groups(&report.spec, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
         budget: budget::bars(report),
-        charts: budget::charts(report),
+        charts: curve::charts(report)?,
         report,
         section,
         files,

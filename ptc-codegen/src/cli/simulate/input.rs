@@ -5,7 +5,7 @@ use std::ops::Range;
 use num_traits::{One, Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
 use ptc_codegen::parameter::Fixed;
-use ptc_codegen::request::Spec;
+use ptc_codegen::request::{Spec, one_or_each};
 use ptc_codegen::simulate::Loop;
 use ptc_codegen::syntax::number;
 
@@ -106,8 +106,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
     }
     let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
     let each = |bounds: &[Fixed]| -> Vec<f64> {
-        let one = |j: usize| bounds.get(if bounds.len() == 1 { 0 } else { j }).and_then(to_f64);
-        (0..spec.n).filter_map(one).collect()
+        (0..spec.n).filter_map(|j| one_or_each(bounds, j)).collect()
     };
     let around = Loop {
         period,

@@ -1,0 +1,83 @@
+//! One quantity over another, both on logarithmic axes.
+
+use plotters::backend::SVGBackend;
+use plotters::chart::ChartBuilder;
+use plotters::drawing::IntoDrawingArea;
+use plotters::element::PathElement;
+use plotters::series::LineSeries;
+
+use super::panel::dashed;
+use super::{PANEL, range, style};
+
+/// A curve, and what its values should not exceed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curve {
+    /// What it is of.
+    pub title: String,
+    /// What it is over, with its unit.
+    pub across: String,
+    /// The points, by the first number; those that are not > 0 are left out.
+    pub points: Vec<(f64, f64)>,
+    /// The place on the horizontal axis that is chosen.
+    pub chosen: Option<f64>,
+    /// What a value should not exceed.
+    pub limit: Option<f64>,
+}
+
+impl Curve {
+    /// As the text of an SVG file.
+    ///
+    /// # Errors
+    /// A drawing that cannot be made.
+    pub fn svg(&self) -> Result<String, String> {
+        style::register_letters()?;
+        let mut text = String::new();
+        self.draw(SVGBackend::with_string(&mut text, PANEL)).map_err(|error| error.to_string())?;
+        Ok(style::with_dark_page(&text))
+    }
+
+    fn draw(&self, back: SVGBackend<'_>) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let area = back.into_drawing_area();
+        area.fill(&style::PAGE)?;
+        // Drawn by the powers of ten.
+        let points = self.points.iter().map(|(x, y)| (x.log10(), y.log10()));
+        let points: Vec<_> = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+        let limit = self.limit.map(f64::log10).filter(|limit| limit.is_finite());
+        let across = range::decades(points.iter().map(|(x, _)| *x));
+        let up = range::decades(points.iter().map(|(_, y)| *y).chain(limit));
+        let label = |power: &f64| match (power - power.round()).abs() < 1e-6 {
+            true => range::power_of_ten(*power),
+            false => String::new(),
+        };
+        let mut chart = ChartBuilder::on(&area)
+            .margin(10)
+            .margin_right(22)
+            .x_label_area_size(42)
+            .y_label_area_size(62)
+            .caption(&self.title, style::text(17))
+            .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
+        chart
+            .configure_mesh()
+            .light_line_style(style::PAGE)
+            .bold_line_style(style::GRID)
+            .axis_style(style::FRAME)
+            .label_style(style::text(14))
+            .x_labels(7)
+            .y_labels(6)
+            .x_label_formatter(&label)
+            .y_label_formatter(&label)
+            .x_desc(&self.across)
+            .draw()?;
+        if let Some(limit) = limit {
+            let line = vec![(across.0, limit), (across.1, limit)];
+            dashed(&mut chart, line, (4, 3), style::bound())?;
+        }
+        if let Some(x) = self.chosen.map(f64::log10).filter(|x| (across.0..=across.1).contains(x)) {
+            let line = PathElement::new(vec![(x, up.0), (x, up.1)], style::deadline(0));
+            chart.draw_series([line])?;
+        }
+        chart.draw_series(LineSeries::new(points, style::line(0)))?;
+        area.present()?;
+        Ok(())
+    }
+}
