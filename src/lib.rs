@@ -118,7 +118,7 @@ pub use error::Error;
 /// | `jitter` | how early or late a sample may be, in s | a number >= 0 and < sample_time/2 | |
 /// | `sensor_step` | steps in which each state is measured | a number >= 0, or one for each state | |
 /// | `u_step` | step of the actuator | a number >= 0 | |
-/// | `delay` | samples between a measurement and the input that follows from it | an integer 0..=16 | |
+/// | `delay` | samples between a measurement and the input that follows from it | a number from 0 to 16; with clock = time an integer | |
 /// | `deadbeat` | samples to go at which deadbeat takes over; with `clock = samples` | an integer of at least the order of the loop | from the poles |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |

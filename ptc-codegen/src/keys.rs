@@ -189,7 +189,7 @@ pub static KEYS: [KeyInfo; 40] = [
     KeyInfo {
         key: "delay",
         meaning: "samples between a measurement and the input that follows from it",
-        legal: "an integer 0..=16",
+        legal: "a number from 0 to 16; with clock = time an integer",
         example: "1",
     },
     KeyInfo {

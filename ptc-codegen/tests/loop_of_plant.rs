@@ -39,7 +39,8 @@ fn reached(text: &str, f: &str) -> Vec<f64> {
     let values = Values::of(spec, &plant);
     let h = spec.promises.sample_time.as_ref().and_then(|h| h.number()).expect("a period");
     let period = num_traits::ToPrimitive::to_f64(h).expect("a number");
-    let delay = if spec.sampled().is_some() { 0 } else { spec.promises.delay.unwrap_or(0) };
+    let delay = spec.promises.delay.clone().filter(|_| spec.sampled().is_none());
+    let delay = delay.unwrap_or_default();
     let around = Loop { period, delay, ..Loop::default() };
     let mut last = Vec::new();
     let end = Sampled::new(spec, &plant).expect("a loop").run(
@@ -129,7 +130,7 @@ fn around(text: &str) -> Loop {
     let spec = report(text).spec;
     let h = spec.promises.sample_time.as_ref().and_then(|h| h.number()).expect("a period");
     let period = num_traits::ToPrimitive::to_f64(h).expect("a number");
-    Loop { period, delay: spec.promises.delay.unwrap_or(0), ..Loop::default() }
+    Loop { period, delay: spec.promises.delay.clone().unwrap_or_default(), ..Loop::default() }
 }
 
 /// Designs without a plant, in both clocks.

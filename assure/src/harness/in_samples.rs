@@ -132,7 +132,7 @@ const DESIGNS: [Keys; 18] = [
         ("observer_poles", "-4,-5,-6"),
         ("observer_samples", "9"),
         ("observer_eps", "0.05"),
-        ("delay", "2"),
+        ("delay", "1.5"),
         ("f", "-9.81"),
         ("g", "0.5"),
     ],

@@ -34,8 +34,12 @@ pub(super) fn behaviour(
 ) -> Vec<String> {
     let end = observer.samples.unwrap_or_default();
     let then = sampled::then(observer);
-    let acts = match given.delay {
+    let delay = &given.delay;
+    let acts = match delay.inputs() {
         0 => "it acted from tick k - 1 to tick k".to_owned(),
+        _ if !delay.is_whole() => format!(
+            "it acts from {delay} samples after tick k - 1 on for one sample, and the observer keeps those under way"
+        ),
         1 => "it acts from tick k to tick k + 1, and the observer keeps it until then".to_owned(),
         d => format!(
             "it acts from tick k + {} to tick k + {d}, and the observer keeps those under way",

@@ -31,9 +31,9 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         format!("  ptc-codegen emit --lang {} {}", language.name(), spec.command()),
     ];
     let mut rest = vec![format!("Version {}.", env!("CARGO_PKG_VERSION")), String::new()];
-    let late = match sampled.delay {
-        0 => "u held from sample to sample".to_owned(),
-        1 => "u held from sample to sample, one sample late".to_owned(),
+    let late = match sampled.delay.to_string().as_str() {
+        "0" => "u held from sample to sample".to_owned(),
+        "1" => "u held from sample to sample, one sample late".to_owned(),
         d => format!("u held from sample to sample, {d} samples late"),
     };
     let late = match &sampled.linear {

@@ -10,14 +10,14 @@
 #![allow(clippy::cast_precision_loss)]
 
 use nalgebra::{Complex, DMatrix};
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::Linear;
 use super::eigenvalues::eigenvalues;
 use super::exponential::{balanced, power};
 use super::matrix::Matrix;
 use super::outputs::Outputs;
 use super::pair::Pair;
+use super::{Delay, Linear};
 use crate::algebra::{BigInt, BigRational};
 use crate::parameter::Precision;
 
@@ -40,14 +40,14 @@ pub(crate) enum Ill {
     Unobservable { condition: f64, mode: Option<Complex<f64>> },
 }
 
-/// Examines a plant sampled with period `h`, whose input acts `delay` samples late, none where it
-/// does not control; `disturbed` with a constant that is added to the input and observed. Gives how
+/// Examines a plant sampled with period `h`, whose input is late by `delay`, none where it does
+/// not control; `disturbed` with a constant that is added to the input and observed. Gives how
 /// many of the states that are estimated each row of C accounts for; nothing where it shows all of
 /// them.
 pub(crate) fn examine(
     plant: &Linear,
     h: &BigRational,
-    delay: Option<usize>,
+    delay: Option<&Delay>,
     disturbed: bool,
     precision: Precision,
 ) -> Result<Vec<usize>, Ill> {
@@ -55,7 +55,8 @@ pub(crate) fn examine(
         Precision::F64 => 1e8,
         Precision::F32 => 1e4,
     };
-    let pair = Pair::linear(plant, h).ok_or(Ill::Fast)?;
+    let part = delay.map_or_else(BigRational::one, Delay::part);
+    let pair = Pair::linear(plant, h, &part).ok_or(Ill::Fast)?;
     if let Some(delay) = delay {
         controllable(plant, h, &pair, delay, limit)?;
     }
@@ -93,15 +94,15 @@ pub(crate) fn examine(
     }
 }
 
-/// Whether the input of `pair`, a plant sampled with period `h`, controls it `delay` samples late.
+/// Whether the input of `pair`, a plant sampled with period `h`, controls it with a delay.
 fn controllable(
     plant: &Linear,
     h: &BigRational,
     pair: &Pair,
-    delay: usize,
+    delay: &Delay,
     limit: f64,
 ) -> Result<(), Ill> {
-    let late = pair.delayed(delay);
+    let late = pair.delayed(delay.inputs());
     let coupled = Coupled::new(plant, h, late.order());
     let reached = |step: &Matrix| powers(&step.transpose(), &late.gamma, late.order());
     let condition = condition(reached(&late.phi), &Coupled::none(late.order()))

@@ -2,6 +2,7 @@
 //! observed in samples.
 
 mod condition;
+mod delay;
 mod eigenvalues;
 mod exponential;
 mod matrix;
@@ -10,10 +11,11 @@ mod pair;
 mod poles;
 
 pub(crate) use condition::{Ill, examine};
+pub use delay::Delay;
 pub(crate) use eigenvalues::eigenvalues;
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
-pub(crate) use pair::{Pair, binomial, factorial, held};
+pub(crate) use pair::{Held, Pair, binomial, factorial, held};
 pub(crate) use poles::sampled_poles;
 
 use crate::algebra::{BigRational, integer};

@@ -3,9 +3,9 @@
 
 use num_traits::{One, Zero};
 
-use super::Linear;
 use super::exponential::exponential;
 use super::matrix::Matrix;
+use super::{Delay, Linear};
 use crate::algebra::BigRational;
 use crate::expansion::bell::factorials;
 
@@ -16,27 +16,41 @@ pub(crate) struct Pair {
     pub(crate) phi: Matrix,
     /// Gamma.
     pub(crate) gamma: Vec<BigRational>,
+    /// The part of Gamma that is due to an input which takes over within the sample; 0 where none
+    /// does.
+    pub(crate) newer: Vec<BigRational>,
     /// The power p of each state, which is divided by h^p here.
     pub(crate) powers: Vec<i64>,
 }
 
 impl Pair {
-    /// The chain x_1' = x_2, ..., x_n' = `gain` u. State x_j is counted in units of u h^(n+1-j).
-    pub(crate) fn chain(n: usize, gain: &BigRational) -> Self {
+    /// The chain x_1' = x_2, ..., x_n' = `gain` u, where the next input takes over after `part` of
+    /// the sample. State x_j is counted in units of u h^(n+1-j).
+    pub(crate) fn chain(n: usize, gain: &BigRational, part: &BigRational) -> Self {
         let inverse = |k: usize| BigRational::one() / factorial(k);
         let phi =
             Matrix::new(n, n, |i, j| if j >= i { inverse(j - i) } else { BigRational::zero() });
         let gamma = (0..n).map(|i| gain * inverse(n - i)).collect();
+        let rest = BigRational::one() - part;
+        let newer = (0..n).map(|i| gain * inverse(n - i) * num_traits::pow(rest.clone(), n - i));
         Self {
             phi,
             gamma,
+            newer: newer.collect(),
             powers: (1..=n).rev().map(|power| i64::try_from(power).unwrap_or(i64::MAX)).collect(),
         }
     }
 
-    /// x' = A x + B u, sampled with period `h`; `None` if the period is too long for its modes.
-    pub(crate) fn linear(plant: &Linear, h: &BigRational) -> Option<Self> {
+    /// x' = A x + B u, sampled with period `h`, where the next input takes over after `part` of the
+    /// sample; `None` if the period is too long for its modes.
+    pub(crate) fn linear(plant: &Linear, h: &BigRational, part: &BigRational) -> Option<Self> {
         let n = plant.b.len();
+        let newer = match part.is_one() {
+            true => vec![BigRational::zero(); n],
+            false => {
+                Self::linear(plant, &(h * (BigRational::one() - part)), &BigRational::one())?.gamma
+            }
+        };
         let entry = |i: usize, j: usize| match (i < n, j < n) {
             (true, true) => &plant.a[i][j] * h,
             (true, false) => &plant.b[i] * h,
@@ -46,6 +60,7 @@ impl Pair {
         Some(Self {
             phi: Matrix::new(n, n, |i, j| whole.at(i, j).clone()),
             gamma: (0..n).map(|i| whole.at(i, n).clone()).collect(),
+            newer,
             powers: vec![0; n],
         })
     }
@@ -65,31 +80,39 @@ impl Pair {
             (false, true) => BigRational::zero(),
             (false, false) => BigRational::one(),
         };
-        let mut gamma = self.gamma.clone();
-        gamma.push(BigRational::zero());
+        let with_none = |column: &[BigRational]| [column, &[BigRational::zero()]].concat();
+        let (gamma, newer) = (with_none(&self.gamma), with_none(&self.newer));
         let powers = self.powers.iter().copied().chain([0]).collect();
-        Self { phi: Matrix::new(n + 1, n + 1, entry), gamma, powers }
+        Self { phi: Matrix::new(n + 1, n + 1, entry), gamma, newer, powers }
     }
 
-    /// The same with an input that acts `delay` samples late; its states are x, u_{k-1}, ...,
-    /// u_{k-delay}.
+    /// The same with a delay in which `inputs` of earlier samples act or are under way; its states
+    /// are x, u_{k-1}, ..., u_{k-inputs}, the oldest of which acts first.
     #[must_use]
-    pub(crate) fn delayed(&self, delay: usize) -> Self {
-        let (n, order) = (self.order(), self.order() + delay);
-        if delay == 0 {
+    pub(crate) fn delayed(&self, inputs: usize) -> Self {
+        let (n, order) = (self.order(), self.order() + inputs);
+        if inputs == 0 {
             return self.clone();
         }
+        // Where the input of age a, in samples, is kept.
+        let kept = |age: usize| n + age - 1;
         let entry = |i: usize, j: usize| match () {
             () if i < n && j < n => self.phi.at(i, j).clone(),
-            () if i < n && j + 1 == order => self.gamma[i].clone(),
+            () if i < n && j == kept(inputs) => &self.gamma[i] - &self.newer[i],
+            () if i < n && inputs > 1 && j == kept(inputs - 1) => self.newer[i].clone(),
             () if i > n && j + 1 == i => BigRational::one(),
             () => BigRational::zero(),
         };
-        let unit = |i: usize| if i == n { BigRational::one() } else { BigRational::zero() };
+        let unit = |i: usize| match i {
+            i if i < n && inputs == 1 => self.newer[i].clone(),
+            i if i == n => BigRational::one(),
+            _ => BigRational::zero(),
+        };
         let powers = (0..order).map(|i| self.powers.get(i).copied().unwrap_or(0)).collect();
         Self {
             phi: Matrix::new(order, order, entry),
             gamma: (0..order).map(unit).collect(),
+            newer: vec![BigRational::zero(); order],
             powers,
         }
     }
@@ -124,16 +147,24 @@ impl Pair {
     }
 }
 
-/// The rows of Phi and Gamma, x(t + h) = Phi x(t) + Gamma u, of a plant whose input is held; none
-/// where a mode is too fast for `h`.
-pub(crate) fn held(
-    plant: &Linear,
-    h: &BigRational,
-) -> Option<(Vec<Vec<BigRational>>, Vec<BigRational>)> {
-    let pair = Pair::linear(plant, h)?;
+/// A plant over a sample in which its input is held: x(t + h) = Phi x(t) + Gamma u.
+#[derive(Clone, Debug)]
+pub(crate) struct Held {
+    /// Phi, by rows.
+    pub(crate) phi: Vec<Vec<BigRational>>,
+    /// The part of Gamma that is due to the oldest input that acts.
+    pub(crate) older: Vec<BigRational>,
+    /// The part that is due to the input that takes over from it within the sample.
+    pub(crate) newer: Vec<BigRational>,
+}
+
+/// A plant over a sample; `None` where a mode is too fast for `h`.
+pub(crate) fn held(plant: &Linear, h: &BigRational, delay: &Delay) -> Option<Held> {
+    let pair = Pair::linear(plant, h, &delay.part())?;
     let n = pair.order();
     let row = |i: usize| (0..n).map(|j| pair.phi.at(i, j).clone()).collect();
-    Some(((0..n).map(row).collect(), pair.gamma))
+    let older = pair.gamma.iter().zip(&pair.newer).map(|(all, newer)| all - newer).collect();
+    Some(Held { phi: (0..n).map(row).collect(), older, newer: pair.newer })
 }
 
 /// k!.

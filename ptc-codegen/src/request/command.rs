@@ -149,7 +149,7 @@ impl Spec {
             ("--x0-max", &promises.x0_max),
             ("--x-max", &promises.x_max),
         ];
-        words.extend(promises.delay.map(|delay| format!("--delay={delay}")));
+        words.extend(promises.delay.as_ref().map(|delay| format!("--delay={delay}")));
         for (flag, values) in lists {
             words.extend(list(values.iter()).map(|values| format!("{flag}={values}")));
         }

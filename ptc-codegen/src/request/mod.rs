@@ -312,7 +312,7 @@ impl Spec {
     pub fn loop_order(&self) -> usize {
         match &self.clock {
             Clock::Time => self.n,
-            Clock::Samples(sampled) => self.n + sampled.delay,
+            Clock::Samples(sampled) => self.n + sampled.delay.inputs(),
         }
     }
 

@@ -3,6 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::algebra::BigRational;
+use crate::linear::Delay;
 use crate::parameter::Fixed;
 
 /// What the design promises beyond the code, for the checks at generation.
@@ -26,8 +27,8 @@ pub struct Promises {
     pub g_error: Vec<Fixed>,
     /// How early or late a sample may be, s.
     pub jitter: Option<Fixed>,
-    /// Samples by which u acts late.
-    pub delay: Option<usize>,
+    /// By how much u acts late.
+    pub delay: Option<Delay>,
     /// Bounds of |x_i| at the start; empty where they are not given.
     pub x0_max: Vec<Fixed>,
     /// Bounds of |x_i| at all times; empty where they are not given.

@@ -1,14 +1,14 @@
 //! The request for a controller whose clock is in samples.
 
 use crate::algebra::BigRational;
-use crate::linear::Linear;
+use crate::linear::{Delay, Linear};
 use crate::parameter::{Fixed, Parameter};
 
 /// What a controller in samples needs beside the law.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sampled {
-    /// Samples between a measurement and the input that follows from it.
-    pub delay: usize,
+    /// The time between a measurement and the input that follows from it.
+    pub delay: Delay,
     /// The plant where it is not a chain.
     pub linear: Option<Linear>,
     /// Constant input gain g of a chain.
@@ -30,7 +30,7 @@ impl Sampled {
     pub(super) fn parameters(&self, n: usize) -> Vec<Parameter> {
         use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax};
         let mut all = vec![Samples, SampleTime, Eps, UMax, A];
-        all.extend((1..=n + self.delay).map(Gain));
+        all.extend((1..=n + self.delay.inputs()).map(Gain));
         // The exponents of known poles give it.
         all.extend(self.greatest.is_none().then_some(Deadbeat));
         all
@@ -54,7 +54,7 @@ impl Sampled {
     /// The minimum N with which the loop of a plant of order `n` can end at rest.
     pub fn least_samples(&self, n: usize) -> u32 {
         let count = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        let order = count(n + self.delay);
+        let order = count(n + self.delay.inputs());
         match &self.observer {
             None => order,
             Some(observer) => match observer.samples {

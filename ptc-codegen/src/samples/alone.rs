@@ -22,11 +22,7 @@ impl Builder<'_> {
         let mut body: Vec<_> = finite.into_iter().collect();
         body.push(Self::elapsed(start));
         self.remember_inputs(2);
-        let acting = match self.remembered() {
-            0 => last.clone(),
-            oldest => Expr::field(format!("u{oldest}")),
-        };
-        body.extend(self.observe(&Expr::Count(samples), &acting));
+        body.extend(self.observe(&Expr::Count(samples)));
         let kept = self.keep_estimates();
         let of_kept = |statement: &Statement| match statement {
             Statement::Set(_, value @ Expr::Local(_)) => Some(Test::Finite(value.clone())),

@@ -1,13 +1,14 @@
 //! The controller in samples, or its observer alone, as one program.
 
-use std::ops::{Div, Mul, Neg};
+use std::ops::{Add, Div, Mul, Neg};
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
+use crate::linear::Pair;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Guard, Sampled, Spec, What};
 
@@ -119,7 +120,7 @@ impl Builder<'_> {
     }
 
     fn arm(&self) -> Function {
-        let kept = match (self.sampled.observes(), self.sampled.delay > 0) {
+        let kept = match (self.sampled.observes(), self.sampled.delay.inputs() > 0) {
             (true, false) if self.spec.what == What::Observer => " The estimates are kept.",
             (false, false) => "",
             _ => " Estimates and inputs under way are kept.",
@@ -148,13 +149,40 @@ impl Builder<'_> {
     /// Inputs that are remembered, the latest first. An observer alone is given the last one.
     pub(super) fn remembered(&self) -> usize {
         let last = self.sampled.observes() && self.spec.what != What::Observer;
-        self.sampled.delay + usize::from(last)
+        self.sampled.delay.inputs() + usize::from(last)
     }
 
     /// That `arguments` are finite, where they are checked.
     pub(super) fn finite(&self, arguments: impl Iterator<Item = Expr>) -> Option<Statement> {
         let tests = || arguments.map(Test::Finite).collect();
         self.guarded().then(|| Statement::Require(Test::All(tests()), Status::Input))
+    }
+
+    /// The input of tick k - `age` as it is known in tick k.
+    fn input(&self, age: usize) -> Expr {
+        match (self.spec.what, age) {
+            (What::Observer, 1) => Expr::local("u"),
+            (What::Observer, age) => Expr::field(format!("u{}", age - 1)),
+            (_, age) => Expr::field(format!("u{age}")),
+        }
+    }
+
+    /// What the inputs that acted since tick k - 1 did to state `i` of `pair`, each with `added`
+    /// beside it.
+    pub(super) fn moved(&mut self, pair: &Pair, i: usize, added: &Expr) -> Expr {
+        let inputs = self.sampled.delay.inputs();
+        let parts = [
+            ("gamma", &pair.gamma[i] - &pair.newer[i], inputs + 1),
+            ("late_gamma", pair.newer[i].clone(), inputs),
+        ];
+        let parts =
+            parts.into_iter().filter(|(name, number, _)| *name == "gamma" || !number.is_zero());
+        let part = |(name, number, age): (&str, BigRational, usize)| {
+            let value = Expr::Number(number).mul(self.period(pair.powers[i]));
+            let value = self.keep(&format!("{name}{}", i + 1), "prediction from u", value);
+            value.mul(self.input(age).add(added.clone()))
+        };
+        Expr::sum(parts.map(part))
     }
 
     /// The samples since the start.
@@ -198,8 +226,7 @@ impl Builder<'_> {
                 // rounding leaves of the estimates.
                 None => samples.clone().count_half(),
             };
-            let acting = Expr::field(format!("u{}", self.remembered()));
-            body.extend(self.observe(&end, &acting));
+            body.extend(self.observe(&end));
         } else {
             let states = self.states(given);
             let states = states.into_iter().zip(1..);

@@ -35,22 +35,22 @@ impl<'a> Builder<'a> {
         states.map(|j| format!("x{j}")).chain(disturbance).collect()
     }
 
-    /// The estimates from what is measured; its round ends at sample `end`, and `acting` is the
-    /// input that acted since the last sample.
-    pub(super) fn observe(&mut self, end: &Expr, acting: &Expr) -> Vec<Statement> {
+    /// The estimates from what is measured; its round ends at sample `end`.
+    pub(super) fn observe(&mut self, end: &Expr) -> Vec<Statement> {
         let seen = self.keep_count("seen", "1 once y has been measured", Expr::Count(0));
         let unseen = Test::CountEqual(seen, Expr::Count(0));
         match &self.sampled.linear {
-            Some(plant) => self.predicted(plant, end, acting, unseen),
-            None => self.corrected(end, acting, unseen),
+            Some(plant) => self.predicted(plant, end, unseen),
+            None => self.corrected(end, unseen),
         }
     }
 
     /// The estimates of a chain: predicted, then corrected by what is measured now. `unseen`
     /// holds at the first measurement.
-    fn corrected(&mut self, end: &Expr, acting: &Expr, unseen: Test) -> Vec<Statement> {
+    fn corrected(&mut self, end: &Expr, unseen: Test) -> Vec<Statement> {
         let (measured, real) = (self.sampled.measured, Shape::Real);
-        let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain);
+        let part = self.sampled.delay.part();
+        let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain, &part);
         let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
         let (order, names) = (pair.order(), self.estimated());
         let mut body = vec![Statement::Note("Predict.".to_owned())];
@@ -69,9 +69,7 @@ impl<'a> Builder<'a> {
                     self.keep(&name, "prediction from a state", value).mul(state)
                 })
                 .collect();
-            let value = Expr::Number(pair.gamma[i].clone()).mul(self.period(power(i)));
-            let gamma = self.keep(&format!("gamma{}", i + 1), "prediction from u", value);
-            let input = gamma.mul(acting.clone().add(self.force()));
+            let input = self.moved(&pair, i, &self.force());
             body.push(Statement::Let(format!("p{}", i + 1), real, Expr::sum(terms).add(input)));
         }
         body.push(Statement::Note("Correct by what is measured.".to_owned()));

@@ -21,20 +21,21 @@ impl Builder<'_> {
     fn plant(&self) -> Pair {
         match &self.sampled.linear {
             Some(plant) => self.sampled_plant(plant),
-            None => Pair::chain(self.spec.n, &self.sampled.gain),
+            None => Pair::chain(self.spec.n, &self.sampled.gain, &self.sampled.delay.part()),
         }
     }
 
     /// A plant of a spec, which its reader has found controllable.
     pub(super) fn sampled_plant(&self, plant: &Linear) -> Pair {
-        let pair = self.fixed(Parameter::SampleTime).and_then(|h| Pair::linear(plant, h));
+        let pair = self.fixed(Parameter::SampleTime);
+        let pair = pair.and_then(|h| Pair::linear(plant, h, &self.sampled.delay.part()));
         pair.unwrap_or_else(|| fault("a linear plant is not sampled"))
     }
 
     /// v, the input before it is clipped, from the states x1.. and the inputs under way.
     pub(super) fn law(&mut self) -> Vec<Statement> {
-        let order = self.spec.n + self.sampled.delay;
-        let pair = self.plant().delayed(self.sampled.delay);
+        let order = self.spec.loop_order();
+        let pair = self.plant().delayed(self.sampled.delay.inputs());
         let Some((s, drift)) = pair.flat() else { fault("a plant is not controllable") };
         let gains: Vec<_> = (1..=order).map(|i| self.parameter(Parameter::Gain(i))).collect();
         let law = rows(&gains, &self.parameter(Parameter::A));

@@ -31,13 +31,7 @@ impl Builder<'_> {
 
     /// The estimates of a linear plant: what was predicted, and the prediction of the next sample.
     /// `unseen` holds at the first measurement.
-    pub(super) fn predicted(
-        &mut self,
-        plant: &Linear,
-        end: &Expr,
-        acting: &Expr,
-        unseen: Test,
-    ) -> Vec<Statement> {
+    pub(super) fn predicted(&mut self, plant: &Linear, end: &Expr, unseen: Test) -> Vec<Statement> {
         let real = Shape::Real;
         let pair = self.sampled_plant(plant);
         let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
@@ -61,10 +55,8 @@ impl Builder<'_> {
         let first = first.collect();
         let mut next = Vec::new();
         for (i, name) in names.iter().enumerate() {
-            let gamma = Expr::Number(pair.gamma[i].clone());
-            let gamma = self.keep(&format!("gamma{}", i + 1), "prediction from u", gamma);
             let predicted = Expr::field(format!("{name}_next"));
-            next.push(set(name, predicted.add(gamma.mul(acting.clone()))));
+            next.push(set(name, predicted.add(self.moved(&pair, i, &Expr::integer(0)))));
         }
         body.push(Statement::If(unseen, first, next));
         body.push(Statement::Note("Prediction of the next sample.".to_owned()));

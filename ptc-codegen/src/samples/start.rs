@@ -18,11 +18,11 @@ impl Builder<'_> {
                 }
                 parameter => self.spec.legal(parameter),
             };
-            let unit = parameter.unit_for(self.spec.n + self.sampled.delay);
+            let unit = parameter.unit_for(self.spec.loop_order());
             let about = format!("{} [{unit}], {domain}", parameter.meaning());
             let shape = match parameter {
                 Parameter::Samples => Shape::Count,
-                Parameter::Gain(_) => Shape::Reals(self.spec.n + self.sampled.delay),
+                Parameter::Gain(_) => Shape::Reals(self.spec.loop_order()),
                 _ => Shape::Real,
             };
             if variables.last().is_none_or(|last| last.name != parameter.key()) {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use num_traits::ToPrimitive;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -13,6 +14,7 @@ use super::switching::{Piecewise, Walk};
 use super::{Accuracy, Controller, Failure, Sample, Values};
 use crate::code::{Code, Instance};
 use crate::expression::Expression;
+use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::reference::Status;
@@ -40,8 +42,8 @@ pub struct Loop {
     pub jitter: f64,
     /// Seed of all that is drawn, which is the same on any machine.
     pub seed: u64,
-    /// Delay of u in samples.
-    pub delay: usize,
+    /// By how much u acts late.
+    pub delay: Delay,
     /// Time after t0 at which the run ends, in s; tau if `None`.
     pub until: Option<f64>,
     /// Times after t0, in s, at whose next sample the controller is armed again.
@@ -60,7 +62,7 @@ impl Default for Loop {
             gain: [1.0; 2],
             jitter: 0.0,
             seed: 0,
-            delay: 0,
+            delay: Delay::default(),
             until: None,
             arm_at: Vec::new(),
         }
@@ -189,7 +191,8 @@ impl Sampled {
             true => least + (most - least) * 0.5 * (1.0 + even(&mut random)),
             false => least,
         };
-        let mut late = std::collections::VecDeque::from(vec![0.0; around.delay]);
+        let mut late = std::collections::VecDeque::from(vec![0.0; around.delay.inputs()]);
+        let part = around.delay.part().to_f64().unwrap_or(1.0);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
         let end = around.until.unwrap_or(tau);
@@ -232,6 +235,7 @@ impl Sampled {
             let (u, status) = controller.step(index, t, &measured);
             late.push_back(quantised(u, around.u_step));
             let u = late.pop_front().unwrap_or(0.0);
+            let newer = late.front().copied().unwrap_or(u);
             visit(Sample {
                 t,
                 time_to_go: deadline - since,
@@ -250,9 +254,18 @@ impl Sampled {
                 false if around.jitter > 0.0 => next + around.jitter * even(&mut random),
                 false => next,
             };
-            let moved = self.between(&mut walk, x, gain * u, (t0 + now, t0 + until));
+            // Within the sample the next input takes over.
+            let over = match around.delay.is_whole() {
+                true => until,
+                false => until.min(now + part * around.period),
+            };
+            for (u, from, to) in [(u, now, over), (newer, over, until)] {
+                if from < to {
+                    let moved = self.between(&mut walk, x, gain * u, (t0 + from, t0 + to));
+                    x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
+                }
+            }
             now = until;
-            x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
         }
         Ok(())
     }

@@ -8,7 +8,7 @@ use super::{DESIGN, made, run};
 
 /// Designs with fixed values, bounds, a latched state, an input gain and what comes after; in samples
 /// with all open, delay, observer, force, bound of u, and other plants.
-pub(super) const DESIGNS: [&[&str]; 12] = [
+pub(super) const DESIGNS: [&[&str]; 13] = [
     &["--n=1", "--mu=exp"],
     &["--n=3", "--mu=tan", "--precision=f32"],
     &["--n=2", "--mu=exp_sum(3)", "--t0=5", "--after=zero"],
@@ -31,6 +31,7 @@ pub(super) const DESIGNS: [&[&str]; 12] = [
         "--disturbance=constant",
         "--u-max=6",
     ],
+    &["--n=2", "--mu=exp(a=1)", "--clock=samples", "--delay=1.25", "--poles=-4,-5,-6,-7"],
     &[
         "--A=[[-2,1],[0,-30]]",
         "--B=[0,30]",
@@ -48,7 +49,7 @@ pub(super) const DESIGNS: [&[&str]; 12] = [
         "--clock=samples",
         "--sample-time=1e-3",
         "--tau=0.4",
-        "--delay=1",
+        "--delay=0.7",
         "--poles=-5,-6,-7,-8",
         "--observer-poles=-4,-5,-6",
         "--u-max=2",

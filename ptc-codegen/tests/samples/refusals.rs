@@ -35,7 +35,7 @@ fn mistakes_are_named() {
         ("sample_time", "0.01"),
         ("poles", "-3,-4"),
     ];
-    let cases: [(&str, &str, &str); 17] = [
+    let cases: [(&str, &str, &str); 18] = [
         ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
         ("tau", "0.01", "too few to come to rest"),
         ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),
@@ -43,7 +43,8 @@ fn mistakes_are_named() {
         ("measured", "x1", "`observer_poles` is missing"),
         ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
         ("disturbance", "ramp", "is not one of none, constant"),
-        ("delay", "5", "at most 4 samples of delay"),
+        ("delay", "4.5", "at most 4 samples of delay"),
+        ("delay", "-0.5", "delay is a number from 0 to 16"),
         ("delay", "1", "give 3 poles"),
         ("deadbeat", "1", "give an integer of at least 2"),
         ("g", "x1", "takes a constant input gain"),

@@ -18,7 +18,8 @@ const OBSERVED: f64 = 1e-20;
 /// The loop of a program with the exact chain.
 struct Chain {
     n: usize,
-    delay: usize,
+    /// Inputs under way, and the part of a sample in which the oldest of them still acts.
+    delay: (usize, BigRational),
     measured: usize,
     h: BigRational,
     disturbance: BigRational,
@@ -30,7 +31,8 @@ impl Chain {
         let mut controller = Instance::new(code, &[]).expect("legal parameters");
         let one = BigRational::one();
         let mut x: Vec<_> = (0..self.n).map(|i| &one / BigInt::from(i + 2)).collect();
-        let mut late: VecDeque<_> = vec![BigRational::zero(); self.delay].into();
+        let (inputs, part) = &self.delay;
+        let mut late: VecDeque<_> = vec![BigRational::zero(); *inputs].into();
         let mut largest = one;
         let most = |x: &[BigRational]| x.iter().map(Signed::abs).max().expect("a state");
         for k in 0..samples {
@@ -40,19 +42,29 @@ impl Chain {
             assert_eq!(outcome.status, Status::Ok, "sample {k}");
             let u = BigRational::from_f64(outcome.results["u"][0]).expect("a finite u");
             late.push_back(u);
-            let acting = late.pop_front().expect("an input") + &self.disturbance;
-            x = (0..self.n).map(|i| self.moved(&x, i, &acting)).collect();
+            let older = late.pop_front().expect("an input");
+            let newer = late.front().unwrap_or(&older);
+            for (u, part) in [(&older, part.clone()), (newer, BigRational::one() - part)] {
+                let (acting, length) = (u + &self.disturbance, part * &self.h);
+                x = (0..self.n).map(|i| self.moved(&x, i, &acting, &length)).collect();
+            }
             largest = largest.max(most(&x));
         }
         (most(&x) / largest).to_f64().expect("a number")
     }
 
-    fn moved(&self, x: &[BigRational], i: usize, u: &BigRational) -> BigRational {
+    fn moved(
+        &self,
+        x: &[BigRational],
+        i: usize,
+        u: &BigRational,
+        length: &BigRational,
+    ) -> BigRational {
         let mut share = BigRational::one();
         let mut sum = BigRational::zero();
         for (power, value) in (1..).zip(x[i..].iter().chain([u])) {
             sum += value * &share;
-            share *= &self.h / BigInt::from(power);
+            share *= length / BigInt::from(power);
         }
         // 1e-120 is far below any tolerance here.
         let grid = BigRational::from_integer(BigInt::one() << 400);
@@ -60,11 +72,19 @@ impl Chain {
     }
 }
 
+/// The inputs under way, and the part of a sample in which the oldest still acts.
+fn late(delay: &str, inputs: usize) -> (usize, BigRational) {
+    let thousandths = delay.parse::<f64>().expect("a delay") * 1000.0;
+    let delay = BigRational::new((thousandths.round() as i64).into(), 1000.into());
+    (inputs, delay - BigRational::from_integer(inputs.into()) + BigRational::one())
+}
+
 #[test]
 fn comes_to_rest_at_the_last_sample() {
     for n in 1..=4 {
-        for delay in 0..=2 {
-            let order = n + delay;
+        for (delay, inputs) in [("0", 0), ("1", 1), ("2", 2), ("0.3", 1), ("1.7", 2), ("0.001", 1)]
+        {
+            let order = n + inputs;
             for samples in [2 * order as u32 + 8, 60] {
                 for period in ["1/1024", "1/4"] {
                     let mut poles: Vec<_> =
@@ -77,13 +97,13 @@ fn comes_to_rest_at_the_last_sample() {
                         ("n", &n.to_string()),
                         ("tau", &format!("{period}*{samples}")),
                         ("sample_time", period),
-                        ("delay", &delay.to_string()),
+                        ("delay", delay),
                         ("poles", &poles.join(",")),
                     ]);
                     let divisor: i64 = period[2..].parse().expect("a divisor");
                     let chain = Chain {
                         n,
-                        delay,
+                        delay: late(delay, inputs),
                         measured: n,
                         h: BigRational::new(1.into(), divisor.into()),
                         disturbance: BigRational::zero(),
@@ -98,8 +118,10 @@ fn comes_to_rest_at_the_last_sample() {
 
 #[test]
 fn comes_to_rest_with_an_observer() {
-    for (n, measured, delay) in [(2, 1, 0), (3, 1, 0), (3, 2, 1), (4, 1, 0), (4, 3, 2)] {
-        let (order, estimates, samples) = (n + delay, n + 1 - measured, 60_u32);
+    let loops = [(2, 1, "0", 0), (3, 1, "0", 0), (3, 2, "1", 1), (4, 1, "0", 0), (4, 3, "2", 2)];
+    let split = [(2, 1, "0.6", 1), (3, 2, "1.25", 2)];
+    for (n, measured, delay, inputs) in loops.into_iter().chain(split) {
+        let (order, estimates, samples) = (n + inputs, n + 1 - measured, 60_u32);
         let poles = |count: usize| {
             let each: Vec<_> = (0..count).map(|i| format!("-{}", count + i + 1)).collect();
             each.join(",")
@@ -109,13 +131,14 @@ fn comes_to_rest_with_an_observer() {
             ("n", &n.to_string()),
             ("tau", "60/1024"),
             ("sample_time", "1/1024"),
-            ("delay", &delay.to_string()),
+            ("delay", delay),
             ("poles", &poles(order)),
             ("measured", &names.join(",")),
             ("observer_poles", &poles(estimates)),
         ]);
         let h = BigRational::new(1.into(), 1024.into());
-        let chain = Chain { n, delay, measured, h, disturbance: BigRational::zero() };
+        let disturbance = BigRational::zero();
+        let chain = Chain { n, delay: late(delay, inputs), measured, h, disturbance };
         let rest = chain.rest(&code, samples);
         assert!(rest <= OBSERVED, "n = {n}, m = {measured}, d = {delay}: {rest}");
     }

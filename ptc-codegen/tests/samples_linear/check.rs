@@ -21,13 +21,24 @@ fn the_check_and_the_simulation_judge_one_plant() {
           [plant]\nA = [[0,1],[49,0]]\nB = [0,-1.3]\nC = [[1,0.5],[0.2,-1]]\n",
             2,
         ),
+        (
+            "sample_time = 0.001\ntau = 0.1\ndelay = 1.3\npoles = [-4,-5,-6,-7,-8]\neps = 0.03\n\
+          measured = [\"x1\"]\nobserver_poles = [-4,-5,-6]\nobserver_eps = 0.02\n\
+          [plant]\nA = [[0,1,0],[0,-0.5,1500],[0,-15,-600]]\nB = [0,0,500]\n",
+            3,
+        ),
+        ("n = 2\nsample_time = 0.01\ntau = 0.4\ndelay = 0.6\npoles = [-3,-4,-5]\neps = 0.1\n", 2),
+        (
+            "n = 3\nsample_time = 0.001\ntau = 0.1\ndelay = 1.75\npoles = [-3,-4,-5,-6,-7]\neps = 0.02\n",
+            3,
+        ),
     ] {
         let corner = vec!["0.5"; n].join(",");
         let spec = read(&format!("x0_max = [{corner}]\nerror = 1e9\n{own}")).expect("a design");
         let report = examine(&spec);
         let worst = report.worst.unwrap_or_else(|| panic!("{:?}", report.outcomes));
         let mut most = vec![0.0_f64; n];
-        let delay = spec.promises.delay.unwrap_or(0);
+        let delay = spec.promises.delay.clone().unwrap_or_default();
         let (period, tau) = if n == 3 { (0.001, 0.1) } else { (0.01, 0.4) };
         let around = Loop { period, delay, ..Loop::default() };
         let plant = Plant::default();

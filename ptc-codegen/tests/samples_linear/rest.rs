@@ -57,8 +57,8 @@ fn run(code: &Code, plant: &mut Plant, samples: u32) {
 fn comes_to_rest_with_all_states() {
     for (name, [a, b, _, h]) in PLANTS {
         let n = b.split(',').count();
-        for delay in 0..=2 {
-            let order = n + delay;
+        for (delay, inputs) in [("0", 0), ("0.3", 1), ("1", 1), ("1.75", 2), ("2", 2)] {
+            let order = n + inputs;
             for samples in [2 * order as u32, 60] {
                 let mut chosen = poles(order);
                 if order > 1 && samples == 60 {
@@ -93,7 +93,9 @@ fn comes_to_rest_with_all_states() {
 fn comes_to_rest_with_an_observer() {
     for (name, [a, b, c, h]) in PLANTS {
         let n = b.split(',').count();
-        for (delay, disturbance) in [(0, "0"), (1, "0"), (1, "0.3"), (2, "0.3")] {
+        for (delay, inputs, disturbance) in
+            [("0", 0, "0"), ("1", 1, "0"), ("1", 1, "0.3"), ("1.4", 2, "0.3"), ("2", 2, "0.3")]
+        {
             let estimates = n + usize::from(disturbance != "0");
             let known = c.split(';').count() == n && disturbance == "0";
             let own = match known {
@@ -102,11 +104,11 @@ fn comes_to_rest_with_an_observer() {
             };
             let constant = if disturbance == "0" { "none" } else { "constant" };
             let samples = 100;
-            let rounds = 2 * (estimates + n + delay);
+            let rounds = 2 * (estimates + n + inputs);
             let code = code(&format!(
                 "sample_time = {h}\ntau = \"{samples}*{h}\"\ndelay = {delay}\npoles = [{}]\n{own}deadbeat = {rounds}\n\
                  disturbance = \"{constant}\"\n[plant]\nA = {}\nB = [{b}]\nC = {}\n",
-                poles(n + delay),
+                poles(n + inputs),
                 listed(a),
                 listed(c),
             ));

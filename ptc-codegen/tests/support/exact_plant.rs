@@ -15,8 +15,9 @@ type Rows = Vec<Vec<BigInt>>;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Plant {
-    /// exp of ((A, B), (0, 0)) h.
-    whole: Rows,
+    /// exp of ((A, B), (0, 0)) over the part of a sample before the next input takes over, and over
+    /// the rest, where there is any.
+    parts: Vec<Rows>,
     c: Rows,
     pub(crate) x: Vec<BigInt>,
     late: VecDeque<BigInt>,
@@ -49,43 +50,54 @@ fn product(a: &Rows, b: &Rows) -> Rows {
     a.iter().map(|row| (0..b[0].len()).map(|j| entry(row, j)).collect()).collect()
 }
 
+/// exp of ((A, B), (0, 0)) h, by its series for 2^-12 h, squared.
+fn exponential(a: &[Vec<BigRational>], b: &[BigRational], h: &BigRational) -> Rows {
+    let n = b.len();
+    let part = h / BigRational::from_integer(BigInt::one() << 12);
+    let row = |i: usize| a[i].iter().chain([&b[i]]).map(|e| fixed(&(e * &part))).collect();
+    let mut all: Rows = (0..n).map(row).collect();
+    all.push(vec![BigInt::zero(); n + 1]);
+    let one = || BigInt::one() << BITS;
+    let unit = |i: usize, j: usize| if i == j { one() } else { BigInt::zero() };
+    let mut sum: Rows = (0..=n).map(|i| (0..=n).map(|j| unit(i, j)).collect()).collect();
+    let mut term = sum.clone();
+    for k in 1..40 {
+        term = product(&term, &all);
+        term.iter_mut().flatten().for_each(|entry| *entry /= BigInt::from(k));
+        for (sum, term) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
+            *sum += term;
+        }
+    }
+    for _ in 0..12 {
+        sum = product(&sum, &sum);
+    }
+    sum
+}
+
 impl Plant {
-    /// The plant with rows of A, with B, rows of C, a period, samples of delay and what is added to u.
+    /// The plant with rows of A, with B, rows of C, a period, a delay in samples and what is added to u.
     pub(crate) fn new(
         a: &[Vec<BigRational>],
         b: &[BigRational],
         c: &[Vec<BigRational>],
         h: &BigRational,
-        delay: usize,
+        delay: &str,
         added: &BigRational,
     ) -> Self {
         let n = b.len();
-        // exp by its series for 2^-12 h, squared.
-        let part = h / BigRational::from_integer(BigInt::one() << 12);
-        let row = |i: usize| a[i].iter().chain([&b[i]]).map(|e| fixed(&(e * &part))).collect();
-        let mut all: Rows = (0..n).map(row).collect();
-        all.push(vec![BigInt::zero(); n + 1]);
+        let delay = number(delay);
+        let inputs = delay.ceil();
+        let first = &delay - &inputs + BigRational::one();
+        let lengths = [&first * h, (BigRational::one() - &first) * h];
+        let lengths = lengths.iter().filter(|length| !length.is_zero());
         let one = || BigInt::one() << BITS;
-        let unit = |i: usize, j: usize| if i == j { one() } else { BigInt::zero() };
-        let mut sum: Rows = (0..=n).map(|i| (0..=n).map(|j| unit(i, j)).collect()).collect();
-        let mut term = sum.clone();
-        for k in 1..40 {
-            term = product(&term, &all);
-            term.iter_mut().flatten().for_each(|entry| *entry /= BigInt::from(k));
-            for (sum, term) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
-                *sum += term;
-            }
-        }
-        for _ in 0..12 {
-            sum = product(&sum, &sum);
-        }
         let x: Vec<_> = (0..n).map(|i| one() / (i + 2)).collect();
         Self {
-            whole: sum,
+            parts: lengths.map(|length| exponential(a, b, length)).collect(),
             c: c.iter().map(|row| row.iter().map(fixed).collect()).collect(),
             largest: x.iter().map(double).collect(),
             x,
-            late: vec![BigInt::zero(); delay].into(),
+            late: vec![BigInt::zero(); inputs.to_usize().expect("few samples")].into(),
             added: fixed(added),
         }
     }
@@ -95,7 +107,7 @@ impl Plant {
         (n, measured): (usize, usize),
         [g, f, d]: [&BigRational; 3],
         h: &BigRational,
-        delay: usize,
+        delay: &str,
     ) -> Self {
         let unit = |i: usize, j: usize| {
             if i == j { BigRational::one() } else { BigRational::zero() }
@@ -116,10 +128,14 @@ impl Plant {
     /// A sample later, with the input of this one.
     pub(crate) fn step(&mut self, u: f64) {
         self.late.push_back(fixed(&BigRational::from_f64(u).expect("a finite u")));
-        let acting = self.late.pop_front().expect("an input") + &self.added;
-        let given = self.x.iter().chain([&acting]).map(|x| vec![x.clone()]).collect();
-        self.x = product(&self.whole, &given).into_iter().map(|mut row| row.remove(0)).collect();
-        self.x.pop();
+        let older = self.late.pop_front().expect("an input");
+        let newer = self.late.front().unwrap_or(&older).clone();
+        for (part, acting) in self.parts.iter().zip([older, newer]) {
+            let acting = acting + &self.added;
+            let given = self.x.iter().chain([&acting]).map(|x| vec![x.clone()]).collect();
+            self.x = product(part, &given).into_iter().map(|mut row| row.remove(0)).collect();
+            self.x.pop();
+        }
         for (largest, x) in self.largest.iter_mut().zip(&self.x) {
             *largest = largest.max(double(x).abs());
         }

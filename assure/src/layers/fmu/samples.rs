@@ -64,7 +64,7 @@ pub(super) fn run(
             emit(generator, &format!("--lang {lang}"), spec, &home)?;
             let fmu = home.join(format!("{}.fmu", spec.name()));
             let told = fmu.with_extension("loop");
-            let delay = spec.sampled().map_or(0, |sampled| sampled.delay);
+            let delay = spec.sampled().map_or(0, |sampled| sampled.delay.inputs());
             writeln!(list, "{}\t{}\t{}\t{delay}", fmu.display(), told.display(), spec.n)?;
         }
         let listed = home.join("list");

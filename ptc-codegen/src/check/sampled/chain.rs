@@ -8,7 +8,7 @@ use super::rounded::{Rounded, unit_roundoff};
 use crate::algebra::BigRational;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::linear::{Linear, held};
+use crate::linear::{Delay, Held, Linear, held};
 use crate::parameter::Precision;
 
 /// A matrix with bounds of the distance of each entry from the true one, by rows.
@@ -79,6 +79,9 @@ pub(super) enum Unit {
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) n: usize,
+    /// The first of them, those of the plant; the input that acted last may be one more.
+    pub(super) moved: usize,
+    /// Inputs under way.
     pub(super) delay: usize,
     /// Phi with its errors, n by n.
     pub(super) motion: Matrix,
@@ -87,6 +90,8 @@ pub(super) struct Chain {
     /// h^j/j!, j = 0..=n, rounded.
     pub(super) shares: Vec<f64>,
     pub(super) gain: f64,
+    /// What an input of 1 does to the states in a whole sample, with its errors.
+    pub(super) whole: Vec<Near>,
     /// The rows of y = C x; `None` if the states of a chain are measured.
     pub(super) outputs: Option<Vec<Vec<Near>>>,
 }
@@ -106,26 +111,43 @@ impl Chain {
                 (motion.entries[i * n + j], motion.errors[i * n + j]) = (value, error);
             }
         }
-        let input = (0..n).map(|i| centre(shares[n - i], 0.0)).collect();
+        let input: Vec<_> = (0..n).map(|i| centre(shares[n - i], 0.0)).collect();
         let shares = shares.iter().map(|share| centre(*share, 0.0).0).collect();
-        Self { n, delay, motion, input, shares, gain: 1.0, outputs: None }
+        let whole = input.clone();
+        Self { n, moved: n, delay, motion, input, shares, gain: 1.0, whole, outputs: None }
     }
 
-    /// A linear plant with period `h`; `None` if a mode is too fast for it.
-    pub(super) fn linear(plant: &Linear, h: &BigRational, delay: usize) -> Option<Self> {
-        let (phi, gamma) = held(plant, h)?;
+    /// A linear plant with period `h`; `None` if a mode is too fast for it. Where inputs take over
+    /// within a sample, the one that acted last is its last state, as it acted.
+    pub(super) fn linear(plant: &Linear, h: &BigRational, delay: &Delay) -> Option<Self> {
+        let Held { mut phi, older, newer } = held(plant, h, delay)?;
         let near = |value: &BigRational| centre(Range::from(&Interval::exact(value)), 0.0);
-        let n = gamma.len();
+        let (moved, zero) = (older.len(), BigRational::default());
+        let mut whole: Vec<_> = older.iter().zip(&newer).map(|(a, b)| near(&(a + b))).collect();
+        let (mut input, mut under_way) = (whole.clone(), delay.inputs());
+        if !delay.is_whole() {
+            phi.iter_mut().zip(&older).for_each(|(row, older)| row.push(older.clone()));
+            phi.push(vec![zero.clone(); moved + 1]);
+            input = newer.iter().map(near).chain([(1.0, 0.0)]).collect();
+            whole.push((0.0, 0.0));
+            under_way -= 1;
+        }
+        let n = phi.len();
         let (entries, errors) = phi.iter().flatten().map(near).unzip();
-        let rows = plant.c.iter().map(|row| row.iter().map(near).collect());
+        let row = |row: &Vec<BigRational>| {
+            let all = row.iter().chain(std::iter::repeat(&zero)).take(n);
+            all.map(near).collect()
+        };
         Some(Self {
             n,
-            delay,
+            moved,
+            delay: under_way,
             motion: Matrix { size: n, entries, errors },
-            input: gamma.iter().map(near).collect(),
+            input,
             shares: vec![1.0, near(h).0],
             gain: 1.0,
-            outputs: Some(rows.collect()),
+            whole,
+            outputs: Some(plant.c.iter().map(row).collect()),
         })
     }
 
@@ -142,6 +164,7 @@ impl Chain {
     /// The unit of x_j, from 1.
     pub(super) fn unit(&self, j: usize) -> Unit {
         match self.outputs {
+            Some(_) if j > self.moved => Unit::Power(0),
             Some(_) => Unit::Gain(j),
             None => Unit::Power(i32::try_from(self.n + 1 - j).unwrap_or(i32::MAX)),
         }

@@ -35,7 +35,7 @@ pub(super) fn steps(
     let spec = &Spec { after: After::Hold, ..spec.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
-    let acting = format!("u{}", sampled.delay);
+    let acting = format!("u{}", chain.delay);
     let acting = kept.iter().position(|name| *name == acting).map(|at| chain.n + at);
     let unit = |name: &&str| {
         let state = name.strip_prefix('x').and_then(|name| name.split('_').next()?.parse().ok());

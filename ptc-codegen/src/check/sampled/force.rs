@@ -39,7 +39,7 @@ impl Force {
 
     /// Two numbers between which is the most that any |f| <= 1 adds, of a chain.
     pub(super) fn size(&self, chain: &Chain, row: &[f64]) -> [f64; 2] {
-        let n = chain.n;
+        let n = chain.moved;
         // The polynomial by the part of the sample that is left, in Bernstein's form.
         let mut points = vec![0.0; n];
         let mut ratio = vec![1.0; n];

@@ -15,6 +15,7 @@ use crate::algebra::BigRational;
 use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
+use crate::linear::Linear;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec, one_or_each};
 
@@ -56,13 +57,13 @@ impl<'a> Loop<'a> {
                 count.to_f64().unwrap_or(f64::NAN)
             ));
         }
-        let delay = promises.delay.unwrap_or(0);
+        let delay = promises.delay.clone().unwrap_or_default();
         // The states, what is kept of them, and the causes.
         let kept = spec.sampled().filter(|own| own.observes()).map_or(0, |own| match own.linear {
             Some(_) => 2 * (spec.n + 1) + 1,
             None => spec.n + 2,
         });
-        let size = (spec.n + delay + kept) as f64;
+        let size = (spec.n + delay.inputs() + 1 + kept) as f64;
         let numbers = size * (size + spec.n as f64 + 1.0);
         let samples = samples.to_usize().filter(|count| *count as f64 * numbers <= ENTRIES);
         let Some(samples) = samples.filter(|count| *count > 0) else {
@@ -73,14 +74,21 @@ impl<'a> Loop<'a> {
         };
         let range = |value: &BigRational| Range::from(&Interval::exact(value));
         let period = range(&h);
-        let plant = match spec.sampled().and_then(|own| own.linear.as_ref()) {
+        let linear = spec.sampled().and_then(|own| own.linear.clone());
+        let split = || Linear::chain(spec.n, &BigRational::from_integer(1.into()), spec.n);
+        let chain = Chain::new(spec.n, period, delay.inputs());
+        let plant = match linear.or_else(|| (!delay.is_whole()).then(split)) {
             Some(plant) => {
-                Chain::linear(plant, &h, delay).ok_or("a mode is too fast for the sample period")?
+                let plant = Chain::linear(&plant, &h, &delay);
+                let plant = plant.ok_or("a mode is too fast for the sample period")?;
+                Chain { shares: chain.shares, ..plant }
             }
-            None => Chain::new(spec.n, period, delay),
+            None => chain,
         };
         if plant.outputs.is_some() && promises.jitter.is_some() {
-            return Err("jitter of a linear plant is not examined".to_owned());
+            return Err(
+                "jitter is examined of a chain with whole samples of delay alone".to_owned()
+            );
         }
         Ok(Self { spec, expanded, period, samples, gains, plant })
     }
@@ -97,7 +105,9 @@ impl<'a> Loop<'a> {
     /// The loop with what disturbs it.
     pub(super) fn disturbed(&self, mut sampled: Sampled, gain: &Gain) -> Sampled {
         let promises = &self.spec.promises;
-        sampled.x0 = promises.x0_max.iter().map(double).collect();
+        // No input has acted yet.
+        let start = promises.x0_max.iter().map(double).chain([0.0]);
+        sampled.x0 = start.take(self.plant.n).collect();
         let each = |bounds: &[Fixed], j| one_or_each(bounds, j).unwrap_or(0.0);
         let noise = |j| each(&promises.noise, j) + each(&promises.sensor_step, j) / 2.0;
         sampled.noise = (0..self.plant.sensors()).map(noise).collect();
@@ -119,7 +129,7 @@ impl<'a> Loop<'a> {
         };
         let [middle, constant, varying] =
             [middle, constant, varying].map(|part| part.to_f64().unwrap_or(f64::INFINITY));
-        let force = Force { middle, constant, varying, column: self.plant.input.clone() };
+        let force = Force { middle, constant, varying, column: self.plant.whole.clone() };
         (force.most() > 0.0).then_some(force)
     }
 

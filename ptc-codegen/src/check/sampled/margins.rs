@@ -96,6 +96,6 @@ fn scaled(spec: &Spec, factor: f64) -> Option<Spec> {
 /// The design with more samples of delay.
 fn later(spec: &Spec, more: usize) -> Spec {
     let mut spec = spec.clone();
-    spec.promises.delay = Some(spec.promises.delay.unwrap_or(0) + more);
+    spec.promises.delay = Some(spec.promises.delay.unwrap_or_default().later(more));
     spec
 }

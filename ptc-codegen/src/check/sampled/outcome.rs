@@ -11,6 +11,7 @@ use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
+use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, PlantBounds, Spec};
 
@@ -249,8 +250,13 @@ fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
 fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
     let way = worst.way.as_ref()?;
     let x = list(way.x.iter().copied());
-    let at = if linear(spec) { "at the samples" } else { "between samples too" };
+    let at = if is_between(spec) { "between samples too" } else { "at the samples" };
     Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
+}
+
+/// Whether the bounds of x hold between the samples too.
+fn is_between(spec: &Spec) -> bool {
+    !linear(spec) && spec.promises.delay.as_ref().is_none_or(Delay::is_whole)
 }
 
 /// What holds after the deadline.
@@ -266,7 +272,8 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     };
     let x = list(after.x.iter().copied());
     let clipped = if after.u < closed.limit() { "" } else { ", unless u is clipped" };
-    Some(format!("from the deadline on |x| <= {x} and |u| <= {}{clipped}", digits(after.u)))
+    let at = if is_between(spec) { "" } else { ", at the samples," };
+    Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits(after.u)))
 }
 
 /// What random noise adds, which has no bound.

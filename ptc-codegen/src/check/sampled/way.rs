@@ -65,7 +65,7 @@ pub(super) fn larger(a: Vec<f64>, b: &[f64]) -> Vec<f64> {
 impl Sampled {
     /// The bounds on the way, over all samples up to `last` and the polynomials between them.
     pub(super) fn way(&self, last: usize, reach: Option<&Reach>) -> Option<Way> {
-        let (n, size) = (self.chain.n, self.size());
+        let (n, size) = (self.chain.moved, self.size());
         let outputs = n + 1 + n * (n - 1) / 2;
         let count = last as f64;
         if 0.5 * count * count * (outputs * (size * size + 4 * size)) as f64 > OPERATIONS {
@@ -76,7 +76,7 @@ impl Sampled {
             None => Some(self.fading(None, last)?),
         };
         let trust = reach.map(Trust::Reach).or(fading.as_ref().map(Trust::Fading));
-        let mut way = Way { x: self.x0.clone(), u: 0.0, u_attained: 0.0, u_rms: 0.0 };
+        let mut way = Way { x: self.x0[..n].to_vec(), u: 0.0, u_attained: 0.0, u_rms: 0.0 };
         let control = self.control();
         for k in 0..=last {
             if k < last {
@@ -125,7 +125,7 @@ impl Sampled {
         }
         let (rest, later, length) = found?;
         let control = self.control();
-        let mut after = Afterwards { x: rest.x0[..self.chain.n].to_vec(), u: 0.0 };
+        let mut after = Afterwards { x: rest.x0[..self.chain.moved].to_vec(), u: 0.0 };
         let mut see = |part: &Self, reach: &Reach, k: usize| {
             let trust = Some(Trust::Reach(reach));
             after.u = after.u.max(part.bound(&control, k, trust).total() - part.actuator);

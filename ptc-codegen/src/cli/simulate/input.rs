@@ -120,7 +120,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         },
         jitter: promises.jitter.as_ref().and_then(to_f64).unwrap_or(0.0),
         seed: request.seed,
-        delay: promises.delay.unwrap_or(0),
+        delay: promises.delay.clone().unwrap_or_default(),
         until,
         arm_at,
     };

@@ -6,7 +6,7 @@ use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
 use crate::internal::fault;
-use crate::linear::{Linear, held};
+use crate::linear::{Delay, Linear, held};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number;
 use crate::request::{Sampled, Spec};
@@ -26,7 +26,10 @@ pub(super) struct Samples {
     pub(super) start: String,
     /// Values that are measured.
     pub(super) measured: usize,
+    /// Inputs under way.
     pub(super) delay: usize,
+    /// The part of a sample in which the oldest of them still acts; `None` for all of it.
+    pub(super) part: Option<String>,
     /// What is added to u; `None` if the controller knows no disturbance.
     pub(super) force: Option<String>,
     /// The plant in a line.
@@ -38,8 +41,9 @@ pub(super) struct Samples {
 pub(super) enum Plant {
     /// x_n' = f + g u; where they are not 0 and 1.
     Chain { gain: Option<String>, force: Option<String> },
-    /// x = Phi x + Gamma u, y = C x, by rows.
-    Linear { phi: Vec<Vec<String>>, gamma: Vec<String>, c: Vec<Vec<String>> },
+    /// x = Phi x + Gamma u, y = C x, by rows; `newer` is what an input does that takes over within
+    /// the sample.
+    Linear { phi: Vec<Vec<String>>, gamma: Vec<String>, newer: Vec<String>, c: Vec<Vec<String>> },
 }
 
 impl Samples {
@@ -52,7 +56,7 @@ impl Samples {
         let (period, period_fixed) = fixed(Parameter::SampleTime);
         let text = |value: &BigRational| words.number(number::round(value, spec.precision));
         let plant = match &sampled.linear {
-            Some(plant) => linear(spec, plant, &text),
+            Some(plant) => linear(spec, plant, &sampled.delay, &text),
             None => Plant::Chain {
                 gain: (sampled.gain != integer(1)).then(|| text(&sampled.gain)),
                 force: (sampled.force != integer(0)).then(|| text(&sampled.force)),
@@ -67,7 +71,8 @@ impl Samples {
             period_fixed,
             start: words.number(start),
             measured: sampled.measured,
-            delay: sampled.delay,
+            delay: sampled.delay.inputs(),
+            part: (!sampled.delay.is_whole()).then(|| text(&sampled.delay.part())),
             force: sampled.disturbance.then(|| words.number(force)),
             about: about(spec, sampled),
             plant,
@@ -75,15 +80,21 @@ impl Samples {
     }
 }
 
-fn linear(spec: &Spec, plant: &Linear, text: &dyn Fn(&BigRational) -> String) -> Plant {
+fn linear(
+    spec: &Spec,
+    plant: &Linear,
+    delay: &Delay,
+    text: &dyn Fn(&BigRational) -> String,
+) -> Plant {
     let period = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
-    let Some((phi, gamma)) = period.and_then(|h| held(plant, h)) else {
+    let Some(held) = period.and_then(|h| held(plant, h, delay)) else {
         fault("a linear plant without its sample period")
     };
     let row = |row: &Vec<BigRational>| row.iter().map(text).collect();
     Plant::Linear {
-        phi: phi.iter().map(row).collect(),
-        gamma: row(&gamma),
+        phi: held.phi.iter().map(row).collect(),
+        gamma: row(&held.older),
+        newer: row(&held.newer),
         c: plant.c.iter().map(row).collect(),
     }
 }

@@ -42,7 +42,9 @@ struct Run {
     code: Code,
     given: Vec<(Parameter, f64)>,
     phi: Vec<Vec<f64>>,
-    gamma: Vec<f64>,
+    /// What the oldest input does that acts, and the one that takes over from it within a sample.
+    older: Vec<f64>,
+    newer: Vec<f64>,
     c: Vec<Vec<f64>>,
     /// What acts beside u, in units of u.
     known: f64,
@@ -60,7 +62,7 @@ impl Run {
         let h = BigRational::from_float(example.value(Parameter::SampleTime))?;
         let chain = || Linear::chain(spec.n, &sampled.gain, sampled.measured);
         let plant = sampled.linear.clone().unwrap_or_else(chain);
-        let (phi, gamma) = held(&plant, &h)?;
+        let held = held(&plant, &h, &sampled.delay)?;
         let row = |row: &Vec<BigRational>| -> Option<Vec<f64>> {
             row.iter().map(ToPrimitive::to_f64).collect()
         };
@@ -68,11 +70,12 @@ impl Run {
         Some(Self {
             code,
             given,
-            phi: rows(&phi)?,
-            gamma: row(&gamma)?,
+            phi: rows(&held.phi)?,
+            older: row(&held.older)?,
+            newer: row(&held.newer)?,
             c: rows(&plant.c)?,
             known: (&sampled.force / &sampled.gain).to_f64()?,
-            delay: sampled.delay,
+            delay: sampled.delay.inputs(),
             samples: example.value(Parameter::Samples).to_u32()?.min(TRIED),
         })
     }
@@ -99,8 +102,11 @@ impl Run {
             peak = peak.max(u.abs());
             sent.rotate_right(1);
             sent[0] = *u;
-            let acting = sent[self.delay] + force + self.known;
-            x = self.phi.iter().zip(&self.gamma).map(|(row, g)| dot(row) + g * acting).collect();
+            let acts = |inputs: usize| sent[inputs] + force + self.known;
+            let (older, newer) = (acts(self.delay), acts(self.delay.saturating_sub(1)));
+            let gammas = self.older.iter().zip(&self.newer);
+            let inputs = gammas.map(|(of_older, of_newer)| of_older * older + of_newer * newer);
+            x = self.phi.iter().zip(inputs).map(|(row, input)| dot(row) + input).collect();
         }
         peak
     }

@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::{Reader, items, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::digits;
-use crate::linear::{self, Ill, Linear};
+use crate::linear::{self, Delay, Ill, Linear};
 use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
 use crate::syntax::{Node, Value, real};
@@ -29,7 +29,7 @@ impl Reader<'_> {
     pub(super) fn linear(
         &mut self,
         spec: &Spec,
-        delay: usize,
+        delay: &Delay,
         disturbance: bool,
     ) -> Option<(Linear, Vec<usize>)> {
         let Some(a) = self.keys.get("A").copied() else {

@@ -19,6 +19,7 @@ use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::family::Family;
 use crate::keys::{KEYS, KeyInfo};
+use crate::linear::Delay;
 use crate::mapping::TimeMapping;
 use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
 use crate::syntax::{Node, Value};
@@ -144,7 +145,7 @@ impl<'a> Reader<'a> {
         let promises = self.promises(n);
         let samples = self.counts_samples();
         // A sample of delay is a state more.
-        let late = if samples { promises.delay.unwrap_or(0) } else { 0 };
+        let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
         let input_gain = self.input_gain(order, &known);
         let mut spec = Spec {

@@ -2,10 +2,11 @@
 
 use num_traits::Signed;
 
-use super::{Reader, items, shown, suggestion, whole};
+use super::{Reader, items, shown, suggestion};
 use crate::algebra::BigRational;
 use crate::diagnostic::near_miss;
 use crate::keys::{CHECKS, KeyInfo};
+use crate::linear::Delay;
 use crate::parameter::Fixed;
 use crate::request::Promises;
 use crate::syntax::{Node, Value, real};
@@ -57,14 +58,16 @@ impl Reader<'_> {
         value
     }
 
-    fn delay(&mut self, node: &Node) -> Option<usize> {
-        let value = real(node).and_then(|value| whole(value.number()?, MAX_DELAY));
+    fn delay(&mut self, node: &Node) -> Option<Delay> {
+        let most = BigRational::from_integer(MAX_DELAY.into());
+        let value = not_negative(node).and_then(|value| value.number().cloned());
+        let value = value.filter(|value| *value <= most);
         if value.is_none() {
             let message = format!("delay = {} is not a number of samples", shown(&node.value));
-            let help = format!("delay is an integer 0..={MAX_DELAY}");
+            let help = format!("delay is a number from 0 to {MAX_DELAY}");
             self.wrong("delay", Some(node.place), message, help);
         }
-        value
+        value.map(Delay::new)
     }
 
     /// How early or late a sample may be: less than half a period, so that samples keep their order.

@@ -19,11 +19,8 @@ pub(super) struct Sets<'a> {
 
 impl<'a> Sets<'a> {
     pub(super) fn new(spec: &'a Spec) -> Self {
-        let (least, order) = match spec.sampled() {
-            Some(sampled) => (sampled.least_samples(spec.n), spec.n + sampled.delay),
-            None => (1, spec.n),
-        };
-        Self { spec, open: spec.run_time_parameters().collect(), least, order }
+        let least = spec.sampled().map_or(1, |sampled| sampled.least_samples(spec.n));
+        Self { spec, open: spec.run_time_parameters().collect(), least, order: spec.loop_order() }
     }
 
     /// A set with which a round ends at rest.

@@ -51,6 +51,13 @@ impl Reader<'_> {
             let help = "give `clock` = samples, what is measured, `observer_poles` and `observer_samples` beside it";
             self.wrong("what", place, message, help.to_owned());
         }
+        if let Some(delay) = spec.promises.delay.as_ref().filter(|delay| !delay.is_whole()) {
+            let place = self.keys.get("delay").map(|node| node.place);
+            let message = format!("delay = {delay} is not a whole number of samples");
+            let help =
+                "a clock in time takes whole samples; `clock` = samples compensates any delay";
+            self.wrong("delay", place, message, help.to_owned());
+        }
         for key in OWN {
             if let Some(node) = self.keys.get(key).copied() {
                 let message = format!("`{key}` needs a clock in samples");
@@ -65,15 +72,16 @@ impl Reader<'_> {
         self.has_no_meaning(spec);
         self.period(spec);
         let a = spec.fixed.get(&Parameter::A).and_then(Fixed::number).cloned();
-        let delay = spec.promises.delay.unwrap_or(0);
+        let late = spec.promises.delay.clone().unwrap_or_default();
+        let delay = late.inputs();
         if delay > MAX_KEPT || spec.n + delay > MAX_ORDER {
             let place = self.keys.get("delay").map(|node| node.place);
-            let message = format!("delay = {delay}: the controller keeps the inputs under way");
+            let message = format!("delay = {late}: the controller keeps the inputs under way");
             let most = MAX_KEPT.min(MAX_ORDER.saturating_sub(spec.n));
             self.wrong("delay", place, message, format!("at most {most} samples of delay here"));
         }
         let disturbance = self.disturbed();
-        let linear = self.linear(spec, delay, disturbance);
+        let linear = self.linear(spec, &late, disturbance);
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
@@ -94,7 +102,7 @@ impl Reader<'_> {
             }
         };
         let sampled = Sampled {
-            delay,
+            delay: late,
             linear: linear.map(|(plant, _)| plant),
             gain,
             force,

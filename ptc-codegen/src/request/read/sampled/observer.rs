@@ -4,7 +4,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::MAX_SAMPLES;
 use crate::algebra::{BigInt, BigRational};
-use crate::linear;
+use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
@@ -93,7 +93,7 @@ impl Reader<'_> {
             return self.samples_alone(spec, estimates, MAX_SAMPLES);
         }
         let node = self.keys.get("observer_samples").copied()?;
-        let order = spec.n + spec.promises.delay.unwrap_or(0);
+        let order = spec.n + spec.promises.delay.as_ref().map_or(0, Delay::inputs);
         let all = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
         let most = all.map(|all| all - BigRational::from_integer(BigInt::from(order)));
         let most = most.and_then(|most| most.to_usize()).unwrap_or(MAX_SAMPLES as usize - order);
