@@ -172,7 +172,7 @@ fn the_actuator_has_steps_and_may_be_late() {
     assert!(stepped.iter().all(|(.., u, _)| (u / 0.25).fract() == 0.0));
     assert!((stepped[0].2 - plain[0].2).abs() <= 0.125);
     assert_ne!(plain[0].2, stepped[0].2);
-    let late = run(STAGE, &[0.1, 0.0], &Loop { period: 0.01, delay: 1, ..Loop::default() });
+    let late = run(STAGE, &[0.1, 0.0], &Loop { period: 0.01, delay: 1.into(), ..Loop::default() });
     assert_eq!(late[0].2, 0.0, "nothing has been computed yet");
     assert_eq!(late[1].2.to_bits(), plain[0].2.to_bits());
 }

@@ -46,6 +46,13 @@ impl Delay {
     }
 }
 
+impl From<usize> for Delay {
+    /// A delay of whole samples.
+    fn from(samples: usize) -> Self {
+        Self::new(BigRational::from_integer(samples.into()))
+    }
+}
+
 impl fmt::Display for Delay {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&constant::text(&self.samples))

@@ -216,8 +216,6 @@ impl Builder<'_> {
         let element = |j| Expr::Element(given.to_owned(), j);
         let mut body: Vec<_> = self.finite((0..measured).map(element)).into_iter().collect();
         body.push(Self::elapsed(start));
-        let left = samples.clone().count_left(Expr::local("elapsed"));
-        body.push(Statement::Let("left".to_owned(), count, left));
         self.remember_inputs(1);
         if self.sampled.observes() {
             let end = match self.sampled.observer_samples() {
@@ -232,23 +230,25 @@ impl Builder<'_> {
             let states = states.into_iter().zip(1..);
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
-        body.extend(self.law());
-        body.push(Statement::Require(Test::Finite(Expr::local("v")), Status::Range));
-        let mut ways = Vec::new();
-        let u = self.clipped(&mut body, &mut ways);
-        let zero = self.spec.after == After::Zero;
-        match self.hold() {
-            Some(hold) => {
-                let hold = self.keep("hold", "samples to go at which the gains are held", hold);
-                ways.push((Test::AtMost(Expr::local("left").real(), hold), Status::Hold));
-            }
-            None if !zero => ways.push((over(), Status::Hold)),
-            None => {}
+        body.extend(self.law(samples));
+        let v = Expr::local("v");
+        let mut finish = self.finish(samples);
+        if self.remembered() == 0 {
+            let range = Finish::Fail(Status::Range);
+            finish = Finish::choose(Test::Finite(v), finish, range);
+        } else {
+            body.push(Statement::Require(Test::Finite(v), Status::Range));
+            let u = match finish.results() {
+                Some([u]) => u.clone(),
+                _ => {
+                    body.push(Statement::Variable("u_now".to_owned(), real));
+                    body.extend(chosen(&finish));
+                    Expr::local("u_now")
+                }
+            };
+            finish.give_all(std::slice::from_ref(&u));
+            body.extend(self.shift_inputs(&u));
         }
-        if zero {
-            ways.insert(0, (over(), Status::After));
-        }
-        body.extend(self.shift_inputs(&u));
         if self.sampled.observes() {
             body.extend(self.keep_estimates());
         }
@@ -274,12 +274,7 @@ impl Builder<'_> {
                 false => vec![Status::Range],
             },
             body,
-            finish: ways.into_iter().rev().fold(
-                Finish::give(vec![u.clone()], Status::Ok),
-                |rest, (test, status)| {
-                    Finish::choose(test, Finish::give(vec![u.clone()], status), rest)
-                },
-            ),
+            finish,
             guarded: self.guarded(),
         }
     }
@@ -294,37 +289,56 @@ impl Builder<'_> {
         }
     }
 
-    /// u within its bound, from v.
-    fn clipped(&mut self, body: &mut Vec<Statement>, ways: &mut Vec<(Test, Status)>) -> Expr {
+    /// The end of `step`: v within its bound, and its status.
+    fn finish(&mut self, samples: &Expr) -> Finish {
         let v = Expr::local("v");
-        let infinite = matches!(self.spec.fixed.get(&Parameter::UMax), Some(Fixed::Infinite));
-        let zero = self.spec.after == After::Zero;
-        if infinite && !zero {
-            return v;
+        let give = |value: &Expr, status| Finish::give(vec![value.clone()], status);
+        let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
+        let (limit, zero) = (self.limit(), self.spec.after == After::Zero);
+        let (tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
+        let mut finish = match self.hold() {
+            Some(hold) => {
+                let hold = self.keep("hold", "samples to go at which the gains are held", hold);
+                Finish::choose(Test::AtMost(Expr::local("left").real(), hold), held, tracks)
+            }
+            None if zero => tracks,
+            None => Finish::choose(going(), tracks, held),
+        };
+        if let Some(limit) = limit {
+            let least = limit.clone().neg();
+            for (test, end) in [
+                (Test::Less(v.clone(), least.clone()), &least),
+                (Test::Less(limit.clone(), v.clone()), &limit),
+            ] {
+                finish = Finish::choose(test, give(end, Status::Saturated), finish);
+            }
         }
-        let u = || Place::Local("u_now".to_owned());
-        body.push(Statement::Variable("u_now".to_owned(), Shape::Real));
-        let mut set = vec![Statement::Set(u(), v.clone())];
-        if !infinite {
-            let limit = self.parameter(Parameter::UMax);
-            let limit = self.keep("u_max", "bound of |u|", limit);
-            let below = Test::Less(v.clone(), limit.clone().neg());
-            let above = Test::Less(limit.clone(), v);
-            ways.push((above.clone(), Status::Saturated));
-            ways.push((below.clone(), Status::Saturated));
-            let lower = vec![Statement::Set(u(), limit.clone().neg())];
-            set = vec![Statement::If(below, lower, set)];
-            set = vec![Statement::If(above, vec![Statement::Set(u(), limit)], set)];
+        match zero {
+            true => Finish::choose(going(), finish, give(&Expr::integer(0), Status::After)),
+            false => finish,
         }
-        if zero {
-            set = vec![Statement::If(over(), vec![Statement::Set(u(), Expr::integer(0))], set)];
+    }
+
+    /// The bound of |u|; none for no bound.
+    fn limit(&mut self) -> Option<Expr> {
+        if let Some(Fixed::Infinite) = self.spec.fixed.get(&Parameter::UMax) {
+            return None;
         }
-        body.extend(set);
-        Expr::local("u_now")
+        let limit = self.parameter(Parameter::UMax);
+        Some(self.keep("u_max", "bound of |u|", limit))
     }
 }
 
-/// Whether the deadline is over.
-fn over() -> Test {
-    Test::CountEqual(Expr::local("left"), Expr::Count(0))
+/// The value with which a call ends, as that of `u_now`.
+fn chosen(finish: &Finish) -> Vec<Statement> {
+    match (finish.results(), finish) {
+        (None, Finish::If(test, yes, no)) => {
+            vec![Statement::If(test.clone(), chosen(yes), chosen(no))]
+        }
+        (values, _) => {
+            let set =
+                |value: &Expr| Statement::Set(Place::Local("u_now".to_owned()), value.clone());
+            values.iter().flat_map(|values| values.iter().map(set)).collect()
+        }
+    }
 }

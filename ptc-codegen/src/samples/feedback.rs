@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
+use num_traits::ToPrimitive;
+
 use super::controller::Builder;
 use super::rows::{deadbeat, deadbeat_from, rows};
 use crate::algebra::{BigRational, integer};
@@ -33,14 +35,13 @@ impl Builder<'_> {
     }
 
     /// v, the input before it is clipped, from the states x1.. and the inputs under way.
-    pub(super) fn law(&mut self) -> Vec<Statement> {
+    pub(super) fn law(&mut self, samples: &Expr) -> Vec<Statement> {
         let order = self.spec.loop_order();
         let pair = self.plant().delayed(self.sampled.delay.inputs());
         let Some((s, drift)) = pair.flat() else { fault("a plant is not controllable") };
         let gains: Vec<_> = (1..=order).map(|i| self.parameter(Parameter::Gain(i))).collect();
         let law = rows(&gains, &self.parameter(Parameter::A));
         let offset = self.offset();
-        let mut statements = Vec::new();
         // The inputs under way as they act, with what is added to them.
         let inputs: Vec<Expr> = (0..order)
             .map(|j| match j.checked_sub(self.spec.n) {
@@ -64,7 +65,9 @@ impl Builder<'_> {
                 .collect();
             Expr::sum(terms)
         };
+        let (mut statements, test, within) = self.to_go(order, samples);
         let mut known = vec![Statement::Note("The exact law in samples.".to_owned())];
+        known.extend(within);
         for (i, row) in law.iter().enumerate() {
             let numbers = (0..order).map(|j| row.clone().mul(exact(s.at(i, j)))).collect();
             let name = format!("w{}", i + 1);
@@ -90,20 +93,37 @@ impl Builder<'_> {
         let v =
             |value: Expr| Statement::Set(Place::Local("v".to_owned()), value.sub(offset.clone()));
         known.push(v(horner.add(drifts)));
-        let mut now = Expr::local("left").real();
-        let hold = self.hold();
-        if let Some(hold) = &hold {
-            let hold = self.keep("hold", "samples to go at which the gains are held", hold.clone());
-            now = now.max(hold);
-        }
-        statements.push(Statement::Let("m0".to_owned(), Shape::Real, now));
         statements.push(Statement::Variable("v".to_owned(), Shape::Real));
-        let from = self.deadbeat_from(order, hold.is_some());
-        let from = self.keep("deadbeat", "samples to go at which deadbeat takes over", from);
-        let test = Test::Less(from, Expr::local("m0"));
         let end = vec![Statement::Note("Deadbeat.".to_owned()), v(dead)];
         statements.push(Statement::If(test, known, end));
         statements
+    }
+
+    /// m0, the samples to go, with what stands before the law, the test whether the law holds, and
+    /// what stands within it.
+    fn to_go(&mut self, order: usize, samples: &Expr) -> (Vec<Statement>, Test, Vec<Statement>) {
+        let hold = self.hold();
+        let from = self.deadbeat_from(order, hold.is_some());
+        let elapsed = || Expr::local("elapsed");
+        let now = |value| Statement::Let("m0".to_owned(), Shape::Real, value);
+        let whole = from.number().filter(|_| hold.is_none()).and_then(ToPrimitive::to_u32);
+        if let Some(from) = whole {
+            let end = match samples.clone().count_left(Expr::Count(from)) {
+                end @ Expr::Count(_) => end,
+                open => self.keep_count("end", "samples from the start to deadbeat", open),
+            };
+            let left = samples.clone().count_sub(elapsed()).real();
+            return (Vec::new(), Test::CountLess(elapsed(), end), vec![now(left)]);
+        }
+        let left = samples.clone().count_left(elapsed());
+        let mut first = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
+        let mut left = Expr::local("left").real();
+        if let Some(hold) = hold {
+            left = left.max(self.keep("hold", "samples to go at which the gains are held", hold));
+        }
+        first.push(now(left));
+        let from = self.keep("deadbeat", "samples to go at which deadbeat takes over", from);
+        (first, Test::Less(from, Expr::local("m0")), Vec::new())
     }
 
     /// Samples to go at which deadbeat takes over.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::chain::{Chain, Near, Row, Step, Unit, centre};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
-use crate::code::{Code, Expr, Operator, Place, Shape, Statement, Test};
+use crate::code::{Code, Expr, Finish, Operator, Place, Shape, Statement, Test};
 use crate::expression::range::Range;
 use crate::parameter::Precision;
 use crate::request::{After, Sampled, Spec};
@@ -48,7 +48,7 @@ pub(super) fn steps(
         let mut sample = Sample::new(&code, &kept, sampled.measured, k, seen)?;
         sample.block(&code.init)?;
         sample.block(&code.function("step")?.body)?;
-        let u = sample.real(code.function("step")?.finish.results()?.first()?)?;
+        let u = sample.end(&code.function("step")?.finish)?;
         let u = sample.row(&u, chain, true)?;
         let rows: Option<Vec<_>> = kept
             .iter()
@@ -130,6 +130,15 @@ impl<'a> Sample<'a> {
         let actuator = if acts { 1.0 } else { 0.0 };
         let of_cause = (0..chain.sensors()).map(measured).chain([(actuator, 0.0)]).collect();
         Some(Row { of_state, of_cause })
+    }
+
+    /// The value with which a call ends.
+    fn end(&self, finish: &Finish) -> Option<Held> {
+        match finish {
+            Finish::If(test, yes, no) => self.end(if self.test(test)? { yes } else { no }),
+            Finish::Give(values, _) => self.real(values.first()?),
+            Finish::Fail(_) => None,
+        }
     }
 
     fn block(&mut self, statements: &'a [Statement]) -> Option<()> {
