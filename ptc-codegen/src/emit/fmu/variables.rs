@@ -43,7 +43,7 @@ impl Inputs {
             Some(sampled) if !sampled.measures_states() => {
                 Self { count: sampled.measured, letter: 'y' }
             }
-            _ => Self { count: spec.n, letter: 'x' },
+            _ => Self { count: spec.states(), letter: 'x' },
         }
     }
 }

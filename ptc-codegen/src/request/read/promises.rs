@@ -15,7 +15,8 @@ const MAX_DELAY: usize = 16;
 
 impl Reader<'_> {
     /// Bounds and periods that checks hold the design to.
-    pub(super) fn promises(&mut self, n: Option<usize>) -> Promises {
+    /// Bounds of the whole run are of the states of the plant, all others of the chain.
+    pub(super) fn promises(&mut self, n: Option<usize>, states: Option<usize>) -> Promises {
         // A linear plant has as many sensors as C has rows.
         let measured = self.rows_measured().or(n);
         Promises {
@@ -29,7 +30,7 @@ impl Reader<'_> {
             g_error: self.g_error(),
             jitter: self.jitter(),
             x0_max: self.bounds("x0_max", n),
-            x_max: self.bounds("x_max", n),
+            x_max: self.bounds("x_max", states),
             allow: self.allowed(),
             // Read with the table [plant].
             plant: None,
