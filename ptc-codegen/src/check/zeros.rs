@@ -26,7 +26,9 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
     let order = states - r;
     let degree = format!("the relative degree is {r} of {states} states");
     let at = |p: &Polynomial| match roots(p) {
-        Some(roots) => format!("{degree}; at the origin the zero dynamics have the roots {roots} 1/s"),
+        Some(roots) => {
+            format!("{degree}; at the origin the zero dynamics have the roots {roots} 1/s")
+        }
         None => format!("{degree}; the zero dynamics are of order {order}"),
     };
     let (verdict, summary, fix) = match zeros(model, gain, &values) {
@@ -37,14 +39,19 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
         ),
         Zeros::Singular => (
             Verdict::Unsound,
-            format!("the gain of u, {}, is 0 at the origin: the law divides by it", model.text(gain)),
+            format!(
+                "the gain of u, {}, is 0 at the origin: the law divides by it",
+                model.text(gain)
+            ),
             Some("take an output whose derivative of that order u moves at rest".to_owned()),
         ),
         Zeros::Stable(p) => (Verdict::Sound, at(&p), None),
         Zeros::Unstable(p) => (
             Verdict::Unsound,
             format!("{}: with the output at rest other states leave the origin", at(&p)),
-            Some("take an output with stable zero dynamics, or more of the states in it".to_owned()),
+            Some(
+                "take an output with stable zero dynamics, or more of the states in it".to_owned(),
+            ),
         ),
         Zeros::Critical(p) => (
             Verdict::Undecided,

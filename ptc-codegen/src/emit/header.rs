@@ -89,8 +89,11 @@ fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
     };
     vec![
         format!("Plant, with the input {}: {}. Time in s.", model.input, model.lines().join(", ")),
-        format!("Goal: {chain}, x, are 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."),
-        "The law takes the plant to be the model. What differs from it is not part of the law.".to_owned(),
+        format!(
+            "Goal: {chain}, x, are 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
+        ),
+        "The law takes the plant to be the model. What differs from it is not part of the law."
+            .to_owned(),
     ]
 }
 

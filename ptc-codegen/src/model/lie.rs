@@ -110,12 +110,15 @@ impl<'a> Affine<'a> {
 
     /// The derivative of order `order` of the output along a vector field.
     fn along(&self, e: &Expression, field: &[Expression], order: usize) -> Result<Expression, Ill> {
+        e.differentiable().ok_or(Ill::TooLarge(order))?;
         let sum = (1..).zip(field).fold(Expression::integer(0), |sum, (j, rate)| {
             let slope = e.derivative(Variable::State(j));
             if slope == Expression::integer(0) { sum } else { sum.add(slope.mul(rate.clone())) }
         });
-        let fits = e.differentiable().is_some() && SIZE.admits(sum.size());
-        let sum = if fits { tidy(sum) } else { return Err(Ill::TooLarge(order)) };
+        if !SIZE.admits(sum.size()) {
+            return Err(Ill::TooLarge(order));
+        }
+        let sum = tidy(sum);
         // What walks an expression recurses as deep as one that a user may write.
         match parse("dynamics", &sum.to_string(), &mut |_| Place(0)) {
             Ok(_) => Ok(sum),

@@ -24,7 +24,8 @@ fn compare<const N: usize>(
 ) {
     let mut state = 12345u64;
     let mut draw = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
     let mut call = || {
@@ -83,6 +84,14 @@ fn a_magnet_with_parameters_at_run_time() {
     };
     let spec = spec(&example("levitation.toml"));
     compare("levitation", (&spec, LEVITATION), ([2e-3, 0.5, 0.1], 0.45), by_hand);
+}
+
+#[test]
+fn self_tests_agree_with_the_definition() {
+    for name in ["drive.toml", "cart.toml", "levitation.toml"] {
+        let text = format!("allow = \"zeros\"\n{}", example(name));
+        assert_eq!(in_c::selftest(name, &spec(&text)), 0.0, "{name}");
+    }
 }
 
 #[test]

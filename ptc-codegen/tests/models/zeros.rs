@@ -3,9 +3,9 @@
 use super::{example, support};
 use support::{run_in, words};
 
-/// The outcome of the check `zeros` for a design.
-fn zeros(text: &str) -> (String, String) {
-    let folder = support::folder_with("models_zeros", "design.toml", text);
+/// The outcome of the check `zeros` for a design, in a folder of the test.
+fn zeros(test: &str, text: &str) -> (String, String) {
+    let folder = support::folder_with(test, "design.toml", text);
     let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
     let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
     let all = found["checks"].as_array().expect("checks");
@@ -29,19 +29,27 @@ fn zero_dynamics_are_judged_by_their_roots() {
     };
     for (model, verdict, told) in [
         // y = p: q and r are left, with the roots -2 and -s.
-        (drift("p", "s = 3"), "sound", "the relative degree is 1 of 3 states; at the origin the zero dynamics have the roots -2, -3 1/s"),
+        (
+            drift("p", "s = 3"),
+            "sound",
+            "the relative degree is 1 of 3 states; at the origin the zero dynamics have the roots -2, -3 1/s",
+        ),
         (drift("p", "s = -0.5"), "unsound", "the roots 0.5, -2 1/s"),
         (drift("p", "s = 0"), "undecided", "on the imaginary axis"),
         (drift("p", ""), "undecided", "`s` is left to run time"),
         // y = q - r has the numerator s + (s - 1) over (s + 1)(s + 2)(s + s).
-        (drift("q - r", "s = 3"), "sound", "of 3 states; at the origin the zero dynamics have the roots -2 1/s"),
+        (
+            drift("q - r", "s = 3"),
+            "sound",
+            "of 3 states; at the origin the zero dynamics have the roots -2 1/s",
+        ),
         (drift("q - r", "s = 0.25"), "unsound", "the roots 0.75 1/s"),
         (drift("r", "s = 3"), "sound", "none: the relative degree is 3"),
         (drift("p + 1", "s = 3"), "undecided", "the output is not 0 at the origin"),
         (drift("exp(p) - 1", "s = 3"), "sound", "the roots -2, -3 1/s"),
         (drift("p^2/2 + r", "s = 3"), "unsound", "is 0 at the origin: the law divides by it"),
     ] {
-        let (found, summary) = zeros(&design(&model));
+        let (found, summary) = zeros("models_roots", &design(&model));
         assert_eq!(found, verdict, "{model}: {summary}");
         assert!(summary.contains(told), "{model}: {summary}");
     }
@@ -55,16 +63,17 @@ fn a_rest_that_needs_an_input_is_found() {
             "[model]\nstates = \"w, v\"\ninput = \"u\"\noutput = \"w\"\ndynamics = {{ w = \"u - 3\", v = \"{v}\" }}\n"
         ))
     };
-    assert_eq!(zeros(&model("w + u*v - 3*v - v")).0, "sound");
-    assert_eq!(zeros(&model("w + u*v - 2*v")).0, "unsound");
-    let (verdict, summary) = zeros(&model("1 - v"));
+    let of = |v: &str| zeros("models_rest", &model(v));
+    assert_eq!(of("w + u*v - 3*v - v").0, "sound");
+    assert_eq!(of("w + u*v - 2*v").0, "unsound");
+    let (verdict, summary) = of("1 - v");
     assert_eq!(verdict, "undecided");
     assert!(summary.contains("no rest point: v' is not 0"), "{summary}");
 }
 
 #[test]
 fn a_pendulum_on_a_cart_falls_with_the_roots_of_a_pendulum() {
-    let (verdict, summary) = zeros(&example("cart.toml"));
+    let (verdict, summary) = zeros("models_cart", &example("cart.toml"));
     let root = (9.81f64 / 0.5).sqrt();
     assert_eq!(verdict, "unsound");
     assert!(summary.contains(&format!("{root:.3}, -{root:.3} 1/s")), "{summary}");

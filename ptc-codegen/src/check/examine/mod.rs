@@ -119,7 +119,8 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let envelope = envelope(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
-    let mut outcomes = vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
+    let mut outcomes =
+        vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
 }
@@ -127,7 +128,8 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
 /// What is said of x and u of a chain, where the plant is another one.
 fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
     if spec.drift.is_some() || spec.model.is_some() {
-        let of_model = if spec.model.is_some() { "x is the output with its derivatives; " } else { "" };
+        let of_model =
+            if spec.model.is_some() { "x is the output with its derivatives; " } else { "" };
         outcome.details.push(format!("{of_model}u stands for f + g u, which moves x{}", spec.n));
     }
     outcome

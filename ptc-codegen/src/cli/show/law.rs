@@ -19,9 +19,13 @@ pub(super) fn write(
     fix: impl Fn(&Poly) -> Poly,
 ) {
     let n = law.n;
-    sheet.heading.push("pi0 = -(k1*xi_1 + ... + kn*xi_n), g = 1".to_owned());
-    if let Some((spec, model)) = spec.and_then(|spec| Some((spec, spec.model.as_ref()?))) {
-        sheet.heading.extend(of_model(spec, model));
+    let pi0 = "pi0 = -(k1*xi_1 + ... + kn*xi_n)";
+    match spec.and_then(|spec| Some((spec, spec.model.as_ref()?))) {
+        Some((spec, model)) => {
+            sheet.heading.push(pi0.to_owned());
+            sheet.heading.extend(of_model(spec, model));
+        }
+        None => sheet.heading.push(format!("{pi0}, g = 1")),
     }
     match &law.form {
         Form::Rows { base_inverse, rows } => {

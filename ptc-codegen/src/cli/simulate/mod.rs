@@ -41,7 +41,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
             let f = spec.drift.as_ref().map_or("0".to_owned(), ToString::to_string);
-            note(&format!("the design has no [plant]: the plant is the chain of integrators, f = {f}"));
+            note(&format!(
+                "the design has no [plant]: the plant is the chain of integrators, f = {f}"
+            ));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
         let asked = input::read(request, &spec)?;

@@ -183,7 +183,11 @@ mod tests {
         let node = parse(subject.key(), name, &mut |_| Place(0)).expect(name);
         let mut found = Diagnostics::default();
         let parameter = Name::new(name).map(|name| Expression::from(Parameter::Named(name)));
-        match resolve(&node, Scope { subject, n: 3, known: &[Parameter::Tau], own: &[] }, &mut found) {
+        match resolve(
+            &node,
+            Scope { subject, n: 3, known: &[Parameter::Tau], own: &[] },
+            &mut found,
+        ) {
             None => 'E',
             value if value == parameter => 'P',
             Some(_) => 'V',
@@ -218,7 +222,7 @@ mod tests {
             ("x_2", Drift, ["`x_2` differs from `x2`", "write `x2`"]),
             ("x0", Drift, ["`x0` does not exist", "x1_0..xn_0"]),
             ("g", Drift, ["`g` is a key", "input gain"]),
-            ("f", Law, ["`f` is a key", "known constant of the plant"]),
+            ("f", Law, ["`f` is a key", "known part of the plant"]),
         ] {
             let Found::Wrong { message, help } = find(name, subject, 3) else {
                 panic!("{name} is taken");

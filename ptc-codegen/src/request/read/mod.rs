@@ -157,9 +157,8 @@ impl<'a> Reader<'a> {
         // A clock in samples takes a number, and reads it with the rest of its plant.
         let (drift, input_gain) = match &model {
             Some(read) => {
-                let unless = |e: &Expression, value| {
-                    (*e != Expression::integer(value)).then(|| e.clone())
-                };
+                let unless =
+                    |e: &Expression, value| (*e != Expression::integer(value)).then(|| e.clone());
                 (unless(&read.drift, 0), unless(&read.gain, 1))
             }
             None => {
@@ -245,7 +244,9 @@ impl<'a> Reader<'a> {
             let help = format!("n is an integer 1..={MAX_ORDER}");
             self.wrong("n", Some(node.place), message, help);
         }
-        if let (Some(n), Some(degree)) = (n, degree.filter(|degree| n.is_some_and(|n| n != *degree))) {
+        if let (Some(n), Some(degree)) =
+            (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
+        {
             let message = format!("n = {n}, but the relative degree of the output is {degree}");
             let help = format!("leave n out, or give {degree}: it follows from the model");
             self.wrong("n", Some(node.place), message, help);

@@ -115,9 +115,8 @@ impl Reader<'_> {
         for parameter in used.iter().filter(|p| matches!(p, Parameter::Named(_))) {
             let name = parameter.key();
             // Gains that are fixed are no field, so that their key is free.
-            let free = |p: &Parameter| {
-                matches!(p, Parameter::Gain(_)) && spec.fixed.contains_key(p)
-            };
+            let free =
+                |p: &Parameter| matches!(p, Parameter::Gain(_)) && spec.fixed.contains_key(p);
             let same = |p: &&Parameter| p.key() == name && p != &parameter && !free(p);
             let Some(other) = all.iter().find(same) else { continue };
             let of = |e: Option<&Expression>| e.is_some_and(|e| e.parameters().contains(parameter));

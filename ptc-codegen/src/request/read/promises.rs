@@ -135,8 +135,12 @@ impl Reader<'_> {
         let items = items(node);
         if n.is_some_and(|n| n != items.len()) {
             let n = n.unwrap_or_default();
-            let message = format!("{} bounds for order n = {n}", items.len());
-            let help = format!("give one bound for each of x1..x{n}");
+            let (of, each) = match key == "x_max" && self.has_model() {
+                true => (format!("{n} states of the model"), "its states".to_owned()),
+                false => (format!("order n = {n}"), format!("x1..x{n}")),
+            };
+            let message = format!("{} bounds for {of}", items.len());
+            let help = format!("give one bound for each of {each}");
             self.wrong(key, Some(node.place), message, help);
             return Vec::new();
         }
