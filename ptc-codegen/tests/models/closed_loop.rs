@@ -1,7 +1,7 @@
 //! The emitted C in closed loop with the plant, which is integrated beside it by a fourth-order method:
 //! the output is at rest at the deadline.
 
-use super::{LEVITATION, example, fixed, in_c, spec};
+use super::{LEVITATION, example, fixed, in_c, spec, support};
 
 /// A main function that runs the plant `rate` from `start` to eps before tau in `steps` steps, and
 /// prints its state.
@@ -69,4 +69,34 @@ fn a_cart_comes_to_rest_and_its_pendulum_falls() {
     // T/tau is 0.005: x1 = 0.2 (4 T^3 - 3 T^4).
     assert!(x[0].abs() < 1.2e-7 && x[1].abs() < 1e-4, "{x:?}");
     assert!(x[2].abs() > 0.1, "{x:?}");
+}
+
+/// A known f is cancelled in the simulated loop too, so that the chain moves as without it.
+#[test]
+fn a_known_f_leaves_the_chain_as_it_is() {
+    let folder = support::folder("models_known");
+    let states = |further: &[&str]| {
+        let design = ["simulate", "--n", "2", "--mu", "exp(a=1)", "--poles=-3,-4", "--tau", "2"];
+        let run = ["--x0", "1,0", "--at", "0.5,0.9,0.99"];
+        let all = [design.as_slice(), &run, further].concat();
+        let (code, csv, stderr) = support::run_in(&folder, &all);
+        assert_eq!(code, Some(0), "{stderr}");
+        let row = |line: &str| -> Vec<f64> {
+            let cells = line.split(',').skip(2).take(2);
+            cells.map(|cell| cell.parse().expect("a number")).collect()
+        };
+        csv.lines().skip(1).flat_map(row).collect::<Vec<_>>()
+    };
+    let near = |found: &[f64], wanted: &[f64]| {
+        let off = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-10 * b.abs();
+        assert!(found.iter().zip(wanted).all(off), "{found:?}, not {wanted:?}");
+    };
+    // x1 = 4 s^3 - 3 s^4 with s = T/tau, and x2 its slope.
+    let exact = |s: f64| [4.0 * s.powi(3) - 3.0 * s.powi(4), -6.0 * s.powi(2) + 6.0 * s.powi(3)];
+    let exact: Vec<_> = [0.5, 0.1, 0.01].into_iter().flat_map(exact).collect();
+    let known = ["--f=-9.81*sin(x1) - x2*t", "--g=2 + cos(x1)"];
+    near(&states(&known), &exact);
+    // What the plant has beside it is a force on the chain, whatever is cancelled.
+    let beside = [known[0], known[1], "--plant", "f=-9.81*sin(x1) - x2*t + 0.2"];
+    near(&states(&beside), &states(&["--plant", "f=0.2"]));
 }
