@@ -89,7 +89,7 @@ pub use error::Error;
 ///
 /// | key | meaning | value | default |
 /// | --- | --- | --- | --- |
-/// | `n` | order of the chain of integrators | an integer 1..=16 | must be given |
+/// | `n` | order of the chain of integrators | an integer 1..=16 | must be given, but beside a model |
 /// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
@@ -101,7 +101,11 @@ pub use error::Error;
 /// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]` | |
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
 /// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
-/// | `f` | known constant of the plant, cancelled; with `clock = samples` | a finite number | 0 |
+/// | `f` | known part of the plant, cancelled | an expression in `x1`..`xn` and `t`; a finite number with `clock = samples` | 0 |
+/// | `states` | names of the states of a model of the plant, from which x1..xn, f and g follow | a list of names: `[angle, speed]` | |
+/// | `input` | name of the input of the model | a name | |
+/// | `output` | output of the model that is brought to 0: x1 | an expression in the states | |
+/// | `dynamics` | rate of each state of the model | an expression for each state, affine in the input: a list in their order, or in a design file `{ state = "rate" }` | |
 /// | `A` | matrix of a linear plant x' = A x + B u, y = C x in place of a chain; with `clock = samples` | n rows of n finite numbers, n <= 8 | |
 /// | `B` | what the input of the linear plant moves | n finite numbers | |
 /// | `C` | what is measured of the linear plant, in place of `measured` | n finite numbers, or rows of them | all states |
@@ -128,7 +132,7 @@ pub use error::Error;
 /// | `after_observer` | poles of the observer in 1/s once the estimates are exact; with `clock = samples` | one for each state that is estimated, with real parts < 0 | the last gains stay |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0 | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
-/// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope` | none |
+/// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |
 ///
 /// Every other name in an expression is a parameter: a field of the parameters, or fixed by
 /// `params.a = 1`, or bounded by `params.a = [0.5, 2]`.

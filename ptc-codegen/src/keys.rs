@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 40] = [
+pub static KEYS: [KeyInfo; 44] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -91,9 +91,33 @@ pub static KEYS: [KeyInfo; 40] = [
     },
     KeyInfo {
         key: "f",
-        meaning: "known constant of the plant xn' = f + g*u, cancelled; with clock = samples",
-        legal: "a finite number",
-        example: "-9.81",
+        meaning: "known part of the plant xn' = f + g*u, cancelled",
+        legal: "an expression in x1..xn and t; a finite number with clock = samples",
+        example: "-9.81*sin(x1)",
+    },
+    KeyInfo {
+        key: "states",
+        meaning: "names of the states of a model of the plant, from which x1..xn, f and g follow",
+        legal: "names; one is enough",
+        example: "angle,speed",
+    },
+    KeyInfo {
+        key: "input",
+        meaning: "name of the input of the model",
+        legal: "a name",
+        example: "torque",
+    },
+    KeyInfo {
+        key: "output",
+        meaning: "output of the model that is brought to 0: x1",
+        legal: "an expression in the states",
+        example: "angle",
+    },
+    KeyInfo {
+        key: "dynamics",
+        meaning: "rate of each state of the model",
+        legal: "an expression for each state, affine in the input: a list in their order, or in a design file { state = \"rate\" }",
+        example: "speed, (torque - drag*speed)/inertia",
     },
     KeyInfo {
         key: "A",
@@ -249,7 +273,7 @@ pub static KEYS: [KeyInfo; 40] = [
     KeyInfo {
         key: "allow",
         meaning: "checks that may fail without refusing the design",
-        legal: "names of checks: membership, growth, sampling, deadline, loop, envelope",
+        legal: "names of checks: membership, growth, sampling, deadline, loop, envelope, zeros",
         example: "growth",
     },
 ];
@@ -258,7 +282,7 @@ pub static KEYS: [KeyInfo; 40] = [
 pub static PLANT_KEYS: [KeyInfo; 2] = [
     KeyInfo {
         key: "f",
-        meaning: "what moves the plant xn' = f + g*u beside its input; 0 where it is not given",
+        meaning: "what moves the plant xn' = f + g*u beside its input; that of the controller where it is not given",
         legal: "an expression in x1..xn, u and t",
         example: "-0.4*x2 + 0.1*sin(3*t)",
     },
@@ -271,7 +295,8 @@ pub static PLANT_KEYS: [KeyInfo; 2] = [
 ];
 
 /// The names of the checks, in the order in which they are run: the values of `allow`.
-pub const CHECKS: [&str; 6] = ["membership", "growth", "sampling", "deadline", "loop", "envelope"];
+pub const CHECKS: [&str; 7] =
+    ["membership", "growth", "sampling", "deadline", "loop", "envelope", "zeros"];
 
 impl KeyInfo {
     /// The table of a design file that holds the key; none for the top level.
@@ -280,6 +305,7 @@ impl KeyInfo {
             "tau" | "t0" | "eps" | "u_max" => Some("params"),
             "x_max" => Some("envelope"),
             "A" | "B" | "C" => Some("plant"),
+            "states" | "input" | "output" | "dynamics" => Some("model"),
             _ => None,
         }
     }

@@ -26,6 +26,7 @@ pub mod limits;
 pub mod linear;
 pub mod lower;
 pub mod mapping;
+pub mod model;
 pub mod parameter;
 pub mod plant;
 #[cfg(feature = "lab")]

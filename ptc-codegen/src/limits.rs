@@ -80,6 +80,9 @@ table! {
     /// Coefficients of the expansion of a mapping: those of a triangle of the order for each operation.
     EXPANSION = 100_000 "coefficients in its expansion", "each is a line of the emitted step",
         "write it shorter, or lower the order";
+    /// States of a model.
+    STATES = 16 "states", "each is differentiated by in each derivative of the output",
+        "leave out states that the output does not depend on";
     /// Bits of a constant over or under its fraction bar.
     BITS = 4_096 "bits in a constant", "powers of powers multiply them",
         "write it with constants of fewer digits";

@@ -146,7 +146,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[limits]\nx = 1",
             "limits",
             "`[limits]` is not a table of a design",
-            "params, envelope, plant",
+            "params, envelope, model, plant",
         ),
         (
             "[params.a]\nx = 1",
@@ -159,7 +159,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[[axes]]\ntau = 1",
             "axes",
             "`[[axes]]` is not a table of a design",
-            "params, envelope, plant",
+            "params, envelope, model, plant",
         ),
         ("parms.tau = 1", "parms.tau", "`parms` is not a table of a design", "`params`?"),
         (
@@ -168,7 +168,12 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "`params.a` is not a table of a design",
             "holds no tables",
         ),
-        ("[params]\na.b = 1", "a.b", "`a` is not a table of a design", "params, envelope, plant"),
+        (
+            "[params]\na.b = 1",
+            "a.b",
+            "`a` is not a table of a design",
+            "params, envelope, model, plant",
+        ),
         (
             "\"params.a\" = 1",
             "\"params.a\"",

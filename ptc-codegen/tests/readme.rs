@@ -35,10 +35,17 @@ const ENCODER: &str = include_str!("../../examples/encoder.toml");
 /// The design of a linear plant, which docs/samples.md shows.
 const MOTOR: &str = include_str!("../../examples/motor.toml");
 
+/// The design with a model that docs/models.md shows, and the one that it refuses.
+const DRIVE: &str = include_str!("../../examples/drive.toml");
+
+const CART: &str = include_str!("../../examples/cart.toml");
+
+const MODELS: &str = include_str!("../../docs/models.md");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 24] = [
+const PAGES: [(&str, &str); 25] = [
     ("start.md", START),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
@@ -49,6 +56,7 @@ const PAGES: [(&str, &str); 24] = [
     ("theory/samples.md", include_str!("../../docs/theory/samples.md")),
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
+    ("models.md", MODELS),
     ("engines.md", include_str!("../../docs/engines.md")),
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
@@ -224,6 +232,9 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
     assert_eq!(blocks_of(SAMPLES, "toml"), [MOTOR]);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
+    assert_eq!(blocks_of(MODELS, "toml"), [DRIVE]);
+    fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
+    fs::write(folder.join("cart.toml"), CART).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }
@@ -246,6 +257,7 @@ fn pages_show_what_is_printed() {
         let shown = blocks_of(page.expect("a page").1, "console").concat();
         assert!(shown.contains(&format!("refused: {check}")), "{check} shows no refusal");
     }
+    assert!(blocks_of(MODELS, "console").concat().contains("refused: zeros"), "models.md");
 }
 
 /// The column of eps in the table of families, from the command below the table.

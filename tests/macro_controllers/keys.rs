@@ -25,6 +25,34 @@ ptc::ptc_controller!(
     eps = 1e-3,
     u_max = inf
 );
+ptc::ptc_controller!(file = "examples/drive.toml", eps = 1e-3);
+ptc::ptc_controller!(
+    name = by_keys,
+    mu = exp(a = 1),
+    poles = [-4, -5, -6],
+    tau = 0.4,
+    eps = 1e-3,
+    u_max = 24,
+    states = [q, w, i],
+    input = V,
+    output = q,
+    dynamics = [w, (k * i - b * w) / J, (V - R * i - k * w) / L],
+    params.k = 0.03,
+    params.J = 2e-5,
+    params.b = 1e-5,
+    params.R = 1.2,
+    params.L = 2e-3
+);
+
+#[test]
+fn a_model_in_a_file_is_that_of_its_keys() {
+    let of_file = Drive::new(DriveParams { t0: 0.0 }).expect("a parameter");
+    let by_keys = ByKeys::new(ByKeysParams { t0: 0.0 }).expect("a parameter");
+    let x = [0.1, 0.4, 0.02];
+    let control = of_file.step(0.1, &x).expect("a control");
+    assert_eq!(control.status, Status::Ok);
+    assert_eq!(by_keys.step(0.1, &x), Ok(control));
+}
 
 #[test]
 fn a_design_file_is_its_keys() {

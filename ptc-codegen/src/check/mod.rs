@@ -13,6 +13,7 @@ pub mod membership;
 pub mod poles;
 pub mod sampled;
 pub mod sampling;
+mod zeros;
 
 use crate::diagnostic::digits;
 

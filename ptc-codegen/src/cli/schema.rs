@@ -24,6 +24,11 @@ pub(crate) fn schema() -> String {
             table(named("envelope"), false),
         ),
         (
+            "model",
+            "a model of the plant, from which n, f and g follow",
+            table(named("model"), false),
+        ),
+        (
             "plant",
             "the plant; every other name is a symbol of f and g",
             table(named("plant").chain(&PLANT_KEYS), true),
@@ -57,7 +62,9 @@ pub(crate) fn schema() -> String {
     let mut schema: Map<_, _> =
         head.map(|(key, text)| (key.to_owned(), text.into())).into_iter().collect();
     schema.extend(top);
-    schema.insert("required".to_owned(), json!(["n"]));
+    // A linear plant and a model have an order.
+    let order = ["n", "plant", "model"].map(|key| json!({ "required": [key] }));
+    schema.insert("anyOf".to_owned(), json!(order));
     format!("{:#}\n", Value::Object(schema))
 }
 

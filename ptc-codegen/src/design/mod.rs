@@ -32,7 +32,7 @@ use reader::Reader;
 use statement::statements;
 
 /// The tables of a design. All other keys are at the top.
-const TABLES: [&str; 5] = ["params", "envelope", "plant", "disturbance", "verify"];
+const TABLES: [&str; 6] = ["params", "envelope", "model", "plant", "disturbance", "verify"];
 
 /// The table that a design may have several times.
 const LISTED: &str = "objective";

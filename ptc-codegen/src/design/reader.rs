@@ -134,7 +134,7 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal = "the tables are params, envelope, plant, disturbance, verify and [[objective]]; all other keys go above the first table";
+        let legal = "the tables are params, envelope, model, plant, disturbance, verify and [[objective]]; all other keys go above the first table";
         let first = name.split('.').next().unwrap_or(name);
         let help = match near_miss(first, TABLES.into_iter().chain([LISTED])) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),

@@ -89,17 +89,7 @@ fn statement<'a>(
 ) -> Option<Statement<'a>> {
     let mut failed = None;
     let equals = line.iter().position(|event| event.kind() == EventKind::KeyValSep);
-    let words = line[..equals.unwrap_or(line.len())]
-        .iter()
-        .filter(|event| event.kind() == EventKind::SimpleKey)
-        .map(|event| {
-            let mut text = Cow::Borrowed("");
-            if let Some(raw) = source.get(event) {
-                raw.decode_key(&mut text, &mut failed);
-            }
-            Word { text, range: bytes(event.span()) }
-        })
-        .collect();
+    let words = words(source, &line[..equals.unwrap_or(line.len())], &mut failed);
     let rest = equals.map_or(&line[line.len()..], |equals| &line[equals + 1..]);
     let opens = |kind| line.iter().any(|event| event.kind() == kind);
     let mut head = Head::Table;
@@ -112,6 +102,31 @@ fn statement<'a>(
     }
     let wrong = error.or(failed.as_ref()).map(|error| told(source, rest, error));
     Some(Statement { words, head, wrong })
+}
+
+/// The words of a key.
+fn words<'a>(
+    source: Source<'a>,
+    events: &[Event],
+    failed: &mut Option<ParseError>,
+) -> Vec<Word<'a>> {
+    let keys = events.iter().filter(|event| event.kind() == EventKind::SimpleKey);
+    let word = |event: &Event| {
+        let mut text = Cow::Borrowed("");
+        if let Some(raw) = source.get(event) {
+            raw.decode_key(&mut text, failed);
+        }
+        Word { text, range: bytes(event.span()) }
+    };
+    keys.map(word).collect()
+}
+
+/// A dotted key as one word.
+fn joined(words: Vec<Word<'_>>) -> Option<Word<'_>> {
+    words.into_iter().reduce(|first, next| Word {
+        text: Cow::Owned(format!("{}.{}", first.text, next.text)),
+        range: first.range.start..next.range.end,
+    })
 }
 
 /// The next value, whose nesting the guard bounds; or the end of the brackets that have no more.
@@ -135,13 +150,17 @@ fn value<'a>(
                 Kind::List(items)
             }
             EventKind::InlineTableOpen => {
-                // Nothing in it is read, but it must be passed over.
+                let mut pairs = Vec::new();
                 range.end = loop {
-                    if let Err(end) = value(source, events, failed) {
-                        break end;
+                    let ends = |e: &&Event| e.kind() == EventKind::KeyValSep;
+                    let until = events.as_slice().iter().position(|e| ends(&e)).unwrap_or(0);
+                    let words = words(source, &events.as_slice()[..until], failed);
+                    match value(source, events, failed) {
+                        Ok(item) => pairs.extend(joined(words).map(|word| (word, item))),
+                        Err(end) => break end,
                     }
                 };
-                Kind::Inline
+                Kind::Inline(pairs)
             }
             EventKind::ArrayClose | EventKind::InlineTableClose => return Err(range.end),
             _ => continue,

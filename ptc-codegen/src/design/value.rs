@@ -4,15 +4,19 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::reader::Reader;
+use super::statement::Word;
 use super::template;
 use crate::diagnostic::{LARGE, Place};
 use crate::keys::KeyInfo;
 use crate::limits::ITEMS;
 use crate::parameter::Fixed;
-use crate::syntax::{Node, Value, number, parse};
+use crate::syntax::{Argument, Node, Value, number, parse};
 
 /// The keys whose value may be a list of rows.
 const MATRICES: [&str; 2] = ["A", "C"];
+
+/// The key whose value may be a table in braces.
+const TABLE: &str = "model.dynamics";
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {
@@ -30,8 +34,8 @@ pub(super) enum Kind<'a> {
     Boolean,
     Date,
     List(Vec<Toml<'a>>),
-    /// A table in braces.
-    Inline,
+    /// A table in braces: its keys and their values.
+    Inline(Vec<(Word<'a>, Toml<'a>)>),
 }
 
 impl Toml<'_> {
@@ -46,7 +50,7 @@ impl Toml<'_> {
             Kind::Boolean => "a boolean",
             Kind::Date => "a date or a time",
             Kind::List(_) => "a list",
-            Kind::Inline => "a table in braces",
+            Kind::Inline(_) => "a table in braces",
         }
     }
 }
@@ -54,7 +58,28 @@ impl Toml<'_> {
 impl Reader<'_> {
     /// The value of `key`; on failure, records a diagnostic.
     pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
+        if key == TABLE {
+            return self.pairs(key, toml);
+        }
         self.list(key, toml, MATRICES.contains(&key.rsplit('.').next().unwrap_or(key)))
+    }
+
+    /// A table in braces, or a list.
+    fn pairs(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
+        let Kind::Inline(pairs) = toml.kind else { return self.list(key, toml, false) };
+        let mut whole = true;
+        let mut arguments = Vec::with_capacity(pairs.len());
+        for (name, value) in pairs {
+            let place = (self.place)(name.range);
+            match self.item(&format!("{key}.{}", name.text), value) {
+                Some(value) => {
+                    arguments.push(Argument { name: Some((name.text.into_owned(), place)), value });
+                }
+                None => whole = false,
+            }
+        }
+        let place = (self.place)(toml.range);
+        whole.then_some(Node { value: Value::Table(arguments), place })
     }
 
     /// A value, or a list of values; the rows of a matrix are lists in a list.

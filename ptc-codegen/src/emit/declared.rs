@@ -40,11 +40,14 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
             let of = [
                 (custom.map_or("mu", |c| c.subject.key()), custom.map(|c| &c.given)),
                 ("pi0", law),
-                ("g", spec.input_gain.as_ref()),
+                ("f", spec.drift.as_ref().filter(|_| spec.model.is_none())),
+                ("g", spec.input_gain.as_ref().filter(|_| spec.model.is_none())),
             ];
             let uses = |e: &Expression| e.parameters().contains(&parameter);
             let keys = of.into_iter().filter(|(_, e)| e.is_some_and(uses)).map(|(key, _)| key);
-            format!("parameter of {}", keys.collect::<Vec<_>>().join(" and "))
+            let of_model = spec.model.iter().flat_map(|m| &m.dynamics).any(uses);
+            let model = of_model.then_some("the model");
+            format!("parameter of {}", keys.chain(model).collect::<Vec<_>>().join(" and "))
         }
         _ => parameter.meaning().to_owned(),
     }

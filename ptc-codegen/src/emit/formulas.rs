@@ -6,7 +6,7 @@ use super::Controller;
 use super::declared::linear;
 use crate::algebra::{self, Poly, Symbol};
 use crate::expansion::{self, Expanded};
-use crate::expression::Subject;
+use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, Form, Mapping, TimeMapping};
@@ -115,23 +115,37 @@ pub(super) fn pi0(spec: &Spec) -> String {
     }
 }
 
+/// What f and g are, and x where it is not the state itself.
+pub(super) fn of_plant(spec: &Spec) -> Vec<String> {
+    let text = |e: &Expression| match &spec.model {
+        Some(model) => model.text(e),
+        None => e.to_string(),
+    };
+    let coordinates = spec.model.iter().flat_map(|model| &model.coordinates);
+    let x = (1..).zip(coordinates).map(|(j, e)| format!("  x_{j} = {}", text(e)));
+    let f = spec.drift.iter().map(|f| format!("  f = {}", text(f)));
+    x.chain(f).chain(spec.input_gain.iter().map(|g| format!("  g = {}", text(g)))).collect()
+}
+
 /// Theorem 1, specialised.
 pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec();
+    let less = if spec.drift.is_some() { " - f" } else { "" };
     let over_gain = if spec.input_gain.is_some() { "/g" } else { "" };
     let mut lines = vec![
         String::new(),
         "Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
-        format!("  u = kappa'^n (pi0(xi, t_kappa) - b_n^T x){over_gain}"),
+        match less {
+            "" => format!("  u = kappa'^n (pi0(xi, t_kappa) - b_n^T x){over_gain}"),
+            _ => format!("  u = (kappa'^n (pi0(xi, t_kappa) - b_n^T x){less}){over_gain}"),
+        },
         format!("  pi0 = {}", pi0(spec)),
     ];
-    if let Some(gain) = &spec.input_gain {
-        lines.push(format!("  g = {gain}"));
-    }
+    lines.extend(of_plant(spec));
     if spec.feedback == Feedback::Linear {
-        lines.push(match over_gain {
-            "" => "  u = sum_j gain_j x_j".to_owned(),
-            _ => "  u = (sum_j gain_j x_j)/g".to_owned(),
+        lines.push(match (less, over_gain) {
+            ("", "") => "  u = sum_j gain_j x_j".to_owned(),
+            _ => format!("  u = (sum_j gain_j x_j{less}){over_gain}"),
         });
     }
     match &controller.law.form {

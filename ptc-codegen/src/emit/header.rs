@@ -7,6 +7,7 @@ use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
 use crate::diagnostic::digits;
 use crate::expression::Function;
+use crate::model::Model;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
 use crate::request::{After, Feedback, Guard, Spec, What};
@@ -55,6 +56,9 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
 
 /// The plant and what becomes of it.
 fn purpose(spec: &Spec) -> Vec<String> {
+    if let Some(model) = &spec.model {
+        return of_model(spec, model);
+    }
     let n = spec.n;
     let input = if spec.input_gain.is_some() { "g u" } else { "u" };
     let chain = plant::chain(n, &format!("f + {input}"));
@@ -68,7 +72,28 @@ fn purpose(spec: &Spec) -> Vec<String> {
     vec![
         format!("Plant: {chain}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
         "Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.".to_owned(),
-        "f is not part of the law: cancel its known terms before the call.".to_owned(),
+        match spec.drift {
+            None => "f is not part of the law: cancel its known terms before the call.",
+            Some(_) => "The law cancels its own f(x, t). What differs from it is not part of the law.",
+        }
+        .to_owned(),
+    ]
+}
+
+/// The plant that is known by a model, and what becomes of it.
+fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
+    let chain = match spec.n {
+        1 => "the output".to_owned(),
+        2 => "the output and its rate".to_owned(),
+        n => format!("the output and its first {} derivatives", n - 1),
+    };
+    vec![
+        format!("Plant, with the input {}: {}. Time in s.", model.input, model.lines().join(", ")),
+        format!(
+            "Goal: {chain}, x, are 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
+        ),
+        "The law takes the plant to be the model. What differs from it is not part of the law."
+            .to_owned(),
     ]
 }
 

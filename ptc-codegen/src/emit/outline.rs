@@ -43,7 +43,7 @@ impl Outline {
             _ => None,
         };
         Self {
-            n: spec.n,
+            n: spec.states(),
             real: c::real(spec),
             zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },
             guard: spec.guard,

@@ -119,6 +119,7 @@ fn key_of(spec: &Spec, function: Function) -> &'static str {
     match (&spec.feedback, &spec.input_gain, spec.custom()) {
         (Feedback::Expression(law), ..) if calls(law) => "pi0",
         (_, Some(gain), _) if calls(gain) => "g",
+        _ if spec.drift.as_ref().is_some_and(calls) => "f",
         (.., Some(custom)) if custom.subject == Subject::Kappa => "kappa",
         _ => "mu",
     }

@@ -19,6 +19,8 @@ pub struct Scope<'a> {
     pub n: usize,
     /// The parameters that have a name of their own, beside those that the user names.
     pub known: &'a [Parameter],
+    /// The names of a model, which come before all others.
+    pub own: &'a [(Name, Variable)],
 }
 
 /// The expression that `node` stands for; on failure, records a diagnostic in
@@ -72,6 +74,7 @@ impl Resolver<'_, '_> {
                 "`inf` is not a number that can be computed with".to_owned(),
                 "leave the term out, or give a finite number",
             ),
+            Value::Imaginary(unit) if *unit == 1.into() && self.own("i").is_some() => self.own("i"),
             Value::Imaginary(_) => self.wrong(
                 node.place,
                 "a complex number in a real expression".to_owned(),
@@ -81,6 +84,11 @@ impl Resolver<'_, '_> {
                 node.place,
                 "a list in an expression".to_owned(),
                 "use one of its elements: brackets [] hold lists, () group operations",
+            ),
+            Value::Table(_) => self.wrong(
+                node.place,
+                "a table in an expression".to_owned(),
+                "braces are for `dynamics`; () group operations",
             ),
             Value::Word(name) => self.name(name, node.place),
             Value::Call(name, arguments) => self.call(name, arguments, node.place),
@@ -125,6 +133,12 @@ impl Resolver<'_, '_> {
         }
     }
 
+    /// What a name of the model stands for.
+    fn own(&self, name: &str) -> Option<Expression> {
+        let (_, variable) = self.scope.own.iter().find(|(own, _)| own.text() == name)?;
+        Some((*variable).into())
+    }
+
     /// Whether 0*e and e^0 stay as they are written: where it counts whether e has a value, unless it
     /// always has one. A mapping and a law are what they simplify to, and so is what is emitted.
     fn stays(&self, e: &Expression) -> bool {
@@ -138,6 +152,9 @@ impl Resolver<'_, '_> {
     }
 
     fn name(&mut self, name: &str, place: Place) -> Option<Expression> {
+        if let Some(own) = self.own(name) {
+            return Some(own);
+        }
         let subject = self.scope.subject;
         match names::find(name, subject, self.scope.n) {
             Found::Is(expression) => return Some(expression),
@@ -282,7 +299,7 @@ pub fn family_form(family: &FamilyInfo, subject: Subject) -> Option<Expression> 
         _ => (family.kappa_in_time_to_go, Subject::Family),
     };
     let node = parse(subject.key(), text, &mut |_| Place(0)).ok()?;
-    let scope = Scope { subject: within, n: 0, known: &[Parameter::Tau] };
+    let scope = Scope { subject: within, n: 0, known: &[Parameter::Tau], own: &[] };
     let form = resolve(&node, scope, &mut Diagnostics::default())?;
     let elapsed = Expression::from(Parameter::Tau).sub(Variable::Elapsed.into());
     let time_to_go = Expression::from(Variable::TimeToGo);

@@ -9,7 +9,7 @@ use crate::syntax::parse;
 
 fn read(text: &str, subject: Subject) -> Expression {
     let node = parse(subject.key(), text, &mut |_| Place(0)).expect(text);
-    let scope = Scope { subject, n: 3, known: &[Parameter::Tau] };
+    let scope = Scope { subject, n: 3, known: &[Parameter::Tau], own: &[] };
     let mut found = Diagnostics::default();
     resolve(&node, scope, &mut found).unwrap_or_else(|| panic!("{text}"))
 }

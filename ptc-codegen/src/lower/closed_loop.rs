@@ -76,22 +76,34 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
         None => sum,
     });
     let free = (0..spec.n).fold(sum, |u, _| b.mul(u, taylor.base_inverse));
-    let wanted = super::over_input_gain(&mut b, free);
+    let less = super::without_drift(&mut b, free);
+    let wanted = super::over_input_gain(&mut b, less);
     let (below, control) = clipped(&mut b, wanted);
     b.plant = Some(PlantPoint { states, control: Some(control) });
-    let f = b.scalar(f);
+    // What is left of f where its known part is cancelled, so that nothing is subtracted from itself.
+    let own = spec.drift.as_ref();
+    let (f, left) = match own {
+        None => {
+            let f = b.scalar(f);
+            (f, f)
+        }
+        Some(own) => {
+            let left = if own == f { b.integer(0) } else { b.scalar(&f.clone().sub(own.clone())) };
+            (b.scalar(f), left)
+        }
+    };
     let acceleration = gained(&mut b, g.or(spec.input_gain.as_ref()), control);
     let motion = b.add(f, acceleration);
     let added = match g.is_none() || g == spec.input_gain.as_ref() {
-        true if control == wanted => f,
+        true if control == wanted => left,
         true => {
             let missing = b.sub(control, wanted);
             let missing = gained(&mut b, spec.input_gain.as_ref(), missing);
-            b.add(f, missing)
+            b.add(left, missing)
         }
         false => {
-            let other = b.sub(acceleration, free);
-            b.add(f, other)
+            let other = b.sub(acceleration, less);
+            b.add(left, other)
         }
     };
     let order = u32::try_from(spec.n).unwrap_or(u32::MAX);

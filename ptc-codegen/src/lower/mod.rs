@@ -50,9 +50,11 @@ fn controller(spec: &Spec, law: &Law) -> Program {
         Some(rows) => rows.step(&mut b, None),
         None => state::step(&mut b),
     };
+    let step = without_drift(&mut b, step);
     let step = over_input_gain(&mut b, step);
-    // Gains that are held after the deadline and divided by no g(x, t) serve several axes.
-    let alone = spec.input_gain.is_none() && spec.after == After::Hold;
+    // Gains that are held after the deadline, with no f(x, t) and g(x, t) of one axis, serve several.
+    let own = spec.drift.is_some() || spec.input_gain.is_some() || spec.model.is_some();
+    let alone = !own && spec.after == After::Hold;
     let gains = rows.filter(|_| alone).map(|rows| rows.gains(&mut b)).unwrap_or_default();
     let axis = (!gains.is_empty()).then(|| axis(&mut b));
     let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
@@ -84,6 +86,14 @@ fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
         }
         Form::State => None,
     }
+}
+
+/// What is wanted of xn' less f(x, t).
+fn without_drift(b: &mut Builder<'_>, wanted: Value) -> Value {
+    let Some(drift) = &b.spec.drift else { return wanted };
+    let drift = b.scalar(drift);
+    let drift = b.name(drift, "drift", "f, known of the plant");
+    b.sub(wanted, drift)
 }
 
 /// u divided by g(x, t): never by zero, where no number is known.

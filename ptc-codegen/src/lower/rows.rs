@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use crate::algebra::{Kind, Symbol};
-use crate::program::{Input, Op, Value};
+use crate::program::Value;
 
 /// Multiplication by 1/base.
 #[derive(Clone, Copy)]
@@ -37,7 +37,7 @@ impl Rows {
             if j > 0 {
                 sum = sum.map(|s| self.times_base(b, s));
             }
-            let x = b.push(Op::Input(Input::State(j + 1)));
+            let x = b.coordinate(j + 1);
             let product = row.map(|row| b.mul(row, x));
             sum = b.sum(sum, product);
         }

@@ -7,7 +7,7 @@ use super::mapping::Taylor;
 use crate::algebra::{BigInt, BigRational};
 use crate::expansion::bell::factorials;
 use crate::parameter::Parameter;
-use crate::program::{Input, Op, Value};
+use crate::program::{Op, Value};
 
 /// The order from which rows are computed by loops where the series is known no sooner than time.
 /// Written out they are faster at every order (`exp_sum` at n = 8: 859 instructions per step against
@@ -122,21 +122,20 @@ pub(super) fn drift_rows(b: &mut Builder<'_>, taylor: &Taylor) -> Vec<Option<Val
 pub(super) fn xi(
     b: &mut Builder<'_>,
     taylor: &Taylor,
-    state: fn(usize) -> Input,
     name: &dyn Fn(usize) -> String,
 ) -> Vec<Value> {
     let n = b.spec.n;
     let factorial = factorials(n);
     let powers = powers(b, taylor);
-    let mut xi = vec![b.push(Op::Input(state(1)))];
+    let mut xi = vec![b.coordinate(1)];
     for i in 2..=n {
-        let mut sum = b.push(Op::Input(state(i)));
+        let mut sum = b.coordinate(i);
         for j in (1..i).rev() {
             sum = b.mul(sum, taylor.r1);
             if j > 1 {
                 let factor = ratio(factorial[i - 1].clone(), &factorial[j - 1]);
                 let entry = b.times(&factor, &powers[j - 2][i - j - 1]);
-                let x = b.push(Op::Input(state(j)));
+                let x = b.coordinate(j);
                 let term = b.times(&entry, &Coefficient::Value(x));
                 if !term.is_zero() {
                     let term = b.coefficient(&term);

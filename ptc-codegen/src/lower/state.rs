@@ -61,11 +61,24 @@ impl Builder<'_> {
         let index = usize::from(self.is_at_start());
         if self.states[index].is_empty() {
             let taylor = self.taylor();
-            let (state, tail): (fn(usize) -> Input, &str) =
-                if index == 1 { (Input::StateAtStart, "_0") } else { (Input::State, "") };
-            self.states[index] = series::xi(self, &taylor, state, &|i| format!("xi{i}{tail}"));
+            let tail = if index == 1 { "_0" } else { "" };
+            self.states[index] = series::xi(self, &taylor, &|i| format!("xi{i}{tail}"));
         }
         self.states[index][j - 1]
+    }
+
+    /// State x_j of the chain, at the current time or at the start.
+    pub(super) fn coordinate(&mut self, j: usize) -> Value {
+        if self.is_at_start() {
+            return self.push(Op::Input(Input::StateAtStart(j)));
+        }
+        let Some(model) = &self.spec.model else {
+            return self.push(Op::Input(Input::State(j)));
+        };
+        let coordinate = &model.coordinates[j - 1];
+        let value = self.scalar(coordinate);
+        let meaning = format!("x{j} of the chain: {}", model.text(coordinate));
+        self.name(value, &format!("chain{j}"), &meaning)
     }
 
     /// State xi_j at the start, from the latched state of the plant.

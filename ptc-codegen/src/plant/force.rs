@@ -74,7 +74,13 @@ impl Plant {
             (*symbol, [low, high], !moves(symbol))
         });
         let bounded: Vec<_> = bounded.collect();
-        let force = force(&self.f, &values, &bounded);
+        // What the law does not cancel.
+        let left = match &spec.drift {
+            Some(own) if *own == self.f => Expression::integer(0),
+            Some(own) => self.f.clone().sub(own.clone()),
+            None => self.f.clone(),
+        };
+        let force = force(&left, &values, &bounded);
         let gain = self.g.as_ref().map(|g| between(g, &values, &bounded));
         match (force, gain.transpose()) {
             (Ok([middle, constant, varying]), Ok(gain)) => {

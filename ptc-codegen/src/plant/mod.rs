@@ -8,8 +8,8 @@
 //! gust = [0, 0.2]
 //! ```
 //!
-//! f is 0 and g the controller's own unless they are given; a g that differs is an error of the
-//! gain. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
+//! f and g are the controller's own unless they are given; a g that differs is an error of the
+//! gain, and what f is beside the controller's own is not cancelled. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
 
 mod force;
 mod read;
@@ -74,6 +74,12 @@ impl Default for Plant {
 }
 
 impl Plant {
+    /// The plant that the controller of `spec` is made for.
+    pub fn own(spec: &Spec) -> Self {
+        let f = spec.drift.clone().unwrap_or(Expression::integer(0));
+        Self { f, ..Self::default() }
+    }
+
     /// The symbols of the plant that are no parameters of its controller.
     pub fn symbols(&self, spec: &Spec) -> BTreeSet<Parameter> {
         let of_controller: BTreeSet<_> = spec.parameters().into_iter().collect();

@@ -59,11 +59,12 @@ fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     let mut expression = |subject: Subject| {
         let key = subject.key().trim_start_matches("plant.");
         let (_, node) = given.get(key)?;
-        let read = resolve(node, Scope { subject, n: spec.n, known: &known }, found);
+        let read = resolve(node, Scope { subject, n: spec.n, known: &known, own: &[] }, found);
         whole &= read.is_some();
         read
     };
-    let f = expression(Subject::Drift).unwrap_or(Expression::integer(0));
+    let own = Plant::own(spec);
+    let f = expression(Subject::Drift).unwrap_or(own.f);
     let g = expression(Subject::PlantGain);
     if g.as_ref().is_some_and(|g| normal(g) == Expression::integer(0)) {
         let place = given.get("g").map(|(_, node)| node.place);

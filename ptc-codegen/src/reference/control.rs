@@ -22,8 +22,10 @@ impl Arithmetic {
         parameter: &dyn Fn(Parameter) -> f64,
     ) -> Option<Term> {
         let n = spec.n;
-        let xi = self.stretched_state(point, call.x);
-        let starts = self.stretched_state(at_start, call.x0);
+        let chain = self.chain(spec, call.x, parameter);
+        let xi = self.stretched_state(point, &chain);
+        let starts: Vec<_> = call.x0.iter().map(|x| Term::given(self.double(*x))).collect();
+        let starts = self.stretched_state(at_start, &starts);
         let start = self.double(parameter(Parameter::StartTime));
         let stretched = Term {
             value: self.add(&point.stretched, &start),
@@ -56,14 +58,17 @@ impl Arithmetic {
         let mut u = self.term(&law, &leaves);
         // A law that is a number alone is still a term of u.
         u.size = larger(&u.size, &u.value);
-        let drift = (1..=n).map(|j| self.mul(&point.bell[n][j - 1], &self.double(call.x[j - 1])));
-        let drift: Vec<_> = drift.collect();
-        for term in &drift {
-            u.value = self.sub(&u.value, term);
-            u.size = self.add(&u.size, &term.abs());
+        for (entry, x) in point.bell[n].iter().zip(&chain) {
+            u.value = self.sub(&u.value, &self.mul(entry, &x.value));
+            u.size = self.add(&u.size, &self.mul(entry, &x.size).abs());
         }
         let factor = (0..n).fold(self.integer(1), |power, _| self.mul(&power, &point.slope));
         u = Term { value: self.mul(&factor, &u.value), size: self.mul(&factor, &u.size).abs() };
+        if let Some(drift) = &spec.drift {
+            let drift = self.term(drift, &leaves);
+            let size = larger(&drift.size, &drift.value);
+            u = Term { value: self.sub(&u.value, &drift.value), size: self.add(&u.size, &size) };
+        }
         if let Some(gain) = &spec.input_gain {
             let gain = self.term(gain, &leaves);
             let value = self.div(&u.value, &gain.value);
@@ -74,14 +79,33 @@ impl Arithmetic {
         Some(u)
     }
 
+    /// x_1..x_n: the state of the call, or what the model of the plant makes of it.
+    fn chain(&mut self, spec: &Spec, x: &[f64], parameter: &dyn Fn(Parameter) -> f64) -> Vec<Term> {
+        let bits = self.bits();
+        let Some(model) = &spec.model else {
+            return x.iter().map(|x| Term::given(double(*x, bits))).collect();
+        };
+        let number = |p| double(parameter(p), bits);
+        let variable = |v: Variable| match v {
+            Variable::State(j) => Term::given(double(x[j - 1], bits)),
+            // The coordinates are functions of the states alone.
+            _ => Term::given(double(f64::NAN, bits)),
+        };
+        let leaves = Leaves { parameter: &number, variable: &variable };
+        model.coordinates.iter().map(|coordinate| self.term(coordinate, &leaves)).collect()
+    }
+
     /// xi = BB_n x.
-    fn stretched_state(&self, point: &Point, x: &[f64]) -> Vec<Term> {
-        let entry = |i: usize, j: usize| self.mul(&point.bell[i][j], &self.double(x[j]));
+    fn stretched_state(&self, point: &Point, x: &[Term]) -> Vec<Term> {
+        let entry = |i: usize, j: usize| Term {
+            value: self.mul(&point.bell[i][j], &x[j].value),
+            size: self.mul(&point.bell[i][j], &x[j].size).abs(),
+        };
         let zero = || Term { value: self.integer(0), size: self.integer(0) };
         let row = |i: usize| {
             (0..=i).map(|j| entry(i, j)).fold(zero(), |sum, term| Term {
-                value: self.add(&sum.value, &term),
-                size: self.add(&sum.size, &term.abs()),
+                value: self.add(&sum.value, &term.value),
+                size: self.add(&sum.size, &term.size),
             })
         };
         (0..x.len()).map(row).collect()

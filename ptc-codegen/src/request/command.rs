@@ -68,7 +68,16 @@ impl Spec {
             Feedback::Expression(law) => words.push(format!("--pi0=\"{law}\"")),
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
         }
-        words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
+        if let Some(model) = &self.model {
+            let list = |items: Vec<String>| items.join(", ");
+            let rates = model.dynamics.iter().map(|rate| model.text(rate)).collect();
+            words.push(format!("--states=\"{}\" --input={}", model.names(), model.input));
+            words.push(format!("--output=\"{}\"", model.text(&model.output)));
+            words.push(format!("--dynamics=\"{}\"", list(rates)));
+        } else {
+            words.extend(self.drift.iter().map(|f| format!("--f=\"{f}\"")));
+            words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
+        }
         match self.after {
             After::Hold => {}
             After::Zero => words.push("--after zero".to_owned()),

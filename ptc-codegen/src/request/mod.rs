@@ -19,6 +19,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
+use crate::model::Model;
 use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
@@ -101,8 +102,12 @@ pub struct Spec {
     pub guard: Guard,
     /// The law of the infinite-time system.
     pub feedback: Feedback,
+    /// Known part f(x, t) of the plant, which the law cancels; none for 0.
+    pub drift: Option<Expression>,
     /// Input gain g(x, t) of the plant; none for g = 1.
     pub input_gain: Option<Expression>,
+    /// The model of the plant from which n, f and g follow; none where they were given.
+    pub model: Option<Box<Model>>,
     /// What follows the deadline.
     pub after: After,
     /// Parameters fixed at generation; all others are run-time parameters.
@@ -136,7 +141,9 @@ impl Spec {
             precision: Precision::F64,
             guard: Guard::Full,
             feedback: Feedback::Linear,
+            drift: None,
             input_gain: None,
+            model: None,
             after: After::Hold,
             fixed: BTreeMap::new(),
             bounds: BTreeMap::new(),
@@ -183,13 +190,21 @@ impl Spec {
         self.family().map_or("custom", Family::name)
     }
 
-    /// Every expression of the spec.
+    /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
+    pub fn states(&self) -> usize {
+        let model = self.model.as_ref().filter(|_| self.what == What::Controller);
+        model.map_or(self.n, |model| model.states.len())
+    }
+
+    /// Every expression that a controller is computed from.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         let law = match &self.feedback {
             Feedback::Expression(law) => Some(law),
             Feedback::Linear | Feedback::Extern => None,
         };
-        self.custom().map(|custom| &custom.given).into_iter().chain(law).chain(&self.input_gain)
+        let given = self.custom().map(|custom| &custom.given);
+        let model = self.model.iter().flat_map(|model| &model.coordinates);
+        given.into_iter().chain(law).chain(model).chain(&self.drift).chain(&self.input_gain)
     }
 
     /// Whether states are latched at the start.
@@ -334,6 +349,20 @@ impl Spec {
             let message = format!("{what} does not know a clock in samples yet");
             let help = "leave `clock` out, or emit and simulate it alone";
             found.push("clock", "clock", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
+    /// Refuses a model for what knows a chain of integrators alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_chain(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.model.is_some() {
+            let message = format!("{what} does not know the model of a plant yet");
+            let help = "leave [model] out, or emit the controller and run it with the plant in your own simulation";
+            found.push("model", "dynamics", None, message, help);
         }
         found.finish(Some(()))
     }

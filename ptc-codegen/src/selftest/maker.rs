@@ -38,7 +38,7 @@ impl<'a> Maker<'a> {
 
     pub(super) fn session(&self, eps: f64) -> Session {
         let spec = self.spec();
-        let x0 = if spec.latches() { state(spec.n, 0.5) } else { Vec::new() };
+        let x0 = if spec.latches() { state(spec.states(), 0.5) } else { Vec::new() };
         Session { parameters: self.chosen.run_time(eps), x0, again: None, calls: Vec::new() }
     }
 
@@ -148,7 +148,7 @@ impl<'a> Maker<'a> {
 
     /// Whether `init` takes the parameters: neither a coefficient nor the deadline leaves the range.
     pub(super) fn is_taken(&self, session: &Session) -> bool {
-        let zeros = vec![0.0; self.spec().n];
+        let zeros = vec![0.0; self.spec().states()];
         let start = self.parameter(session, Parameter::StartTime);
         let deadline =
             settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);

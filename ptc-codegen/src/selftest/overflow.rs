@@ -36,7 +36,7 @@ pub(super) fn find(
     let [fields, armed] = checked(controller);
     let mut found = Found::default();
     let usual = chosen.run_time(0.0625);
-    let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.n]);
+    let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.states()]);
     let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
     for round in trials.rounds(if usual.is_empty() { 0 } else { TRIALS }) {
         let set = extreme(spec, chosen, &usual, round, &mut draw);
@@ -82,7 +82,7 @@ pub(super) fn find(
     }
     let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];
     for round in trials.rounds(if armed.is_empty() { 0 } else { TRIALS }) {
-        let x0: Vec<_> = (0..spec.n).map(|_| any(spec, &mut draw)).collect();
+        let x0: Vec<_> = (0..spec.states()).map(|_| any(spec, &mut draw)).collect();
         let start = if round % 2 == 0 { start } else { any(spec, &mut draw) };
         let trial = Trial {
             controller,

@@ -36,7 +36,8 @@ impl Maker<'_> {
                 t = start.max(-after(-t, spec.precision));
             }
             let sizes = [largest, -largest, 0.75 * largest, 1.0, -1.0, 0.0];
-            let x: Vec<_> = (0..spec.n).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
+            let x: Vec<_> =
+                (0..spec.states()).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
             let seen = self.trial(&session, t, &x);
             let range = |status: Status| status == Status::Range;
             let kind = (range(seen.step.0), seen.axis.is_some_and(range));

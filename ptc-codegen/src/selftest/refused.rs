@@ -59,9 +59,9 @@ pub(super) fn states(spec: &Spec, start: f64) -> Vec<(f64, Vec<f64>)> {
         return Vec::new();
     }
     let one = |j: usize, value: f64| {
-        let mut x0 = vec![0.5; spec.n];
+        let mut x0 = vec![0.5; spec.states()];
         x0[j] = value;
         (start, x0)
     };
-    (0..spec.n).flat_map(|j| [one(j, f64::NAN), one(j, f64::INFINITY)]).collect()
+    (0..spec.states()).flat_map(|j| [one(j, f64::NAN), one(j, f64::INFINITY)]).collect()
 }

@@ -1,5 +1,7 @@
 //! What a spec fixes, as exact numbers and as doubles.
 
+use std::collections::BTreeSet;
+
 use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigRational, integer};
@@ -182,8 +184,9 @@ pub(super) fn lacking(spec: &Spec) -> Option<String> {
     let needed = |p: &Parameter| {
         !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax) && !is_known(spec, *p)
     };
-    let of_gain = spec.input_gain.as_ref().map(Expression::parameters).unwrap_or_default();
-    let open = spec.parameters().into_iter().filter(|p| !of_gain.contains(p)).find(needed)?;
+    let of_plant: BTreeSet<_> =
+        spec.drift.iter().chain(&spec.input_gain).flat_map(Expression::parameters).collect();
+    let open = spec.parameters().into_iter().filter(|p| !of_plant.contains(p)).find(needed)?;
     Some(match open {
         Parameter::Gain(_) => "gains or poles".to_owned(),
         open => format!("a value of `{}`", open.spelling()),

@@ -16,6 +16,7 @@ use super::growth::{self, Growth, Modes, growth, growth_between};
 use super::membership::prove;
 use super::sampled::{self, Loop, Worst};
 use super::sampling::sampling;
+use super::zeros;
 use super::{Outcome, Verdict};
 use crate::check::deadline::{ClosedLoop, deadline};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -118,8 +119,20 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let envelope = envelope(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
-    let outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
+    let mut outcomes =
+        vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
+    outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
+}
+
+/// What is said of x and u of a chain, where the plant is another one.
+fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
+    if spec.drift.is_some() || spec.model.is_some() {
+        let of_model =
+            if spec.model.is_some() { "x is the output with its derivatives; " } else { "" };
+        outcome.details.push(format!("{of_model}u stands for f + g u, which moves x{}", spec.n));
+    }
+    outcome
 }
 
 /// The checks of a controller in samples. Its loop is exact at any period, so what looks for the
@@ -130,7 +143,7 @@ fn in_samples(spec: &Spec) -> Report {
         let alone =
             |name: &&'static str| Outcome::not_checked(name, "an observer alone has no law");
         let mut outcomes = vec![membership(&continuous)];
-        outcomes.extend(CHECKS[1..].iter().map(alone));
+        outcomes.extend(CHECKS[1..].iter().filter(|name| **name != zeros::NAME).map(alone));
         return Report {
             spec: spec.clone(),
             expanded: None,
@@ -267,6 +280,17 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
     }
 }
 
+/// A period that is judged for a chain with f = 0 says nothing sound of a law whose f moves between
+/// the samples at which it is cancelled.
+fn of_chain_alone(spec: &Spec, outcome: Outcome) -> Outcome {
+    let moves = spec.model.is_some() || spec.drift.as_ref().is_some_and(|f| f.number().is_none());
+    if !moves || outcome.verdict != Verdict::Sound {
+        return outcome;
+    }
+    let summary = format!("f is cancelled at the samples alone; with f = 0: {}", outcome.summary);
+    Outcome { verdict: Verdict::Undecided, summary, ..outcome }
+}
+
 /// What the sample period and the wanted error ask of eps; sets it where the design leaves it open.
 fn guard(spec: &mut Spec, expanded: Option<&Expanded>) -> (Outcome, Outcome) {
     let number = |value: &Option<Fixed>| value.as_ref().and_then(known::to_f64);
@@ -313,7 +337,10 @@ fn guard(spec: &mut Spec, expanded: Option<&Expanded>) -> (Outcome, Outcome) {
     }
     let eps = spec.fixed.get(&Parameter::Eps).and_then(known::to_f64);
     (
-        sampled.map_or_else(|| unasked("sampling", "sample_time"), |s| s.outcome(eps)),
+        sampled.map_or_else(
+            || unasked("sampling", "sample_time"),
+            |s| of_chain_alone(spec, s.outcome(eps)),
+        ),
         ended.map_or_else(|| unasked("deadline", "error"), |d| d.outcome(eps)),
     )
 }
@@ -374,6 +401,7 @@ fn deciding_key(spec: &Spec, check: &str) -> &'static str {
         "growth" if !spec.poles.is_empty() => "poles",
         "growth" => "gains",
         "envelope" => "x_max",
+        zeros::NAME => "output",
         _ if spec.fixed.contains_key(&Parameter::Eps) => "eps",
         "sampling" => "sample_time",
         _ => "error",

@@ -27,7 +27,9 @@ impl<'a> Numbers<'a> {
             precision: Precision::F64,
             guard: Guard::None,
             what: What::Controller,
+            drift: None,
             input_gain: None,
+            model: None,
             after: After::Hold,
             ..spec.clone()
         };

@@ -47,6 +47,14 @@ impl<'a> Loop<'a> {
         if promises.x0_max.is_empty() {
             return Err("`x0_max` is not given".to_owned());
         }
+        if spec.model.is_some() {
+            let why = "it does not know the model: the plant moves between the samples at which its f and g are known";
+            return Err(why.to_owned());
+        }
+        if spec.drift.is_some() {
+            let why = "the law cancels f at the samples, and what that leaves is not examined";
+            return Err(why.to_owned());
+        }
         let gains = true_gain(spec)?;
         let count = &tau / &h;
         let samples = count.round();

@@ -50,6 +50,7 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("law", law),
         fact("input gain g", gain),
     ];
+    facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", f.to_string())));
     if !spec.poles.is_empty() {
         facts.push(fact("poles", spec.written_poles()));
     }

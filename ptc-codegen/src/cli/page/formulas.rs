@@ -196,9 +196,14 @@ fn sum_to(index: &str, to: Math) -> Math {
 fn gains(spec: &Spec, formulas: &mut Vec<Math>) -> Result<&'static str, Failure> {
     let gain = || sub(name("gain"), name("j"));
     let sum = row([sum_to("j", n(spec)), product(gain(), sub(name("x"), name("j")))]);
-    let law = match spec.input_gain {
-        None => equal(name("u"), sum),
-        Some(_) => equal(name("u"), product(fraction(number(1), name("g")), sum)),
+    let wanted = match spec.drift {
+        None => sum,
+        Some(_) => minus(sum, name("f")),
+    };
+    let law = match (&spec.input_gain, &spec.drift) {
+        (None, _) => equal(name("u"), wanted),
+        (Some(_), None) => equal(name("u"), product(fraction(number(1), name("g")), wanted)),
+        (Some(_), Some(_)) => equal(name("u"), fraction(wanted, name("g"))),
     };
     formulas.push(law);
     let next = spec.n + 1;

@@ -1,15 +1,32 @@
 //! `show law`: the linear law with the gains as they are computed.
 
 use ptc_codegen::algebra::{Kind, Poly, Symbol};
+use ptc_codegen::expression::Expression;
 use ptc_codegen::internal::fault;
 use ptc_codegen::law::{Form, Law};
+use ptc_codegen::model::Model;
+use ptc_codegen::request::Spec;
 
 use super::sheet::{Block, Forms, Sheet};
 
 /// Writes the law of a mapping with these r_k; `fix` puts in the parameters whose values are known.
-pub(super) fn write(sheet: &mut Sheet, law: &Law, r: &[Poly], fix: impl Fn(&Poly) -> Poly) {
+/// The model of the plant comes from `spec`, where there is a design.
+pub(super) fn write(
+    sheet: &mut Sheet,
+    spec: Option<&Spec>,
+    law: &Law,
+    r: &[Poly],
+    fix: impl Fn(&Poly) -> Poly,
+) {
     let n = law.n;
-    sheet.heading.push("pi0 = -(k1*xi_1 + ... + kn*xi_n), g = 1".to_owned());
+    let pi0 = "pi0 = -(k1*xi_1 + ... + kn*xi_n)";
+    match spec.and_then(|spec| Some((spec, spec.model.as_ref()?))) {
+        Some((spec, model)) => {
+            sheet.heading.push(pi0.to_owned());
+            sheet.heading.extend(of_model(spec, model));
+        }
+        None => sheet.heading.push(format!("{pi0}, g = 1")),
+    }
     match &law.form {
         Form::Rows { base_inverse, rows } => {
             let rows: Vec<Poly> = rows.iter().map(&fix).collect();
@@ -30,6 +47,19 @@ pub(super) fn write(sheet: &mut Sheet, law: &Law, r: &[Poly], fix: impl Fn(&Poly
             sheet.forms(Forms::counted("r", &["k"], r));
         }
     }
+}
+
+/// The plant, its chain, and what u of the chain stands for.
+fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
+    let of = |name: &str, e: &Expression| format!("{name} = {}", model.text(e));
+    let mut lines = model.lines();
+    lines.extend((1..).zip(&model.coordinates).map(|(j, e)| of(&format!("x_{j}"), e)));
+    lines.extend(spec.drift.iter().map(|f| of("f", f)));
+    lines.extend(spec.input_gain.iter().map(|g| of("g", g)));
+    let less = if spec.drift.is_some() { "(u - f)" } else { "u" };
+    let over = if spec.input_gain.is_some() { "/g" } else { "" };
+    lines.push(format!("{} = {less}{over}, with u of the chain:", model.input));
+    lines
 }
 
 /// K_i = k_i rate^-(n+1-i).

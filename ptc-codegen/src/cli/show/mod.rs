@@ -168,7 +168,7 @@ fn of_abstract(subject: Subject, n: usize, engine: Engine) -> Result<Sheet, Fail
             let mapping = Mapping::symbolic(n);
             let forms = engine.expand(n, &mapping, Part::All)?;
             let law = Law::new(n, &mapping, Some(&forms));
-            law::write(&mut sheet, &law, &forms.r, |poly| poly.clone());
+            law::write(&mut sheet, None, &law, &forms.r, |poly| poly.clone());
         }
         Subject::Tables => tables(&mut sheet, engine, n)?,
     }
@@ -208,7 +208,7 @@ fn of_family(
         Subject::Matrix => matrix(&mut sheet, table()),
         Subject::Law => {
             let law = Law::new(spec.n, mapping, Some(&forms));
-            law::write(&mut sheet, &law, &forms.r, fixed);
+            law::write(&mut sheet, Some(spec), &law, &forms.r, fixed);
         }
         Subject::SmallR | Subject::BigR | Subject::Tables => {
             sheet.forms(small_r(fix_all(forms.r)));

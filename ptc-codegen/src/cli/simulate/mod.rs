@@ -8,6 +8,7 @@ mod run;
 
 pub(crate) use args::{EXAMPLES, Simulate};
 use picture::Kind;
+use ptc_codegen::plant::Plant;
 use run::{Run, continuous, sampled};
 
 use super::output::{self, Outputs};
@@ -33,14 +34,18 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        if let Err(found) = spec.needs_law("simulate") {
+        let knows = spec.needs_law("simulate").and_then(|()| spec.needs_chain("simulate"));
+        if let Err(found) = knows {
             return given.finish(None, found);
         }
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
-            note("the design has no [plant]: the plant is the chain of integrators, f = 0");
+            let f = spec.drift.as_ref().map_or("0".to_owned(), ToString::to_string);
+            note(&format!(
+                "the design has no [plant]: the plant is the chain of integrators, f = {f}"
+            ));
         }
-        let plant = plant.unwrap_or_default();
+        let plant = plant.unwrap_or_else(|| Plant::own(&spec));
         let asked = input::read(request, &spec)?;
         let run = match &asked.around {
             None => continuous(&spec, &plant, &asked)?,

@@ -93,12 +93,12 @@ impl Builder<'_> {
             let value = Expr::Element(from.to_owned(), j - 1);
             Statement::Let(format!("x{j}"), Shape::Real, value)
         };
-        (1..=self.spec.n).map(state).collect()
+        (1..=self.spec.states()).map(state).collect()
     }
 
     /// The tests that they are finite.
     fn finite_states(&self) -> impl Iterator<Item = Test> {
-        (1..=self.spec.n).map(|j| Test::Finite(Expr::local(format!("x{j}"))))
+        (1..=self.spec.states()).map(|j| Test::Finite(Expr::local(format!("x{j}"))))
     }
 
     /// That t is finite and not before the start.
@@ -136,6 +136,6 @@ impl Builder<'_> {
 
     /// The array of states of the argument `name`.
     fn array(&self, name: &str, about: &str) -> Variable {
-        Variable::new(name, Shape::Reals(self.spec.n), about)
+        Variable::new(name, Shape::Reals(self.spec.states()), about)
     }
 }

@@ -120,7 +120,7 @@ impl Builder<'_> {
         let mut given = vec![Test::Finite(Expr::local("t0"))];
         if self.spec.latches() {
             let state = |j| Test::Finite(Expr::Element("x0".to_owned(), j));
-            given.extend((0..self.spec.n).map(state));
+            given.extend((0..self.spec.states()).map(state));
         }
         let mut statements = vec![Statement::Require(Test::All(given), Status::Param)];
         let tests = match self.spec.what {

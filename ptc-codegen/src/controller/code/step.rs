@@ -76,12 +76,18 @@ impl Builder<'_> {
         };
         Function {
             name: "step",
-            about: "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
+            about: match &self.spec.model {
+                None => "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
+                Some(model) => format!("u at time t [s] and state x = ({}).", model.names()),
+            },
             owner: Owner::Controller,
             access: Access::Read,
             arguments: vec![
                 Variable::new("t", Shape::Real, "time, s"),
-                self.array("x", "state: x1, its rate, ..."),
+                match &self.spec.model {
+                    None => self.array("x", "state: x1, its rate, ..."),
+                    Some(model) => self.array("x", &format!("state: {}", model.names())),
+                },
             ],
             callbacks: self.callbacks(),
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],

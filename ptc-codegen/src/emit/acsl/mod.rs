@@ -15,7 +15,7 @@ use crate::request::{Guard, Spec, What};
 /// The contracts of a controller, and its case splits.
 pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
     let spec = controller.spec();
-    let (name, n) = (spec.name(), spec.n);
+    let (name, n) = (spec.name(), spec.states());
     let state = |array: &str| Pointer { name: array.to_owned(), count: Some(n), out: false };
     let one = |name: &str, out| Pointer { name: name.to_owned(), count: None, out };
     let full = spec.guard == Guard::Full || spec.what == What::Associated;
@@ -186,7 +186,7 @@ fn step(spec: &Spec, full: bool, x: &Pointer) -> String {
     let mut conditions = requires(&pointers, full);
     let set = if full { "self == \\null || " } else { "" };
     conditions.push(format!("requires {set}{name}_set(self);"));
-    conditions.extend(trusted(spec.guard, spec.n, true));
+    conditions.extend(trusted(spec.guard, spec.states(), true));
     comment(&conditions, "*u", OF_U)
 }
 

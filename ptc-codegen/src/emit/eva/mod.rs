@@ -58,7 +58,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
     let promised = |bounds: &[Fixed], j: usize| bounds.get(j).map(|bound| rounded(bound, spec));
     let x_max = |j| promised(&spec.promises.x_max, j).unwrap_or(STATE);
     let x0_max = |j| promised(&spec.promises.x0_max, j).unwrap_or(x_max(j));
-    let states = |of: &dyn Fn(usize) -> f64| (0..spec.n).map(|j| text(of(j))).collect();
+    let states = |of: &dyn Fn(usize) -> f64| (0..spec.states()).map(|j| text(of(j))).collect();
     let open = |p: Parameter| spec.run_time_parameters().any(|of| of == p);
     let run_time_limit = open(Parameter::UMax);
     let u_max = spec.fixed.get(&Parameter::UMax).filter(|fixed| fixed.number().is_some());

@@ -43,7 +43,7 @@ impl Inputs {
             Some(sampled) if !sampled.measures_states() => {
                 Self { count: sampled.measured, letter: 'y' }
             }
-            _ => Self { count: spec.n, letter: 'x' },
+            _ => Self { count: spec.states(), letter: 'x' },
         }
     }
 }
@@ -134,7 +134,10 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
         let what = if letter == 'x' { "State" } else { "Measurement" };
         all.push(Variable {
             name: format!("{letter}{j}"),
-            description: format!("{what} {letter}{j} of the plant{unit}"),
+            description: match &spec.model {
+                Some(model) => format!("State {} of the plant", model.states[j - 1]),
+                None => format!("{what} {letter}{j} of the plant{unit}"),
+            },
             attributes: vec![("start", "0".to_owned())],
             place: Some(format!("x[{}]", j - 1)),
             ..blank()

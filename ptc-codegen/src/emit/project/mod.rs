@@ -73,6 +73,13 @@ impl Project {
     pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         stands_alone(spec, "a project", &mut found);
+        for (key, known) in [("f", spec.drift.is_some()), ("dynamics", spec.model.is_some())] {
+            if known {
+                let message = "the plant of a project is x_n' = g u";
+                let help = "leave f and [model] out, or emit the controller alone";
+                found.push("not-alone", key, None, message, help);
+            }
+        }
         if let Some(gain) = &spec.input_gain
             && constant(gain).is_none()
         {

@@ -112,12 +112,13 @@ fn plain(name: &str) -> String {
 
 /// The names that an expression may use, in words.
 fn legal(subject: Subject) -> String {
+    let of_model = if subject == Subject::Model { "the names of [model], " } else { "" };
     let own = NAMES.iter().filter(|info| info.places.contains(&subject));
     let one = |info: &NameInfo| match info.short {
         "" => info.shown(),
         short => format!("{} ({short})", info.shown()),
     };
-    own.map(one).collect::<Vec<_>>().join(", ") + " and parameters"
+    format!("{of_model}{} and parameters", own.map(one).collect::<Vec<_>>().join(", "))
 }
 
 #[cfg(test)]
@@ -131,31 +132,31 @@ mod tests {
     use crate::syntax::parse;
 
     /// V where a name has its meaning, P where it names a parameter, E where it is an error: in mu,
-    /// kappa, pi0, g, plant.f, plant.g, h and the bounds, at order 3.
+    /// kappa, pi0, f, g, plant.f, plant.g, h and the bounds, at order 3.
     const VERDICTS: [(&str, &[&str]); 17] = [
-        ("VVVVVVVV", &["tau", "pi"]),
-        ("VEVVVVVV", &["t"]),
-        ("EVVVVVVV", &["dt"]),
-        ("EEVVVVVV", &["t0", "eps", "u_max"]),
-        ("EEVEEEVV", &["T"]),
-        ("EEVVEEEE", &["t_kappa"]),
-        ("EEEEVEVE", &["u"]),
-        ("EEEVVVVE", &["x1", "x3"]),
-        ("EEVVVVVE", &["x1_0", "x3_0"]),
-        ("EEVEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
-        ("EEPEEEEE", &["k1", "k3"]),
-        ("VVEEEEEE", &["rational"]),
-        ("EEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
-        ("EEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
+        ("VVVVVVVVV", &["tau", "pi"]),
+        ("VEVVVVVVV", &["t"]),
+        ("EVVVVVVVV", &["dt"]),
+        ("EEVVVVVVV", &["t0", "eps", "u_max"]),
+        ("EEVEEEEVV", &["T"]),
+        ("EEVVVEEEE", &["t_kappa"]),
+        ("EEEEEVEVE", &["u"]),
+        ("EEEVVVVVE", &["x1", "x3"]),
+        ("EEVVVVVVE", &["x1_0", "x3_0"]),
+        ("EEVEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
+        ("EEPEEEEEE", &["k1", "k3"]),
+        ("VVEEEEEEE", &["rational"]),
+        ("EEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
+        ("EEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
         (
-            "EEEEEEEE",
+            "EEEEEEEEE",
             &[
                 "Tau", "TAU", "Dt", "DT", "d_t", "T0", "t_0", "Eps", "umax", "U", "Pi", "T_kappa",
                 "T_",
             ],
         ),
         (
-            "EEEEEEEE",
+            "EEEEEEEEE",
             &[
                 "mu",
                 "kappa",
@@ -173,7 +174,7 @@ mod tests {
             ],
         ),
         (
-            "PPPPPPPP",
+            "PPPPPPPPP",
             &["psi", "a", "m", "w", "h", "rho", "e", "k0", "k4", "k", "x1y", "tau2", "K1"],
         ),
     ];
@@ -182,7 +183,11 @@ mod tests {
         let node = parse(subject.key(), name, &mut |_| Place(0)).expect(name);
         let mut found = Diagnostics::default();
         let parameter = Name::new(name).map(|name| Expression::from(Parameter::Named(name)));
-        match resolve(&node, Scope { subject, n: 3, known: &[Parameter::Tau] }, &mut found) {
+        match resolve(
+            &node,
+            Scope { subject, n: 3, known: &[Parameter::Tau], own: &[] },
+            &mut found,
+        ) {
             None => 'E',
             value if value == parameter => 'P',
             Some(_) => 'V',
@@ -217,7 +222,7 @@ mod tests {
             ("x_2", Drift, ["`x_2` differs from `x2`", "write `x2`"]),
             ("x0", Drift, ["`x0` does not exist", "x1_0..xn_0"]),
             ("g", Drift, ["`g` is a key", "input gain"]),
-            ("f", Law, ["`f` is a key", "known constant of the plant"]),
+            ("f", Law, ["`f` is a key", "known part of the plant"]),
         ] {
             let Found::Wrong { message, help } = find(name, subject, 3) else {
                 panic!("{name} is taken");

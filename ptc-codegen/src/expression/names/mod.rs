@@ -16,8 +16,12 @@ pub enum Subject {
     Kappa,
     /// pi0(xi, t), t the stretched time.
     Law,
+    /// The known f(x, t), t the time.
+    Force,
     /// g(x, t), t the time.
     InputGain,
+    /// The dynamics and the output of a model of the plant.
+    Model,
     /// A family's own kappa, in time-to-go T.
     Family,
     /// f(x, u, t) of the plant, t the time.
@@ -30,7 +34,7 @@ pub enum Subject {
     Objective,
 }
 
-use Subject::{Bound, Drift, Family, InputGain, Kappa, Law, Mu, Objective, PlantGain};
+use Subject::{Bound, Drift, Family, Force, InputGain, Kappa, Law, Mu, Objective, PlantGain};
 
 impl Subject {
     /// Key of the spec.
@@ -39,7 +43,9 @@ impl Subject {
             Mu => "mu",
             Kappa | Family => "kappa",
             Law => "pi0",
+            Force => "f",
             InputGain => "g",
+            Subject::Model => "model",
             Drift => "plant.f",
             PlantGain => "plant.g",
             Bound | Objective => "objective",
@@ -48,10 +54,11 @@ impl Subject {
 }
 
 /// Where users write expressions, in the order of the documentation.
-const PLACES: [(Subject, &str); 8] = [
+const PLACES: [(Subject, &str); 9] = [
     (Mu, "mu"),
     (Kappa, "kappa"),
     (Law, "pi0"),
+    (Force, "f"),
     (InputGain, "g"),
     (Drift, "plant.f"),
     (PlantGain, "plant.g"),
@@ -93,11 +100,15 @@ const fn info(
 }
 
 /// Places that look at the state of the plant.
-const OF_STATE: &[Subject] = &[InputGain, Drift, PlantGain, Objective];
+const OF_STATE: &[Subject] = &[Force, InputGain, Drift, PlantGain, Objective];
 /// All places outside the mapping, which is fixed before the controller has a start or a bound.
-const OUTSIDE_MAPPING: &[Subject] = &[Law, InputGain, Drift, PlantGain, Objective, Bound];
+const OUTSIDE_MAPPING: &[Subject] = &[Law, Force, InputGain, Drift, PlantGain, Objective, Bound];
 const EVERYWHERE: &[Subject] =
-    &[Mu, Kappa, Family, Law, InputGain, Drift, PlantGain, Objective, Bound];
+    &[Mu, Kappa, Family, Law, Force, InputGain, Drift, PlantGain, Objective, Bound];
+
+/// The same with the model of a plant, which has names of its own.
+const WITH_MODEL: &[Subject] =
+    &[Mu, Kappa, Family, Law, Force, InputGain, Subject::Model, Drift, PlantGain, Objective, Bound];
 
 /// The table. A name with several meanings has a row for each.
 #[rustfmt::skip]
@@ -107,18 +118,18 @@ static NAMES: [NameInfo; 17] = [
     info("u", "input of the plant", "", Sense::Variable(Variable::Control), &[Drift, Objective]),
     info("t", "stretched time since the start", "stretched time since the start", Sense::Variable(Variable::SinceStart), &[Mu]),
     info("t", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law]),
-    info("t", "time", "time", Sense::Variable(Variable::Time), &[InputGain, Drift, PlantGain, Objective, Bound]),
-    info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, InputGain]),
-    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, InputGain, Drift, PlantGain, Objective, Bound]),
+    info("t", "time", "time", Sense::Variable(Variable::Time), &[Force, InputGain, Drift, PlantGain, Objective, Bound]),
+    info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, Force, InputGain]),
+    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Drift, PlantGain, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
     info("eps", "time-to-go at which the gains are held", "", Sense::Parameter(Parameter::Eps), OUTSIDE_MAPPING),
     info("u_max", "bound of abs(u)", "", Sense::Parameter(Parameter::UMax), OUTSIDE_MAPPING),
-    info("x1_0", "state of the plant at t0", "", Sense::Indexed(Variable::StateAtStart), &[Law, InputGain, Drift, PlantGain, Objective]),
+    info("x1_0", "state of the plant at t0", "", Sense::Indexed(Variable::StateAtStart), &[Law, Force, InputGain, Drift, PlantGain, Objective]),
     info("xi1_0", "xi at t0", "", Sense::Indexed(Variable::XiAtStart), &[Law]),
     info("k1", "gains of xi1..xin, given by `gains` or `poles`", "", Sense::Gain, &[]),
-    info("pi", "the circle constant", "", Sense::Pi, EVERYWHERE),
+    info("pi", "the circle constant", "", Sense::Pi, WITH_MODEL),
 ];
 
 impl NameInfo {
@@ -165,7 +176,7 @@ impl NameInfo {
     fn instead(&self, subject: Subject, index: usize) -> Option<String> {
         let of_state = OF_STATE.contains(&subject);
         let text = match (self.name, subject) {
-            ("T", Kappa | InputGain | Drift | PlantGain) => "tau - dt".to_owned(),
+            ("T", Kappa | Force | InputGain | Drift | PlantGain) => "tau - dt".to_owned(),
             ("t", Kappa) => "dt".to_owned(),
             ("dt" | "t_kappa", Mu) => "t".to_owned(),
             ("t_kappa", Drift | PlantGain | Objective | Bound) => return None,

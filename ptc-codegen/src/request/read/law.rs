@@ -68,7 +68,7 @@ impl Reader<'_> {
                 law.feedback = Feedback::Extern;
             }
             Some((_, node)) => {
-                let scope = Scope { subject: Subject::Law, n: order, known };
+                let scope = Scope { subject: Subject::Law, n: order, known, own: &[] };
                 if let Some(expression) = resolve(node, scope, &mut self.found) {
                     match gains_of(&expression, order) {
                         Some(gains) => law.gains = fixed(gains),
@@ -81,10 +81,18 @@ impl Reader<'_> {
         law
     }
 
+    /// The known f of a chain, which a clock in time cancels at any state; 0 is none at all.
+    pub(super) fn drift(&mut self, n: usize, known: &[Parameter]) -> Option<Expression> {
+        let node = self.keys.get("f").copied()?;
+        let scope = Scope { subject: Subject::Force, n, known, own: &[] };
+        let drift = resolve(node, scope, &mut self.found)?;
+        (drift != Expression::integer(0)).then_some(drift)
+    }
+
     /// The input gain; 1 is none at all.
     pub(super) fn input_gain(&mut self, n: usize, known: &[Parameter]) -> Option<Expression> {
         let node = self.keys.get("g").copied()?;
-        let scope = Scope { subject: Subject::InputGain, n, known };
+        let scope = Scope { subject: Subject::InputGain, n, known, own: &[] };
         let gain = resolve(node, scope, &mut self.found)?;
         if normal(&gain) == Expression::integer(0) {
             let message = "g = 0: the input does not move the plant".to_owned();

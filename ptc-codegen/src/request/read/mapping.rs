@@ -40,7 +40,7 @@ impl Reader<'_> {
     }
 
     fn custom(&mut self, subject: Subject, n: usize, node: &Node) -> Option<Read> {
-        let scope = Scope { subject, n, known: &[Parameter::Tau] };
+        let scope = Scope { subject, n, known: &[Parameter::Tau], own: &[] };
         let given = resolve(node, scope, &mut self.found)?;
         if has_kink(&given) {
             let name = if subject == Subject::Mu { "t" } else { "dt" };

@@ -4,6 +4,7 @@ mod alone;
 mod law;
 mod linear;
 mod mapping;
+mod model;
 mod parameters;
 mod promises;
 mod sampled;
@@ -17,6 +18,7 @@ use num_traits::ToPrimitive;
 use super::{After, Clock, Guard, MAX_ORDER, Spec, What};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
+use crate::expression::Expression;
 use crate::family::Family;
 use crate::keys::{KEYS, KeyInfo};
 use crate::linear::Delay;
@@ -116,7 +118,8 @@ impl<'a> Reader<'a> {
     }
 
     fn spec(&mut self) -> Option<Spec> {
-        let n = self.order();
+        let model = self.model();
+        let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()));
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
         let mapping = self.time_mapping(order);
@@ -142,12 +145,28 @@ impl<'a> Reader<'a> {
             &[("hold", After::Hold), ("zero", After::Zero), ("extern", After::Extern)],
         );
         let precision = precision.unwrap_or(Precision::F64);
-        let promises = self.promises(n);
+        let states = match (&model, self.has_model()) {
+            (Some(read), _) => Some(read.model.states.len()),
+            (None, true) => None,
+            (None, false) => n,
+        };
+        let promises = self.promises(n, states);
         let samples = self.counts_samples();
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
-        let input_gain = self.input_gain(order, &known);
+        // A clock in samples takes a number, and reads it with the rest of its plant.
+        let (drift, input_gain) = match &model {
+            Some(read) => {
+                let unless =
+                    |e: &Expression, value| (*e != Expression::integer(value)).then(|| e.clone());
+                (unless(&read.drift, 0), unless(&read.gain, 1))
+            }
+            None => {
+                let drift = if samples { None } else { self.drift(order, &known) };
+                (drift, self.input_gain(order, &known))
+            }
+        };
         let mut spec = Spec {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
@@ -157,7 +176,9 @@ impl<'a> Reader<'a> {
             precision,
             guard: guard.unwrap_or(Guard::Full),
             feedback: law.feedback,
+            drift,
             input_gain,
+            model: model.map(|read| Box::new(read.model)),
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
             bounds: BTreeMap::new(),
@@ -168,10 +189,12 @@ impl<'a> Reader<'a> {
         if spec.what == What::Associated {
             self.associated(&mut spec);
         }
+        self.fits_model(&spec, samples);
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
         match samples {
+            true if spec.model.is_some() => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }
@@ -203,15 +226,17 @@ impl<'a> Reader<'a> {
         self.found.push("missing-key", key, None, message, format!("give {legal}"));
     }
 
-    fn order(&mut self) -> Option<usize> {
+    /// The order, which is `degree` where the plant has a model.
+    fn order(&mut self, degree: Option<usize>) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
             // The matrix of a plant has an order.
             let rows = self.keys.get("A").map(|node| items(node).len());
-            if let Some(rows) = rows.filter(|rows| (1..=MAX_ORDER).contains(rows)) {
-                return Some(rows);
+            let rows = rows.filter(|rows| (1..=MAX_ORDER).contains(rows));
+            let known = degree.or(rows);
+            if known.is_none() && !self.has_model() {
+                self.missing("n");
             }
-            self.missing("n");
-            return None;
+            return known;
         };
         let n = count(node, MAX_ORDER);
         if n.is_none() {
@@ -219,6 +244,14 @@ impl<'a> Reader<'a> {
                 format!("n = {} is not an order that can be generated", shown(&node.value));
             let help = format!("n is an integer 1..={MAX_ORDER}");
             self.wrong("n", Some(node.place), message, help);
+        }
+        if let (Some(n), Some(degree)) =
+            (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))
+        {
+            let message = format!("n = {n}, but the relative degree of the output is {degree}");
+            let help = format!("leave n out, or give {degree}: it follows from the model");
+            self.wrong("n", Some(node.place), message, help);
+            return Some(degree);
         }
         n
     }
@@ -312,6 +345,7 @@ fn shown(value: &Value) -> String {
         Value::Word(word) => format!("`{}`", shorten(word)),
         Value::List(items) => format!("a list of {}", items.len()),
         Value::Call(name, _) => format!("`{}(...)`", shorten(name)),
+        Value::Table(items) => format!("a table of {}", items.len()),
         Value::Imaginary(units) => format!("`{}i`", shorten(&units.to_string())),
         Value::Negative(_) | Value::Binary(..) => "an expression".to_owned(),
     }

@@ -35,7 +35,10 @@ impl Reader<'_> {
             }
         }
         self.eps_below_tau(&spec.fixed);
-        let used: BTreeSet<_> = spec.expressions().flat_map(Expression::parameters).collect();
+        // What a model has beside the law counts for its zero dynamics.
+        let beside = spec.model.iter().flat_map(|model| &model.dynamics);
+        let used: BTreeSet<_> =
+            spec.expressions().chain(beside).flat_map(Expression::parameters).collect();
         self.names_are_distinct(spec, &used);
         let own = spec.time_mapping.parameters();
         let legal: Vec<_> = used
@@ -111,7 +114,10 @@ impl Reader<'_> {
         let all = spec.parameters();
         for parameter in used.iter().filter(|p| matches!(p, Parameter::Named(_))) {
             let name = parameter.key();
-            let same = |p: &&Parameter| p.key() == name && p != &parameter;
+            // Gains that are fixed are no field, so that their key is free.
+            let free =
+                |p: &Parameter| matches!(p, Parameter::Gain(_)) && spec.fixed.contains_key(p);
+            let same = |p: &&Parameter| p.key() == name && p != &parameter && !free(p);
             let Some(other) = all.iter().find(same) else { continue };
             let of = |e: Option<&Expression>| e.is_some_and(|e| e.parameters().contains(parameter));
             let law = match &spec.feedback {
@@ -121,6 +127,8 @@ impl Reader<'_> {
             let key = match spec.custom() {
                 Some(custom) if of(Some(&custom.given)) => custom.subject.key(),
                 _ if of(law) => "pi0",
+                _ if spec.model.is_some() => "dynamics",
+                _ if of(spec.drift.as_ref()) => "f",
                 _ => "g",
             };
             let place = self.keys.get(key).map(|node| node.place);

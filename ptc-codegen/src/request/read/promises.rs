@@ -16,7 +16,8 @@ const MAX_DELAY: usize = 16;
 
 impl Reader<'_> {
     /// Bounds and periods that checks hold the design to.
-    pub(super) fn promises(&mut self, n: Option<usize>) -> Promises {
+    /// Bounds of the whole run are of the states of the plant, all others of the chain.
+    pub(super) fn promises(&mut self, n: Option<usize>, states: Option<usize>) -> Promises {
         // A linear plant has as many sensors as C has rows.
         let measured = self.rows_measured().or(n);
         Promises {
@@ -30,7 +31,7 @@ impl Reader<'_> {
             g_error: self.g_error(),
             jitter: self.jitter(),
             x0_max: self.bounds("x0_max", n),
-            x_max: self.bounds("x_max", n),
+            x_max: self.bounds("x_max", states),
             allow: self.allowed(),
             // Read with the table [plant].
             plant: None,
@@ -137,8 +138,12 @@ impl Reader<'_> {
         let items = items(node);
         if n.is_some_and(|n| n != items.len()) {
             let n = n.unwrap_or_default();
-            let message = format!("{} bounds for order n = {n}", items.len());
-            let help = format!("give one bound for each of x1..x{n}");
+            let (of, each) = match key == "x_max" && self.has_model() {
+                true => (format!("{n} states of the model"), "its states".to_owned()),
+                false => (format!("order n = {n}"), format!("x1..x{n}")),
+            };
+            let message = format!("{} bounds for {of}", items.len());
+            let help = format!("give one bound for each of {each}");
             self.wrong(key, Some(node.place), message, help);
             return Vec::new();
         }

@@ -264,6 +264,7 @@ mod tests {
                 let inner: Vec<_> = arguments.iter().map(|a| shape(&a.value.value)).collect();
                 format!("{name}({})", inner.join(","))
             }
+            Value::Table(_) => "{}".to_owned(),
             Value::Negative(a) => format!("(neg {})", shape(&a.value)),
             Value::Binary(operator, a, b) => {
                 format!("({operator:?} {} {})", shape(&a.value), shape(&b.value))

@@ -139,6 +139,9 @@ impl Prover {
         if spec.feedback != Feedback::Linear {
             return Err("pi0 is not a sum of gains, so that the loop is not linear".to_owned());
         }
+        if let Some(f) = &spec.drift {
+            return Err(format!("the law cancels f = {f}, which the proof does not know"));
+        }
         let gain = spec.input_gain.as_ref().map_or(Ok(integer(1)), number);
         let gain = gain.map_err(|g| format!("g = {g} is not a number"))?;
         if let Some(own) = &campaign.plant.g

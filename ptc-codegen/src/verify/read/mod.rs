@@ -27,6 +27,7 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_time("a campaign")?;
+    spec.needs_chain("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let Some(plant) = plant else {
         found.push(Diagnostic {

@@ -62,7 +62,7 @@ impl Reader<'_> {
         let n = self.spec.n;
         let expression = |reader: &mut Self, name: &str, subject: Subject| {
             let (_, node) = given.get(name)?;
-            resolve(node, Scope { subject, n, known: &known }, &mut reader.found)
+            resolve(node, Scope { subject, n, known: &known, own: &[] }, &mut reader.found)
         };
         let kind = match word {
             "state" => {

@@ -23,11 +23,10 @@ const MAX_EXPONENT: u32 = 1000;
 const MAX_SAMPLES: u32 = 1 << 31;
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 11] = [
+const OWN: [&str; 10] = [
     "A",
     "B",
     "C",
-    "f",
     "deadbeat",
     "measured",
     "disturbance",

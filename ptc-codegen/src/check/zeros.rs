@@ -1,0 +1,93 @@
+//! The zero dynamics of a model: what its other states do while the output is at rest.
+
+use nalgebra::DMatrix;
+use num_traits::ToPrimitive;
+
+use super::{Outcome, Verdict};
+use crate::algebra::polynomial::Polynomial;
+use crate::diagnostic::digits;
+use crate::expression::Expression;
+use crate::linear::eigenvalues;
+use crate::model::zeros::{Zeros, zeros};
+use crate::parameter::Fixed;
+use crate::request::Spec;
+
+/// Name of the check.
+pub(crate) const NAME: &str = "zeros";
+
+/// The check of a design that has a model.
+pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
+    let model = spec.model.as_ref()?;
+    let number = |value: &Fixed| value.number().cloned();
+    let values = spec.fixed.iter().filter_map(|(p, value)| Some((*p, number(value)?))).collect();
+    let one = Expression::integer(1);
+    let gain = spec.input_gain.as_ref().unwrap_or(&one);
+    let (r, states) = (spec.n, model.states.len());
+    let order = states - r;
+    let degree = format!("the relative degree is {r} of {states} states");
+    let at = |p: &Polynomial| match roots(p) {
+        Some(roots) => {
+            format!("{degree}; at the origin the zero dynamics have the roots {roots} 1/s")
+        }
+        None => format!("{degree}; the zero dynamics are of order {order}"),
+    };
+    let (verdict, summary, fix) = match zeros(model, gain, &values) {
+        Zeros::None => (
+            Verdict::Sound,
+            format!("none: the relative degree is {r}, the number of states"),
+            None,
+        ),
+        Zeros::Singular => (
+            Verdict::Unsound,
+            format!(
+                "the gain of u, {}, is 0 at the origin: the law divides by it",
+                model.text(gain)
+            ),
+            Some("take an output whose derivative of that order u moves at rest".to_owned()),
+        ),
+        Zeros::Stable(p) => (Verdict::Sound, at(&p), None),
+        Zeros::Unstable(p) => (
+            Verdict::Unsound,
+            format!("{}: with the output at rest other states leave the origin", at(&p)),
+            Some(
+                "take an output with stable zero dynamics, or more of the states in it".to_owned(),
+            ),
+        ),
+        Zeros::Critical(p) => (
+            Verdict::Undecided,
+            format!("{}: on the imaginary axis the linearisation does not decide", at(&p)),
+            None,
+        ),
+        Zeros::Open(why) => (
+            Verdict::Undecided,
+            format!("{degree}; the zero dynamics are of order {order}: {why}"),
+            None,
+        ),
+    };
+    let details = match order {
+        0 => Vec::new(),
+        _ => vec!["from the linearisation: it holds near the origin".to_owned()],
+    };
+    Some(Outcome { name: NAME, verdict, summary, details, fix })
+}
+
+/// The roots of a polynomial, rounded; `None` if they are not found.
+fn roots(p: &Polynomial) -> Option<String> {
+    let n = p.degree()?;
+    let leading = p.coefficients().last()?;
+    let last = p.coefficients()[..n].iter().map(|c| (-c / leading).to_f64());
+    let last: Vec<f64> = last.collect::<Option<_>>()?;
+    let companion = DMatrix::from_fn(n, n, |i, j| match (i + 1 == n, i + 1 == j) {
+        (true, _) => last[j],
+        (false, true) => 1.0,
+        (false, false) => 0.0,
+    });
+    let mut roots = eigenvalues(companion)?;
+    roots.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+    let text = |re: f64, im: f64| match im.abs() > 1e-9 * (re.abs() + im.abs()) {
+        true if im > 0.0 => format!("{}+{}i", digits(re), digits(im)),
+        true => format!("{}{}i", digits(re), digits(im)),
+        false => digits(re),
+    };
+    Some(roots.iter().map(|root| text(root.re, root.im)).collect::<Vec<_>>().join(", "))
+}

@@ -1,0 +1,144 @@
+//! The output's derivatives along the plant, and its relative degree.
+
+use super::decide::is_zero;
+use super::{Values, named};
+use crate::diagnostic::Place;
+use crate::expression::effort::bounded;
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Function, Variable};
+use crate::limits::SIZE;
+use crate::parameter::Name;
+use crate::syntax::parse;
+
+/// An output as a chain of integrators.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// L_f^(i-1) h for i = 1..r.
+    pub coordinates: Vec<Expression>,
+    /// L_f^r h.
+    pub drift: Expression,
+    /// L_g L_f^(r-1) h.
+    pub gain: Expression,
+}
+
+/// Why an output is no chain of integrators.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ill {
+    /// The rate of a state, from 0, is not affine in the input; its slope there.
+    NotAffine(usize, String),
+    /// A derivative is taken of what has a kink.
+    Kink(String),
+    /// Whether this is 0 for all states is not decided.
+    Open(String),
+    /// No derivative of the output depends on the input.
+    Unreached,
+    /// The derivative of this order is larger than an expression may be.
+    TooLarge(usize),
+}
+
+impl Chain {
+    /// The chain of the output of z' = `dynamics`, whose states and input have these names.
+    /// `values` are those of the parameters that are fixed, which decide what is 0.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn new(
+        (states, input): (&[Name], Name),
+        output: &Expression,
+        dynamics: &[Expression],
+        values: &Values,
+    ) -> Result<Self, Ill> {
+        bounded(|| {
+            let plant = Affine::of((states, input), dynamics, values)?;
+            let mut coordinates = vec![output.clone()];
+            for order in 1..=dynamics.len() {
+                let last = &coordinates[order - 1];
+                if last.any(&is_kink) {
+                    return Err(Ill::Kink(plant.text(last)));
+                }
+                let gain = plant.along(last, &plant.gains, order)?;
+                let drift = plant.along(last, &plant.drifts, order)?;
+                match is_zero(&gain, values) {
+                    Some(true) => coordinates.push(drift),
+                    Some(false) => return Ok(Self { coordinates, drift, gain }),
+                    None => return Err(Ill::Open(plant.text(&gain))),
+                }
+            }
+            Err(Ill::Unreached)
+        })
+    }
+}
+
+/// z' = drifts + gains u.
+struct Affine<'a> {
+    names: (&'a [Name], Name),
+    drifts: Vec<Expression>,
+    gains: Vec<Expression>,
+}
+
+impl<'a> Affine<'a> {
+    fn of(
+        names: (&'a [Name], Name),
+        dynamics: &[Expression],
+        values: &Values,
+    ) -> Result<Self, Ill> {
+        let at_rest = |e: &Expression| {
+            let control = Expression::from(Variable::Control);
+            e.substitute(&|leaf| (*leaf == control).then(|| Expression::integer(0)))
+        };
+        let drifts = dynamics.iter().map(|rate| tidy(at_rest(rate))).collect();
+        let mut plant = Self { names, drifts, gains: Vec::with_capacity(dynamics.len()) };
+        for (index, rate) in dynamics.iter().enumerate() {
+            let slope = rate.derivative(Variable::Control);
+            let kink = |e: &Expression| is_kink(e) && e.contains(Variable::Control);
+            let curved = || Ill::NotAffine(index, plant.text(&tidy(slope.clone())));
+            if rate.any(&kink) {
+                return Err(curved());
+            }
+            let tidied = tidy(slope.clone());
+            let gain = match tidied.contains(Variable::Control) {
+                false => tidied,
+                true if is_zero(&slope.derivative(Variable::Control), values) == Some(true) => {
+                    tidy(at_rest(&slope))
+                }
+                true => return Err(curved()),
+            };
+            plant.gains.push(gain);
+        }
+        Ok(plant)
+    }
+
+    /// The derivative of order `order` of the output along a vector field.
+    fn along(&self, e: &Expression, field: &[Expression], order: usize) -> Result<Expression, Ill> {
+        e.differentiable().ok_or(Ill::TooLarge(order))?;
+        let sum = (1..).zip(field).fold(Expression::integer(0), |sum, (j, rate)| {
+            let slope = e.derivative(Variable::State(j));
+            if slope == Expression::integer(0) { sum } else { sum.add(slope.mul(rate.clone())) }
+        });
+        if !SIZE.admits(sum.size()) {
+            return Err(Ill::TooLarge(order));
+        }
+        let sum = tidy(sum);
+        // What walks an expression recurses as deep as one that a user may write.
+        match parse("dynamics", &sum.to_string(), &mut |_| Place(0)) {
+            Ok(_) => Ok(sum),
+            Err(_) => Err(Ill::TooLarge(order)),
+        }
+    }
+
+    fn text(&self, expression: &Expression) -> String {
+        named(self.names.0, self.names.1, expression).to_string()
+    }
+}
+
+/// The shorter one of an expression and its normal form.
+fn tidy(expression: Expression) -> Expression {
+    let form = normal(&expression);
+    if form.size() <= expression.size() { form } else { expression }
+}
+
+/// Whether it is abs, sign, min or max.
+pub(super) fn is_kink(e: &Expression) -> bool {
+    use Expression::{Call, Max, Min};
+    matches!(e, Min(..) | Max(..) | Call(Function::Abs | Function::Sign, _))
+}

@@ -1,0 +1,64 @@
+//! What a controller knows of its plant, z' = f(z) + g(z) u with the output h(z), and what follows
+//! from it: the output and its derivatives are a chain of integrators x_1, ..., x_r, whose last
+//! rate is L_f^r h + (L_g L_f^(r-1) h) u.
+
+mod decide;
+mod lie;
+pub(crate) mod zeros;
+
+pub use lie::{Chain, Ill};
+
+use std::collections::BTreeMap;
+
+use crate::algebra::BigRational;
+use crate::expression::{Expression, Variable};
+use crate::parameter::{Name, Parameter};
+
+/// Values of parameters as far as they are fixed.
+pub type Values = BTreeMap<Parameter, BigRational>;
+
+/// A plant with one input and one output. Its states are `x_1`..`x_N` in its expressions, and its
+/// input is u.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Model {
+    /// Names of the states.
+    pub states: Vec<Name>,
+    /// Name of the input.
+    pub input: Name,
+    /// The output as a function of the states.
+    pub output: Expression,
+    /// The rate of each state.
+    pub dynamics: Vec<Expression>,
+    /// The coordinates `x_1`..`x_r` of the chain as functions of the states.
+    pub coordinates: Vec<Expression>,
+}
+
+impl Model {
+    /// An expression of the plant in the names of its states and its input.
+    pub fn text(&self, expression: &Expression) -> String {
+        named(&self.states, self.input, expression).to_string()
+    }
+
+    /// Its lines: the rate of each state, and the output.
+    pub fn lines(&self) -> Vec<String> {
+        let rate = |(name, rate)| format!("{name}' = {}", self.text(rate));
+        let rates = self.states.iter().zip(&self.dynamics).map(rate);
+        rates.chain([format!("output {}", self.text(&self.output))]).collect()
+    }
+
+    /// The names of the states, with commas between them.
+    pub fn names(&self) -> String {
+        let names: Vec<_> = self.states.iter().map(|name| name.text()).collect();
+        names.join(", ")
+    }
+}
+
+/// The same expression with the names of a plant in place of its states and its input.
+fn named(states: &[Name], input: Name, expression: &Expression) -> Expression {
+    let of = |name: Name| Some(Parameter::Named(name).into());
+    expression.substitute(&|e| match e {
+        Expression::Variable(Variable::State(j)) => states.get(j - 1).copied().and_then(of),
+        Expression::Variable(Variable::Control) => of(input),
+        _ => None,
+    })
+}

@@ -1,0 +1,118 @@
+//! A model of the plant: its names, its expressions, and the chain of its output.
+
+mod ill;
+mod names;
+
+use super::Reader;
+use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::keys::KeyInfo;
+use crate::model::{Chain, Model, Values};
+use crate::parameter::{Fixed, Name, Parameter};
+use crate::request::{Feedback, Spec};
+use crate::syntax::{Node, real};
+use names::word;
+
+/// The keys of a model, none of which goes without the others.
+const KEYS: [&str; 4] = ["states", "input", "output", "dynamics"];
+
+/// A model with the f and g of its chain.
+pub(super) struct Read {
+    pub(super) model: Model,
+    pub(super) drift: Expression,
+    pub(super) gain: Expression,
+}
+
+impl Reader<'_> {
+    /// Whether the design has a model, however it is written.
+    pub(super) fn has_model(&self) -> bool {
+        KEYS.iter().any(|key| self.keys.contains_key(key))
+    }
+
+    /// The model, if there is one that can be read.
+    pub(super) fn model(&mut self) -> Option<Read> {
+        if !self.has_model() {
+            return None;
+        }
+        for key in KEYS.into_iter().filter(|key| !self.keys.contains_key(key)) {
+            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+            let message = format!("the model has no `{key}`");
+            self.found.push("missing-key", key, None, message, format!("give {legal}"));
+        }
+        for key in ["f", "g", "A", "B", "C"] {
+            if let Some(node) = self.keys.get(key).copied() {
+                let message = format!("`{key}` beside a model, which gives f and g");
+                let help = "leave it out, or the keys of [model]";
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+        let [states, input, output, dynamics] = KEYS.map(|key| self.keys.get(key).copied());
+        let (states, input) = self.names(states?, input?)?;
+        let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
+        let output = self.of_states(output?, &own);
+        let rates = self.state_rates(dynamics?, &states)?;
+        let driven = [own.as_slice(), &[(input, Variable::Control)]].concat();
+        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven)).collect();
+        let dynamics: Vec<_> = dynamics.into_iter().collect::<Option<_>>()?;
+        let output = output?;
+        let values = self.fixed_names();
+        match Chain::new((&states, input), &output, &dynamics, &values) {
+            Ok(Chain { coordinates, drift, gain }) => {
+                let model = Model { states, input, output, dynamics, coordinates };
+                Some(Read { model, drift, gain })
+            }
+            Err(ill) => {
+                self.ill_model(&ill, (&states, input), &rates);
+                None
+            }
+        }
+    }
+
+    /// Refuses what has no meaning beside a model.
+    pub(super) fn fits_model(&mut self, spec: &Spec, samples: bool) {
+        if spec.model.is_none() {
+            return;
+        }
+        let mut against = |key: &str, wrong: bool, message: &str, help: &str| {
+            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        };
+        against(
+            "clock",
+            samples,
+            "a model needs a clock in time: its f and g change with the state",
+            "leave `clock` out, or give a linear plant as A, B and C under [plant]",
+        );
+        against(
+            "pi0",
+            spec.feedback == Feedback::Extern || spec.latches(),
+            "beside a model pi0 is an expression in xi1..xin and t",
+            "leave extern, and states at the start, out",
+        );
+    }
+
+    /// An expression in these names and in parameters.
+    fn of_states(&mut self, node: &Node, own: &[(Name, Variable)]) -> Option<Expression> {
+        let scope = Scope { subject: Subject::Model, n: 0, known: &[], own };
+        let expression = resolve(node, scope, &mut self.found)?;
+        // The output has no input in it, which `own` leaves out, so that its name is a parameter.
+        let input = self.keys.get("input").and_then(|node| word(node)).and_then(Name::new);
+        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if Some(*name) == input);
+        if expression.parameters().iter().any(is_input) {
+            let message = "the output depends on the input".to_owned();
+            let help = "the output is a function of the states alone".to_owned();
+            self.wrong("output", Some(node.place), message, help);
+            return None;
+        }
+        Some(expression)
+    }
+
+    /// The parameters that `params` gives a number.
+    fn fixed_names(&self) -> Values {
+        let value = |(name, (_, node)): (&&str, &(_, &Node))| {
+            let number = real(node).as_ref().and_then(Fixed::number).cloned()?;
+            Some((Parameter::Named(Name::new(name)?), number))
+        };
+        self.params.iter().filter_map(value).collect()
+    }
+}

@@ -1,0 +1,116 @@
+//! The names of a model, and which rate is whose.
+
+use super::super::{Reader, items, shown, suggestion};
+use crate::diagnostic::{near_miss, shorten};
+use crate::expression::Function;
+use crate::limits::STATES;
+use crate::parameter::Name;
+use crate::syntax::{Argument, Node, Value};
+
+impl Reader<'_> {
+    /// The names of the states and of the input.
+    pub(super) fn names(&mut self, states: &Node, input: &Node) -> Option<(Vec<Name>, Name)> {
+        let given = items(states);
+        if given.is_empty() || !STATES.admits(given.len()) {
+            let message = format!("{} states of a model", given.len());
+            let help = format!("give 1 to {} names; {}", STATES.most, STATES.fix);
+            self.wrong("states", Some(states.place), message, help);
+            return None;
+        }
+        let mut names: Vec<Name> = Vec::with_capacity(given.len() + 1);
+        let mut whole = true;
+        let keyed = given.iter().map(|node| ("states", node)).chain([("input", input)]);
+        for (key, node) in keyed {
+            match word(node).filter(|word| !is_taken(word)).and_then(Name::new) {
+                Some(name) if names.contains(&name) => {
+                    whole = false;
+                    let message = format!("the model has two names `{name}`");
+                    let help = "give each state, and the input, a name of its own".to_owned();
+                    self.wrong(key, Some(node.place), message, help);
+                }
+                Some(name) => names.push(name),
+                None => {
+                    whole = false;
+                    let message = format!("{} cannot name a part of a model", shown(&node.value));
+                    let help = "a name has at most 48 letters, digits and _, and is no function and no word of C or Rust".to_owned();
+                    self.wrong(key, Some(node.place), message, help);
+                }
+            }
+        }
+        let input = names.pop().filter(|_| whole)?;
+        Some((names, input))
+    }
+
+    /// The rate of each state, in their order.
+    pub(super) fn state_rates<'b>(
+        &mut self,
+        node: &'b Node,
+        states: &[Name],
+    ) -> Option<Vec<&'b Node>> {
+        let Value::Table(rates) = &node.value else {
+            let rates = items(node);
+            if rates.len() == states.len() {
+                return Some(rates.iter().collect());
+            }
+            let message = format!("{} rates for {} states", rates.len(), states.len());
+            let help = "give an expression for each state, in their order".to_owned();
+            self.wrong("dynamics", Some(node.place), message, help);
+            return None;
+        };
+        let of = |text: &str| states.iter().any(|state| state.text() == text);
+        let mut known = true;
+        for Argument { name, value } in rates {
+            let text = name.as_ref().map_or("", |(text, _)| text);
+            if !of(text) {
+                known = false;
+                let place = name.as_ref().map_or(value.place, |(_, place)| *place);
+                let names = states.iter().map(|state| state.text());
+                let all = names.clone().collect::<Vec<_>>().join(", ");
+                let message = format!("`{}` is no state of the model", shorten(text));
+                let help = suggestion(near_miss(text, names), &format!("the states are {all}"));
+                self.wrong("dynamics", Some(place), message, help);
+            }
+        }
+        let mut found = Vec::with_capacity(states.len());
+        for state in states {
+            let own = |rate: &&Argument| rate.name.as_ref().is_some_and(|(n, _)| n == state.text());
+            let mut own = rates.iter().filter(own);
+            let (first, second) = (own.next(), own.next());
+            let (place, message, help) = match (first, second) {
+                (Some(rate), None) => {
+                    found.push(&rate.value);
+                    continue;
+                }
+                // What is misspelt may be its rate.
+                (None, _) if !known => continue,
+                (None, _) => (
+                    node.place,
+                    format!("the state `{state}` has no dynamics"),
+                    format!("give its rate: {state} = \"...\""),
+                ),
+                (_, Some(second)) => (
+                    second.value.place,
+                    format!("the state `{state}` has two rates"),
+                    "leave one of the two out".to_owned(),
+                ),
+            };
+            self.wrong("dynamics", Some(place), message, help);
+        }
+        (known && found.len() == states.len()).then_some(found)
+    }
+}
+
+/// A name; the parser takes `i` for the imaginary unit.
+pub(super) fn word(node: &Node) -> Option<&str> {
+    match &node.value {
+        Value::Word(word) => Some(word),
+        Value::Imaginary(unit) if *unit == 1.into() => Some("i"),
+        _ => None,
+    }
+}
+
+/// Whether a word means something in every expression.
+fn is_taken(word: &str) -> bool {
+    ["pi", "min", "max", "mean"].contains(&word)
+        || Function::ALL.iter().any(|(function, _)| *function == word)
+}

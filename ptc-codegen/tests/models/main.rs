@@ -1,0 +1,37 @@
+//! Controllers of a plant that is known by a model, or by f and g: against formulas by hand, and in
+//! closed loop with the emitted C.
+#![cfg(feature = "cli")]
+
+mod by_hand;
+mod closed_loop;
+mod in_c;
+mod mistakes;
+#[path = "../support/mod.rs"]
+mod support;
+mod zeros;
+
+use std::fs;
+use std::path::Path;
+
+use ptc_codegen::request::Spec;
+
+/// The text of a design in examples/.
+fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
+    fs::read_to_string(path).expect("an example")
+}
+
+fn spec(text: &str) -> Spec {
+    support::design(text).0
+}
+
+/// The magnet of examples/levitation.toml at numbers that hold it at z0.
+const LEVITATION: &str = "static const levitation_params params = { .tau = 0.5, .t0 = 0.0, .u_max = INFINITY, \
+     .L = 0.02, .R = 1.5, .i0 = 0.8, .z0 = 0.01 };";
+/// The other controllers, whose models have numbers.
+const FIXED: &str = "{ .t0 = 0.0 };";
+
+/// The static parameters of a controller whose model is fixed.
+fn fixed(name: &str, further: &str) -> String {
+    format!("static const {name}_params params = {}", FIXED.replace(" }", &format!("{further} }}")))
+}
