@@ -65,7 +65,7 @@ impl Builder<'_> {
                 .collect();
             Expr::sum(terms)
         };
-        let (mut statements, test, within) = self.to_go(order, samples);
+        let (mut statements, test, within) = self.count_down(order, samples);
         let mut known = vec![Statement::Note("The exact law in samples.".to_owned())];
         known.extend(within);
         for (i, row) in law.iter().enumerate() {
@@ -101,7 +101,7 @@ impl Builder<'_> {
 
     /// m0, the samples to go, with what stands before the law, the test whether the law holds, and
     /// what stands within it.
-    fn to_go(&mut self, order: usize, samples: &Expr) -> (Vec<Statement>, Test, Vec<Statement>) {
+    fn count_down(&mut self, order: usize, samples: &Expr) -> (Vec<Statement>, Test, Vec<Statement>) {
         let hold = self.hold();
         let from = self.deadbeat_from(order, hold.is_some());
         let elapsed = || Expr::local("elapsed");
