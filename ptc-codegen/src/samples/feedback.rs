@@ -101,7 +101,11 @@ impl Builder<'_> {
 
     /// m0, the samples to go, with what stands before the law, the test whether the law holds, and
     /// what stands within it.
-    fn count_down(&mut self, order: usize, samples: &Expr) -> (Vec<Statement>, Test, Vec<Statement>) {
+    fn count_down(
+        &mut self,
+        order: usize,
+        samples: &Expr,
+    ) -> (Vec<Statement>, Test, Vec<Statement>) {
         let hold = self.hold();
         let from = self.deadbeat_from(order, hold.is_some());
         let elapsed = || Expr::local("elapsed");

@@ -56,12 +56,11 @@ impl Text for Rust<'_> {
     }
 
     fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Atom, format!("{a}.wrapping_sub({b})"))
+        (Level::Atom, format!("{}.wrapping_sub({b})", typed(a)))
     }
 
     fn count_left(&self, a: &str, b: &str) -> (Level, String) {
-        let typed = a.bytes().all(|b| b.is_ascii_digit());
-        (Level::Atom, format!("{a}{}.saturating_sub({b})", if typed { "_u32" } else { "" }))
+        (Level::Atom, format!("{}.saturating_sub({b})", typed(a)))
     }
 
     fn count_half(&self, count: &str) -> (Level, String) {
@@ -288,4 +287,10 @@ impl<'a> Rust<'a> {
     fn list(&self, values: &[Expr]) -> Vec<String> {
         values.iter().map(|value| self.alone(value)).collect()
     }
+}
+
+/// A count whose type is known, so that a method can be called on it.
+fn typed(count: &str) -> String {
+    let is_number = count.bytes().all(|b| b.is_ascii_digit());
+    format!("{count}{}", if is_number { "_u32" } else { "" })
 }
