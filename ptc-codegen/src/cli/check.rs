@@ -124,7 +124,8 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "u_rms": worst.way.as_ref().map(|way| way.u_rms),
         "u": worst.way.as_ref().map(|way| way.u),
         "x": worst.way.as_ref().map(|way| &way.x),
-        "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u })),
+        "between": worst.way.as_ref().map(|way| way.between),
+        "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u, "between": after.between })),
     })
 }
 

@@ -6,6 +6,7 @@
 //! the chain between two samples is exact (`chain`), and what the arithmetic of the sum itself may
 //! lose is bounded by where its states are, or with its transitions (`trust`, `transition`).
 
+mod between;
 mod cells;
 mod chain;
 mod emitted;

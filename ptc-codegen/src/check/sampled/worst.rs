@@ -8,8 +8,10 @@
 
 use std::collections::BTreeMap;
 
+use super::between::Between;
 use super::chain::{Chain, Gains, Step, Unit, along};
 use super::force::Force;
+use super::relative::Late;
 use super::transition::growth;
 use super::trust::{Fading, Inexact, Trust};
 
@@ -37,8 +39,10 @@ pub(super) struct Sampled {
     pub(super) force: Option<Force>,
     /// How far the true input gain may be from that of the chain, as a part of it.
     pub(super) gain_error: f64,
-    /// How far the time of each sample but the first may be from its own, s.
-    pub(super) jitter: f64,
+    /// How far the time of each sample but the first may be from its own.
+    pub(super) late: Option<Late>,
+    /// The plant between two samples; `None` if it is not known there.
+    pub(super) between: Option<Between>,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
@@ -143,7 +147,8 @@ impl Sampled {
             actuator: 0.0,
             force: None,
             gain_error: 0.0,
-            jitter: 0.0,
+            late: None,
+            between: None,
         }
     }
 
