@@ -251,6 +251,7 @@ fn margins_of_a_linear_plant_end() {
     assert!(0.2 < low && low < 1.0 && 1.0 < high && high < 5.0, "{found:?}");
     assert_eq!([at(low * 1.001), at(high * 0.999)], [Verdict::Sound; 2], "{found:?}");
     assert_eq!([at(low * 0.98), at(high * 1.02)], [Verdict::Refuted; 2], "{found:?}");
+    jitter_ends(text, found.jitter);
 }
 
 /// The curve over eps is what the check finds with each of them.
@@ -308,7 +309,16 @@ fn margins_end_where_the_loop_is_not_sound() {
         for (gain, delay) in [(low * 0.98, 0), (high * 1.02, 0), beyond] {
             assert_ne!(at(gain, delay), Verdict::Sound, "{margins:?}");
         }
+        jitter_ends(&text, margins.jitter);
     }
+}
+
+/// The jitter is sound, and a little more of it is not.
+fn jitter_ends(text: &str, [time, periods]: [f64; 2]) {
+    assert!(0.0 < periods && periods < 0.49, "{text}{time} {periods}");
+    let at = |time: f64| verdict(&format!("jitter = {time:?}\n{text}")).0;
+    assert_eq!([at(time), at(0.9 * time)], [Verdict::Sound; 2], "{text}{time}");
+    assert_ne!(at(1.03 * time), Verdict::Sound, "{text}{time}");
 }
 
 /// The observer estimates a constant force exactly, and u cancels it.
