@@ -20,6 +20,7 @@ mod outcome;
 mod reach;
 mod relative;
 mod rounded;
+mod trajectory;
 mod transition;
 mod trust;
 mod way;
@@ -31,6 +32,7 @@ pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
 pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
+pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};
 pub use worst::Bound;
 
