@@ -64,10 +64,10 @@ def size_between(row, h):
 class Design:
     """A sampled loop with its bounds, and its lines in a design file."""
 
-    def __init__(self, source):
-        self.samples_clock = source.random() < 0.25
-        self.linear = self.samples_clock and source.random() < 0.6
-        n = self.n = source.randint(1, 3 if self.linear else 4)
+    def __init__(self, source, linear):
+        self.linear = linear
+        self.samples_clock = linear or source.random() < 0.25
+        n = self.n = source.randint(1, 3 if linear else 4)
         made = exp(decimal(source, 0.3, 2.5)) if self.samples_clock else draw_mapping(source, source.choice(FAMILIES))
         poles = draw_poles(source, n, made.rho)
         N = self.N = source.choice([10, 25, 60, 150]) + source.randint(0, 9) + n
@@ -217,20 +217,23 @@ class Design:
 
 def trial(job):
     """One design, checked: whether its verdict is false, and how close its bound is."""
-    command, folder, seed, index, scale, seconds = job
-    source = random.Random(f"{seed}-sampled{index}")
-    design = Design(source)
+    command, folder, seed, index, linear, scale, seconds = job
+    name = f"linear{index}" if linear else f"sampled{index}"
+    source = random.Random(f"{seed}-{name}")
+    design = Design(source, linear)
     uncertain = design.gain or design.jitter
     gains = np.linspace(*design.gain, 9) if design.gain else [1.0]
     truth = np.max([design.worst(gain, design.N) for gain in gains], axis=0)
-    result = {"name": f"sampled{index}", "false": False, "verdict": "not drawn", "near": None}
+    result = {"name": name, "false": False, "verdict": "not drawn", "near": None}
     # A loop that diverges says little.
     if not np.all((truth > 1e-100) & (truth < 1e30)):
         return result
     runs = []
+    # What is drawn of a known loop leaves its errors as they are.
+    drawn = source if uncertain else random.Random(f"{seed}-{name}-runs")
     for _ in range(30 if uncertain else 4):
-        gain = source.choice(list(design.gain)) if design.gain else 1.0
-        runs.append(design.run(source, gain, [x * source.choice([-1, 1]) for x in design.x0], design.N + 40))
+        gain = drawn.choice(list(design.gain)) if design.gain else 1.0
+        runs.append(design.run(drawn, gain, [x * drawn.choice([-1, 1]) for x in design.x0], design.N + 40))
     if uncertain:
         truth = np.max([truth] + [final for final, *_ in runs], axis=0)
     ends = [gains[0], gains[-1]] if design.gain else [1.0]
@@ -246,7 +249,7 @@ def trial(job):
         state = source.randrange(design.n)
         errors[state] = truth[state] * (1 + room)
     text = "\n".join(design.lines + [f"error = [{', '.join(f'{e:.12g}' for e in errors)}]"] + design.tables) + "\n"
-    path = folder / f"sampled{index}.toml"
+    path = folder / f"{name}.toml"
     path.write_text(text)
     try:
         done = subprocess.run([command, "check", str(path), "--format", "json"], capture_output=True, text=True, timeout=seconds)
@@ -278,5 +281,5 @@ def trial(job):
         result["near"] = float(np.max(bound / truth))
         result["between"] = worst.get("between")
         result["held"] = float(np.max(np.array(after["x"]) / later)) if after else None
-    kind = ("linear, " if design.linear else "") + ("uncertain" if uncertain else "known")
+    kind = ("linear " if linear else "") + ("uncertain" if uncertain else "known")
     return result | {"verdict": f"{word}, {kind}, {'true' if holds else 'false'}", "false": bool(why), "why": why}

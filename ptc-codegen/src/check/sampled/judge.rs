@@ -107,6 +107,11 @@ impl<'a> Loop<'a> {
         Ok(Self { spec, expanded, period, samples, gains, plant, between, late })
     }
 
+    /// The same, to be bounded at the samples alone.
+    pub(super) fn at_samples(self) -> Self {
+        Self { between: None, ..self }
+    }
+
     /// The input gains of the plant.
     pub(super) fn gain(&self) -> Gain {
         let [low, high] = self.gains.each_ref().map(|gain| Range::from(&Interval::exact(gain)));

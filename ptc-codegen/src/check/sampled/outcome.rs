@@ -35,6 +35,8 @@ pub(super) fn outcome_of(
         if !eps {
             return Err("`eps` is left to run time".to_owned());
         }
+        // What is between the samples decides no verdict.
+        let closed = if way { closed } else { closed.at_samples() };
         Ok((closed.worst(way || limited)?, closed))
     });
     match found {
