@@ -68,7 +68,7 @@ impl Stage {
         let plant = plant.unwrap_or_default();
         let around = Loop {
             period: self.h,
-            delay: usize::from(self.text.contains("delay")),
+            delay: spec.promises.delay.clone().unwrap_or_default(),
             until: around.until.or(Some(1.5 * self.tau)),
             ..around.clone()
         };

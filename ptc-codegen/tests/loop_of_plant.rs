@@ -266,7 +266,7 @@ fn the_worst_run_ends_at_the_bound() {
         let (end, bound) = (run.x[run.state][run.t.len() - 1].abs(), &worst.states[run.state]);
         assert!((end / bound.attained() - 1.0).abs() < 1e-9, "{text}{end} {bound:?}");
         assert!(run.x.iter().all(|x| (x[0].abs() - 1.0).abs() < 1e-12), "{text}");
-        let (h, delay) = (run.t[1], spec.promises.delay.unwrap_or(0));
+        let (h, delay) = (run.t[1], spec.promises.delay.map_or(0, |delay| delay.inputs()));
         let pushes = (delay..run.t.len() - 1).map(|k| {
             let late = if k < delay { 0.0 } else { run.u[k - delay] };
             (run.x[n - 1][k + 1] - run.x[n - 1][k]) / h - late
