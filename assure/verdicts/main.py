@@ -59,16 +59,20 @@ def checked(pool, arguments):
     }
 
 
+KINDS = ("known", "uncertain", "linear known", "linear uncertain")
+
+
 def loops(pool, arguments):
-    jobs = ((arguments.command, arguments.folder, arguments.seed, index, arguments.scale,
-             arguments.seconds) for index in range(arguments.loops))
+    jobs = ((arguments.command, arguments.folder, arguments.seed, index, linear, arguments.scale, arguments.seconds)
+            for linear, count in ((False, arguments.loops), (True, arguments.loops // 10)) for index in range(count))
     results = list(each(pool, sampled.trial, jobs, arguments))
-    near = lambda key, kind: [r[key] for r in results if r.get(key) and kind in r["verdict"]]
+    near = lambda key, kind: [r[key] for r in results if r.get(key) and f", {kind}," in r["verdict"]]
+    middle = lambda values: float(np.median(values)) if values else None
     return {
         "designs": len(results), "verdicts": Counter(r["verdict"] for r in results),
         "after": sum(r.get("held") is not None for r in results),
-        "close": {kind: float(np.median(near("near", kind) or [np.nan])) for kind in ("known", "uncertain")},
-        "close_after": {kind: float(np.median(near("held", kind) or [np.nan])) for kind in ("known", "uncertain")},
+        "close": {kind: middle(near("near", kind)) for kind in KINDS},
+        "close_after": {kind: middle(near("held", kind)) for kind in KINDS},
         "false": [r for r in results if r["false"]],
     }
 
@@ -132,7 +136,7 @@ def main():
     parser.add_argument("--each-way", type=int, default=500, help="objectives above, and below, the truth")
     parser.add_argument("--order", type=int, default=8, help="greatest order")
     parser.add_argument("--checks", type=int, default=600, help="designs for `check`")
-    parser.add_argument("--loops", type=int, default=1000, help="designs for the check `loop`")
+    parser.add_argument("--loops", type=int, default=1000, help="designs for the check `loop`, and a tenth as many of linear plants")
     parser.add_argument("--simulate", type=int, default=100, help="runs of `simulate`")
     parser.add_argument("--design", type=int, default=20, help="wishes for `design`")
     parser.add_argument("--digits", type=int, default=40, help="sets of parameters of each emitted controller")

@@ -20,10 +20,35 @@ ROOMS = [0.2, 1e-6, -1e-6, -0.01]
 REAL = np.longdouble
 
 
-def moved(n, h):
-    """Phi and Gamma of a chain over a time h."""
-    phi = np.array([[REAL(h) ** (j - i) / factorial(j - i) if j >= i else 0 for j in range(n)] for i in range(n)], REAL)
-    return phi, np.array([REAL(h) ** (n - i) / factorial(n - i) for i in range(n)], REAL)
+def moved(plant, h):
+    """Phi and Gamma of x' = A x + B u over a time h, by Taylor's series and squaring."""
+    A, B = plant
+    n = len(B)
+    Z = np.zeros((n + 1, n + 1), REAL)
+    Z[:n, :n], Z[:n, n] = A, B
+    halvings = max(0, int(ceil(np.log2(float(np.abs(Z[:n, :n]).sum()) * abs(h) + 1e-300))) + 2)
+    Z *= REAL(h) / 2**halvings
+    whole = term = np.eye(n + 1, dtype=REAL)
+    for k in range(1, 30):
+        term = term @ Z / k
+        whole = whole + term
+    for _ in range(halvings):
+        whole = whole @ whole
+    return whole[:n, :n], whole[:n, n]
+
+
+def chain(n):
+    return np.eye(n, k=1), np.eye(n)[n - 1]
+
+
+def draw_plant(source, n, h):
+    """A controllable plant whose modes move by up to a radian or so in a sample."""
+    pace = source.uniform(0.05, 1.0) / h
+    units = [pace**i for i in range(n)]
+    entry = lambda i, j: 1.0 if j == i + 1 else source.uniform(-1, 1) if i == n - 1 or source.random() < 0.3 else 0.0
+    A = [[float(f"{entry(i, j) * pace * units[i] / units[j]:.6g}") for j in range(n)] for i in range(n)]
+    B = [float(f"{(source.uniform(0.5, 2) if i == n - 1 else source.choice([0, 0, 0.2])) * pace * units[i]:.6g}") for i in range(n)]
+    return np.array(A), np.array(B)
 
 
 def size_between(row, h):
@@ -39,9 +64,10 @@ def size_between(row, h):
 class Design:
     """A sampled loop with its bounds, and its lines in a design file."""
 
-    def __init__(self, source):
-        self.samples_clock = source.random() < 0.25
-        n = self.n = source.randint(1, 4)
+    def __init__(self, source, linear):
+        self.linear = linear
+        self.samples_clock = linear or source.random() < 0.25
+        n = self.n = source.randint(1, 3 if linear else 4)
         made = exp(decimal(source, 0.3, 2.5)) if self.samples_clock else draw_mapping(source, source.choice(FAMILIES))
         poles = draw_poles(source, n, made.rho)
         N = self.N = source.choice([10, 25, 60, 150]) + source.randint(0, 9) + n
@@ -49,17 +75,18 @@ class Design:
         h = self.h = float(period)
         tau = f"{N * int(period[2:])}e-{len(period) - 2}"
         self.tau = float(tau)
+        self.plant = draw_plant(source, n, h) if self.linear else chain(n)
         self.eps = f"{self.tau * source.uniform(0.03, 0.4):.4g}" if not self.samples_clock else None
         self.delay = 0 if self.samples_clock else source.choice([0, 0, 0, 1, 2])
         each = lambda low, high: [f"{10 ** source.uniform(low, high):.3g}" for _ in range(n)]
         x0 = each(-2, 1)
         self.x0 = [float(x) for x in x0]
-        noise = each(-6, -3) if source.random() < 0.6 else ["0"] * n
+        noise = each(-6, -3) if self.linear or source.random() < 0.6 else ["0"] * n
         steps = each(-6, -3) if source.random() < 0.4 else ["0"] * n
         self.noise = [float(v) + float(q) / 2 for v, q in zip(noise, steps)]
         u_step = f"{10 ** source.uniform(-4, -1):.3g}" if source.random() < 0.4 else "0"
         self.u_step = float(u_step) / 2
-        self.force = source.choice([None, None, "constant", "any"])
+        self.force = None if self.linear else source.choice([None, None, "constant", "any"])
         self.f = sorted([round(source.uniform(-1, 1), 3), round(source.uniform(-1, 1), 3)])
         self.gain = sorted([round(source.uniform(0.8, 1), 3), round(source.uniform(1, 1.25), 3)]) if source.random() < 0.35 else None
         self.jitter = f"{h * source.uniform(0.001, 0.1):.3g}" if source.random() < 0.25 else None
@@ -74,6 +101,9 @@ class Design:
         self.lines += [f"g_error = {self.gain}"] if self.gain else []
         self.lines += [f"jitter = {self.jitter}"] if self.jitter else []
         self.tables = ["[params]", f"tau = {tau}", "u_max = inf"]
+        if self.linear:
+            A, B = (of.tolist() for of in self.plant)
+            self.tables += ["[plant]", f"A = {A}", f"B = {B}"]
         if self.force:
             self.tables += ["[plant]", 'f = "push"', f"push = {self.f}"]
             self.tables += ["[disturbance]", 'push = "any"'] if self.force == "any" else []
@@ -81,12 +111,20 @@ class Design:
     def _in_samples(self, loop, poles, a):
         """u over x at samples 0..N of the law in falling powers, deadbeat at the end."""
         n, h, N = self.n, REAL(self.h), self.N
-        phi, gamma = moved(n, h)
+        phi, gamma = moved(self.plant, h)
         D = (phi - np.eye(n)) / h
         # c D^i Gamma = 0 but for i = n - 1, where it is h.
-        columns = np.array([np.linalg.matrix_power(D.astype(float), i) @ gamma.astype(float) for i in range(n)])
-        c = np.linalg.solve(columns, np.array([0.0] * (n - 1) + [self.h]))
-        S = np.array([c @ np.linalg.matrix_power(D.astype(float), i) for i in range(n)])
+        powers = [np.eye(n, dtype=REAL)]
+        for _ in range(n):
+            powers.append(powers[-1] @ D)
+        columns = np.array([power @ gamma for power in powers[:n]])
+        scales = np.abs(columns).max(axis=0)
+        wanted, c = np.array([0] * (n - 1) + [h], REAL), np.zeros(n, REAL)
+        for _ in range(4):
+            left = wanted - columns @ c
+            c = c + np.linalg.solve((columns / scales).astype(float), left.astype(float)) / scales
+        S = np.array([c @ power for power in powers[:n]])
+        drift = c @ powers[n]
         row = gains_at(loop, 1.0, [1.0])[0]
         last = max(n, ceil(max(-float(re) / a for re, _ in poles)) + n - 1)
         rows = []
@@ -96,15 +134,14 @@ class Design:
                 over_z = [-comb(n, j) * self.h ** (j - n) for j in range(n)]
             else:
                 over_z = [row[j] / np.prod([(M - i) * self.h for i in range(j, n)]) for j in range(n)]
-            rows.append(np.array(over_z) @ S)
+            rows.append(np.array(over_z) @ S - drift)
         return np.array(rows)
 
     def worst(self, gain, at):
         """The greatest |x_i| at sample `at`: the sum over all causes, and the signals that attain it."""
         n, d, h = self.n, self.delay, self.h
-        phi, gamma = moved(n, h)
-        gamma = gamma * REAL(gain)
-        one = moved(n, h)[1]
+        phi, one = moved(self.plant, h)
+        gamma = one * REAL(gain)
         out = []
         for i in range(n):
             p = np.zeros(n + d, REAL)
@@ -135,17 +172,17 @@ class Design:
         return np.array(out)
 
     def run(self, source, gain, x0, until):
-        """|x| at the deadline and the most from there on, with every error at one of its ends."""
+        """|x| at the deadline, the most until there and from there on, with every error at one of its ends."""
         n, d, J = self.n, self.delay, float(self.jitter or 0)
         late = [0.0] * d
         x, now, acting = np.array(x0, float), 0.0, 0.0
         sign = lambda: source.choice([-1, 1])
         f = source.choice(self.f) if self.force else 0.0
         side, turns = sign(), source.randint(1, 6)
-        final, most, u_most = None, np.zeros(n), 0.0
+        final, way, most, u_most = None, abs(x), np.zeros(n), 0.0
 
         def go(x, span):
-            phi, gamma = moved(n, span)
+            phi, gamma = moved(self.plant, span)
             return (phi @ x + gamma * (gain * acting + f)).astype(float)
 
         for k in range(until):
@@ -158,7 +195,15 @@ class Design:
                 at_end = go(x, k * self.h - now)
                 final, most = abs(at_end), np.maximum(most, abs(at_end))
             t = k * self.h + (J * side if k else 0)
+            for part in (0.25, 0.5, 0.75):
+                at, seen = now + part * (t - now), abs(go(x, part * (t - now)))
+                if at <= self.N * self.h:
+                    way = np.maximum(way, seen)
+                else:
+                    most = np.maximum(most, seen)
             x, now = go(x, t - now), t
+            if t <= self.N * self.h:
+                way = np.maximum(way, abs(x))
             if k > self.N:
                 most = np.maximum(most, abs(x))
             y = x + np.array([sign() * v for v in self.noise])
@@ -167,30 +212,33 @@ class Design:
                 u_most = max(u_most, abs(u))
             late.append(u + sign() * self.u_step)
             acting = late.pop(0)
-        return final, most, u_most
+        return final, way, most, u_most
 
 
 def trial(job):
     """One design, checked: whether its verdict is false, and how close its bound is."""
-    command, folder, seed, index, scale, seconds = job
-    source = random.Random(f"{seed}-sampled{index}")
-    design = Design(source)
+    command, folder, seed, index, linear, scale, seconds = job
+    name = f"linear{index}" if linear else f"sampled{index}"
+    source = random.Random(f"{seed}-{name}")
+    design = Design(source, linear)
     uncertain = design.gain or design.jitter
     gains = np.linspace(*design.gain, 9) if design.gain else [1.0]
     truth = np.max([design.worst(gain, design.N) for gain in gains], axis=0)
-    result = {"name": f"sampled{index}", "false": False, "verdict": "not drawn", "near": None}
+    result = {"name": name, "false": False, "verdict": "not drawn", "near": None}
     # A loop that diverges says little.
     if not np.all((truth > 1e-100) & (truth < 1e30)):
         return result
     runs = []
+    # What is drawn of a known loop leaves its errors as they are.
+    drawn = source if uncertain else random.Random(f"{seed}-{name}-runs")
+    for _ in range(30 if uncertain else 4):
+        gain = drawn.choice(list(design.gain)) if design.gain else 1.0
+        runs.append(design.run(drawn, gain, [x * drawn.choice([-1, 1]) for x in design.x0], design.N + 40))
     if uncertain:
-        for _ in range(30):
-            gain = source.choice(list(design.gain)) if design.gain else 1.0
-            runs.append(design.run(source, gain, [x * source.choice([-1, 1]) for x in design.x0], design.N + 40))
-        truth = np.max([truth] + [final for final, _, _ in runs], axis=0)
+        truth = np.max([truth] + [final for final, *_ in runs], axis=0)
     ends = [gains[0], gains[-1]] if design.gain else [1.0]
     later = np.max([design.worst(gain, design.N + j) for gain in ends for j in (0, 1, 3, 10, 40)], axis=0)
-    later = np.max([later] + [most for _, most, _ in runs], axis=0)
+    later = np.max([later] + [most for _, _, most, _ in runs], axis=0)
     truth = truth * scale
     room = source.choice(ROOMS)
     if uncertain and room == 1e-6:
@@ -201,7 +249,7 @@ def trial(job):
         state = source.randrange(design.n)
         errors[state] = truth[state] * (1 + room)
     text = "\n".join(design.lines + [f"error = [{', '.join(f'{e:.12g}' for e in errors)}]"] + design.tables) + "\n"
-    path = folder / f"sampled{index}.toml"
+    path = folder / f"{name}.toml"
     path.write_text(text)
     try:
         done = subprocess.run([command, "check", str(path), "--format", "json"], capture_output=True, text=True, timeout=seconds)
@@ -222,12 +270,16 @@ def trial(job):
             why.append(f"|x| reaches {truth}, beyond the bound {bound}")
         if not uncertain and np.any(abs(np.array(worst["final"]) - truth) > 1e-9 * truth + 1.01 * rest):
             why.append(f"the sums are {worst['final']}, the truth {truth}")
+        way = np.max([way for _, way, *_ in runs], axis=0)
+        if worst.get("between") and np.any(np.array(worst["x"]) * (1 + 1e-9) < way):
+            why.append(f"on the way |x| reaches {way}, beyond {worst['x']}")
         after = worst.get("after")
         if after and np.any(np.array(after["x"]) * (1 + 1e-9) < later):
             why.append(f"after the deadline |x| reaches {later}, beyond {after['x']}")
-        if after and any(u > after["u"] * (1 + 1e-9) for _, _, u in runs):
+        if after and any(u > after["u"] * (1 + 1e-9) for *_, u in runs):
             why.append(f"after the deadline |u| leaves {after['u']}")
         result["near"] = float(np.max(bound / truth))
+        result["between"] = worst.get("between")
         result["held"] = float(np.max(np.array(after["x"]) / later)) if after else None
-    kind = "uncertain" if uncertain else "known"
+    kind = ("linear " if linear else "") + ("uncertain" if uncertain else "known")
     return result | {"verdict": f"{word}, {kind}, {'true' if holds else 'false'}", "false": bool(why), "why": why}

@@ -5,7 +5,7 @@ mod support;
 
 use ptc_codegen::check::Verdict;
 use ptc_codegen::check::examine::{Report, examine};
-use ptc_codegen::check::sampled::{curve, margins};
+use ptc_codegen::check::sampled::{curve, margins, trajectory};
 use ptc_codegen::plant::read_design;
 use ptc_codegen::simulate::{Loop, Sampled, Values};
 use support::entries;
@@ -251,6 +251,30 @@ fn margins_of_a_linear_plant_end() {
     assert!(0.2 < low && low < 1.0 && 1.0 < high && high < 5.0, "{found:?}");
     assert_eq!([at(low * 1.001), at(high * 0.999)], [Verdict::Sound; 2], "{found:?}");
     assert_eq!([at(low * 0.98), at(high * 1.02)], [Verdict::Refuted; 2], "{found:?}");
+    jitter_ends(text, found.jitter);
+}
+
+/// The worst run ends at the bound, and is a motion of the chain under an f within its bounds.
+#[test]
+fn the_worst_run_ends_at_the_bound() {
+    for text in designs() {
+        let text = format!("noise = 1e-3\nu_step = 1e-2\n{text}");
+        let (spec, _) = read_design(&entries(&text)).expect("a design");
+        let worst = report(&text).worst.expect("a loop");
+        let run = trajectory(&spec, None).expect("a run");
+        let n = spec.n;
+        let (end, bound) = (run.x[run.state][run.t.len() - 1].abs(), &worst.states[run.state]);
+        assert!((end / bound.attained() - 1.0).abs() < 1e-9, "{text}{end} {bound:?}");
+        assert!(run.x.iter().all(|x| (x[0].abs() - 1.0).abs() < 1e-12), "{text}");
+        let (h, delay) = (run.t[1], spec.promises.delay.map_or(0, |delay| delay.inputs()));
+        let pushes = (delay..run.t.len() - 1).map(|k| {
+            let late = if k < delay { 0.0 } else { run.u[k - delay] };
+            (run.x[n - 1][k + 1] - run.x[n - 1][k]) / h - late
+        });
+        let pushes: Vec<_> = pushes.collect();
+        let is_end = |push: &f64| push.abs() < 1e-6 || (push - 0.6).abs() < 1e-6;
+        assert!(pushes.iter().all(is_end), "{text}{pushes:?}");
+    }
 }
 
 /// The curve over eps is what the check finds with each of them.
@@ -308,7 +332,16 @@ fn margins_end_where_the_loop_is_not_sound() {
         for (gain, delay) in [(low * 0.98, 0), (high * 1.02, 0), beyond] {
             assert_ne!(at(gain, delay), Verdict::Sound, "{margins:?}");
         }
+        jitter_ends(&text, margins.jitter);
     }
+}
+
+/// The jitter is sound, and a little more of it is not.
+fn jitter_ends(text: &str, [time, periods]: [f64; 2]) {
+    assert!(0.0 < periods && periods < 0.49, "{text}{time} {periods}");
+    let at = |time: f64| verdict(&format!("jitter = {time:?}\n{text}")).0;
+    assert_eq!([at(time), at(0.9 * time)], [Verdict::Sound; 2], "{text}{time}");
+    assert_ne!(at(1.03 * time), Verdict::Sound, "{text}{time}");
 }
 
 /// The observer estimates a constant force exactly, and u cancels it.

@@ -36,8 +36,8 @@ pub(crate) struct Check {
     pub(crate) spec: SpecFlags,
     #[command(flatten)]
     pub(crate) engine: EngineFlag,
-    /// Also find which true input gains and delays the sound loop tolerates (tries the check `loop` some
-    /// 50 times)
+    /// Also find which true input gains, delays and jitter the sound loop tolerates (tries the check
+    /// `loop` some 60 times)
     #[arg(long)]
     pub(crate) margins: bool,
     /// Notation
@@ -124,7 +124,8 @@ fn worst_case(worst: &Worst) -> serde_json::Value {
         "u_rms": worst.way.as_ref().map(|way| way.u_rms),
         "u": worst.way.as_ref().map(|way| way.u),
         "x": worst.way.as_ref().map(|way| &way.x),
-        "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u })),
+        "between": worst.way.as_ref().map(|way| way.between),
+        "after": worst.after.as_ref().map(|after| json!({ "x": after.x, "u": after.u, "between": after.between })),
     })
 }
 
@@ -154,7 +155,15 @@ fn json(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> St
         "checks": checks,
     });
     if let Some(margins) = margins {
-        let tried = |margins: &Margins| json!({ "gain": margins.gain, "delay": margins.delay });
+        let tried = |margins: &Margins| {
+            let [jitter, periods] = margins.jitter;
+            json!({
+                "gain": margins.gain,
+                "delay": margins.delay,
+                "jitter": jitter,
+                "jitter_periods": periods,
+            })
+        };
         design["margins"] = margins.as_ref().map_or(serde_json::Value::Null, tried);
     }
     format!("{design}\n")

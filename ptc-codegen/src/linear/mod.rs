@@ -1,6 +1,7 @@
 //! Linear plants: what a held input makes of them in a sample, and whether they can be controlled and
 //! observed in samples.
 
+mod between;
 mod condition;
 mod delay;
 mod eigenvalues;
@@ -10,6 +11,7 @@ mod outputs;
 mod pair;
 mod poles;
 
+pub(crate) use between::{Between, Part, drift};
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
 pub(crate) use eigenvalues::eigenvalues;

@@ -322,8 +322,16 @@ fn the_bounds_of_a_loop_are_bars() {
         // x1 is within what is wanted, x2 is not.
         assert_eq!((sum < 99.0, mark), (i == 0, i == 0), "{sum}");
     }
+    // The run in which x2 ends at its bound.
+    let worst = named(checks, "figure").next().expect("a figure");
+    let line = told.lines().find_map(|line| line.split_once("|x2| <= ")?.1.split_once(':'));
+    let caption = named(worst, "figcaption").next().map(text).expect("a caption");
+    let bound = line.expect("a bound").0;
+    assert!(caption.contains(&format!("|x2| ends worst, at {bound}:")), "{caption} {bound}");
+    assert_eq!(named(worst, "svg").count(), 1);
     // What eps makes of the loop.
-    let charts: Vec<_> = named(checks, "svg").collect();
+    let charts = named(checks, "div").filter(|div| div.attribute("class") == Some("charts"));
+    let charts: Vec<_> = charts.flat_map(|div| named(div, "svg")).collect();
     assert_eq!(charts.len(), 2);
     for chart in charts {
         let lines = named(chart, "polyline").filter_map(|line| line.attribute("points"));

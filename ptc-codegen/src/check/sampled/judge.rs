@@ -3,19 +3,21 @@
 // Counts become numbers and polynomials small orders here.
 #![allow(clippy::cast_precision_loss)]
 
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 
+use super::between::Between;
 use super::chain::Chain;
 use super::emitted;
 use super::force::Force;
 use super::gain::{Gain, true_gain};
 use super::gains::gains;
+use super::relative::Late;
 use super::worst::Sampled;
 use crate::algebra::BigRational;
 use crate::expansion::Expanded;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::linear::Linear;
+use crate::linear::{self, Linear};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{PlantBounds, Spec, one_or_each};
 
@@ -33,6 +35,9 @@ pub(crate) struct Loop<'a> {
     gains: [BigRational; 2],
     /// The plant with an input gain of 1.
     pub(super) plant: Chain,
+    /// The same between two samples; `None` if a mode is too fast.
+    between: Option<Between>,
+    late: Option<Late>,
 }
 
 impl<'a> Loop<'a> {
@@ -82,23 +87,37 @@ impl<'a> Loop<'a> {
         };
         let range = |value: &BigRational| Range::from(&Interval::exact(value));
         let period = range(&h);
-        let linear = spec.sampled().and_then(|own| own.linear.clone());
-        let split = || Linear::chain(spec.n, &BigRational::from_integer(1.into()), spec.n);
+        let fast = "a mode is too fast for the sample period";
         let chain = Chain::new(spec.n, period, delay.inputs());
-        let plant = match linear.or_else(|| (!delay.is_whole()).then(split)) {
-            Some(plant) => {
-                let plant = Chain::linear(&plant, &h, &delay);
-                let plant = plant.ok_or("a mode is too fast for the sample period")?;
+        let integrators = Linear::chain(spec.n, &BigRational::one(), spec.n);
+        let own = spec.sampled().and_then(|own| own.linear.as_ref());
+        let linear = own.unwrap_or(&integrators);
+        let plant = match own.is_some() || !delay.is_whole() {
+            true => {
+                let plant = Chain::linear(linear, &h, &delay).ok_or(fast)?;
                 Chain { shares: chain.shares, ..plant }
             }
-            None => chain,
+            false => chain,
         };
-        if plant.outputs.is_some() && promises.jitter.is_some() {
-            return Err(
-                "jitter is examined of a chain with whole samples of delay alone".to_owned()
-            );
-        }
-        Ok(Self { spec, expanded, period, samples, gains, plant })
+        // Within a sample in which another input takes over nothing is known.
+        let within = delay.is_whole().then(|| linear::Between::new(linear, &h)).flatten();
+        let late = match exact(promises.jitter.as_ref()).filter(Signed::is_positive) {
+            Some(_) if !delay.is_whole() => {
+                return Err("jitter is examined with whole samples of delay alone".to_owned());
+            }
+            Some(jitter) => {
+                let within = within.as_ref().ok_or(fast)?;
+                Some(Late::new(linear, within, &jitter).ok_or(fast)?)
+            }
+            None => None,
+        };
+        let between = within.as_ref().map(Between::new);
+        Ok(Self { spec, expanded, period, samples, gains, plant, between, late })
+    }
+
+    /// The same, to be bounded at the samples alone.
+    pub(super) fn at_samples(self) -> Self {
+        Self { between: None, ..self }
     }
 
     /// The input gains of the plant.
@@ -124,7 +143,8 @@ impl<'a> Loop<'a> {
         sampled.actuator = promises.u_step.as_ref().map_or(0.0, double) / 2.0;
         sampled.force = self.force();
         sampled.gain_error = gain.error;
-        sampled.jitter = promises.jitter.as_ref().map_or(0.0, double);
+        sampled.late.clone_from(&self.late);
+        sampled.between.clone_from(&self.between);
         sampled
     }
 

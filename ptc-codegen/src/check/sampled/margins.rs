@@ -1,8 +1,8 @@
-//! How much more the loop tolerates: input gains and delays with which the check is still sound.
+//! How much more the loop tolerates: input gains, delays and jitter with which the check is still sound.
 
 use std::fmt;
 
-use num_traits::FromPrimitive;
+use num_traits::{FromPrimitive, ToPrimitive};
 
 use super::gain::true_gain;
 use super::outcome::outcome_of;
@@ -10,7 +10,9 @@ use crate::algebra::BigRational;
 use crate::check::Verdict;
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
+use crate::parameter::Fixed;
 use crate::request::{Clock, PlantBounds, Spec};
+use crate::syntax::number;
 
 /// Halvings of the interval, in its logarithm, between a gain that is sound and one that is not.
 const HALVINGS: u32 = 10;
@@ -21,6 +23,9 @@ const MOST: f64 = 64.0;
 /// Most samples of delay that are tried.
 const LATE: usize = 16;
 
+/// The least and the greatest jitter that are tried, in sample periods: less than half of one is legal.
+const JITTER: [f64; 2] = [1e-6, 0.4999];
+
 /// What the sampled loop of a sound design tolerates, one at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margins {
@@ -30,6 +35,8 @@ pub struct Margins {
     /// Samples of delay beyond those of the design; `None` for a clock in samples, which compensates
     /// the delay that it knows.
     pub delay: Option<usize>,
+    /// The jitter of the samples, in s and in sample periods; 0 where none that was tried is sound.
+    pub jitter: [f64; 2],
 }
 
 impl fmt::Display for Margins {
@@ -39,9 +46,15 @@ impl fmt::Display for Margins {
             f,
             "`loop` is also sound with a true input gain of {low} and of {high} times its value"
         )?;
-        match self.delay {
-            Some(delay) => write!(f, ", and with up to {delay} more samples of delay"),
-            None => Ok(()),
+        if let Some(delay) = self.delay {
+            write!(f, ", with up to {delay} more samples of delay")?;
+        }
+        match self.jitter {
+            [0.0, _] => write!(f, ", and with no jitter that was tried"),
+            jitter => {
+                let [time, periods] = jitter.map(digits);
+                write!(f, ", and with samples up to {time} s ({periods} periods) early or late")
+            }
         }
     }
 }
@@ -75,7 +88,38 @@ pub fn margins(spec: &Spec, expanded: Option<&Expanded>) -> Option<Margins> {
         Clock::Samples(_) => None,
         Clock::Time => Some((1..=LATE).take_while(|more| is_sound(&later(spec, *more))).count()),
     };
-    Some(Margins { gain: [last(1.0 / MOST), last(MOST)], delay })
+    let jitter = jitter(spec, &is_sound);
+    Some(Margins { gain: [last(1.0 / MOST), last(MOST)], delay, jitter })
+}
+
+/// The largest jitter that is sound, in s and in periods, by halving the interval in its logarithm.
+fn jitter(spec: &Spec, is_sound: &dyn Fn(&Spec) -> bool) -> [f64; 2] {
+    let double = |value: Option<&Fixed>| value.and_then(Fixed::number)?.to_f64();
+    let promises = &spec.promises;
+    let Some(period) = double(promises.sample_time.as_ref()) else { return [0.0; 2] };
+    // To the digits that are printed, so that each is a verdict of its own.
+    let with = |periods: f64| {
+        let value = number(&format!("{:.3e}", periods * period))?;
+        let mut spec = spec.clone();
+        spec.promises.jitter = Some(value.clone());
+        is_sound(&spec).then(|| double(Some(&value)))?
+    };
+    let own = double(promises.jitter.as_ref()).unwrap_or(0.0);
+    let [least, most] = JITTER;
+    let (mut good, mut bad) = ((own / period).max(least), most);
+    let mut found = if own > 0.0 { Some(own) } else { with(good) };
+    if let Some(whole) = found.and(with(bad)) {
+        return [whole, whole / period];
+    }
+    for _ in 0..if found.is_some() { HALVINGS } else { 0 } {
+        let middle = (good * bad).sqrt();
+        match with(middle) {
+            Some(time) => (good, found) = (middle, Some(time)),
+            None => bad = middle,
+        }
+    }
+    let found = found.unwrap_or(0.0);
+    [found, found / period]
 }
 
 /// The design whose true input gain is `factor` times what it is.

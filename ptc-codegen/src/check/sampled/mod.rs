@@ -6,6 +6,7 @@
 //! the chain between two samples is exact (`chain`), and what the arithmetic of the sum itself may
 //! lose is bounded by where its states are, or with its transitions (`trust`, `transition`).
 
+mod between;
 mod cells;
 mod chain;
 mod emitted;
@@ -19,6 +20,7 @@ mod outcome;
 mod reach;
 mod relative;
 mod rounded;
+mod trajectory;
 mod transition;
 mod trust;
 mod way;
@@ -30,6 +32,7 @@ pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
 pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
+pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};
 pub use worst::Bound;
 

@@ -11,7 +11,6 @@ use crate::check::examine::Numbers;
 use crate::check::{Outcome, Verdict, list};
 use crate::diagnostic::digits;
 use crate::expansion::Expanded;
-use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, PlantBounds, Spec};
 
@@ -36,6 +35,8 @@ pub(super) fn outcome_of(
         if !eps {
             return Err("`eps` is left to run time".to_owned());
         }
+        // What is between the samples decides no verdict.
+        let closed = if way { closed } else { closed.at_samples() };
         Ok((closed.worst(way || limited)?, closed))
     });
     match found {
@@ -91,7 +92,7 @@ fn judged(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Outcome {
     };
     let mut details = vec![assumed(spec, worst.samples)];
     details.extend(worst.states.iter().enumerate().map(|(i, _)| split(spec, worst, i)));
-    details.extend(on_the_way(spec, worst));
+    details.extend(on_the_way(worst));
     details.extend(afterwards(spec, worst, closed));
     details.extend(limit);
     details.extend(random(worst));
@@ -247,16 +248,11 @@ fn split(spec: &Spec, worst: &Worst, i: usize) -> String {
     format!("|x{}| <= {}: {}", i + 1, digits(bound.total()), parts.join(" + "))
 }
 
-fn on_the_way(spec: &Spec, worst: &Worst) -> Option<String> {
+fn on_the_way(worst: &Worst) -> Option<String> {
     let way = worst.way.as_ref()?;
     let x = list(way.x.iter().copied());
-    let at = if is_between(spec) { "between samples too" } else { "at the samples" };
+    let at = if way.between { "between samples too" } else { "at the samples" };
     Some(format!("on the way, {at}, |x| <= {x} and |u| <= {}", digits(way.u)))
-}
-
-/// Whether the bounds of x hold between the samples too.
-fn is_between(spec: &Spec) -> bool {
-    !linear(spec) && spec.promises.delay.as_ref().is_none_or(Delay::is_whole)
 }
 
 /// What holds after the deadline.
@@ -272,7 +268,7 @@ fn afterwards(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> Option<String> {
     };
     let x = list(after.x.iter().copied());
     let clipped = if after.u < closed.limit() { "" } else { ", unless u is clipped" };
-    let at = if is_between(spec) { "" } else { ", at the samples," };
+    let at = if after.between { "" } else { ", at the samples," };
     Some(format!("from the deadline on{at} |x| <= {x} and |u| <= {}{clipped}", digits(after.u)))
 }
 

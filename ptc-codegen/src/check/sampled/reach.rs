@@ -15,7 +15,7 @@ pub(super) struct Reach {
     pub(super) acting: Vec<f64>,
     /// Of its change since the sample before.
     pub(super) change: Vec<f64>,
-    /// Of how far each x_i moves until it is measured.
+    /// Of how far each measured value moves until it is measured.
     pub(super) drift: Vec<Vec<f64>>,
 }
 
@@ -46,7 +46,7 @@ impl Sampled {
             if self.is_relative() {
                 let before = reach.acting.last().copied().unwrap_or(0.0);
                 // The first sample is what times are counted from.
-                let exact = || vec![0.0; self.chain.n];
+                let exact = || vec![0.0; self.noise.len()];
                 let drift = if k > 0 { self.drift(&reach.states[k], before) } else { exact() };
                 reach.drift.push(drift);
                 let (acting, change) = self.inputs(reach, k);
@@ -64,7 +64,7 @@ impl Sampled {
         let acts = self.acts();
         let changes = Output { change: true, ..acts.clone() };
         let acting = if self.is_relative() { total(&acts) + self.actuator } else { 0.0 };
-        let moves = self.jitter > 0.0 && k > 0;
+        let moves = self.late.is_some() && k > 0;
         (acting, if moves { total(&changes) + 2.0 * self.actuator } else { 0.0 })
     }
 }

@@ -3,8 +3,9 @@
 use super::chain::Chain;
 use super::force::Force;
 use super::gains::gains;
+use super::trajectory::Signals;
 use super::trust::Trust;
-use super::worst::{Sampled, Signals};
+use super::worst::Sampled;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
 use crate::family::Family;
@@ -285,9 +286,9 @@ fn run(sampled: &Sampled, signals: &Signals, at: usize) -> Vec<f64> {
     let mut late = std::collections::VecDeque::from(vec![0.0; delay]);
     for k in 0..at {
         let gains = sampled.step(k).u.of_state.iter().map(|(gain, _)| gain);
-        let measured = x.iter().zip(&signals.noise[k]).map(|(x, v)| x + v);
+        let measured = x.iter().zip(&signals.causes[k]).map(|(x, v)| x + v);
         let u: f64 = gains.zip(measured).map(|(gain, x)| gain * x).sum();
-        late.push_back(u + signals.actuator[k]);
+        late.push_back(u + signals.causes[k][n]);
         let u = late.pop_front().expect("an input");
         let next = |i: usize| {
             let chain: f64 = (i..n).map(|j| shares[j - i] * x[j]).sum();

@@ -3,6 +3,7 @@
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
 
+use super::between::Between;
 use super::reach::Reach;
 use super::trust::Trust;
 use super::worst::{Output, Sampled};
@@ -16,11 +17,13 @@ const AFTER: f64 = 2e6;
 /// By how much bounds may be apart that count as the same.
 const CLOSE: f64 = 1e-3;
 
-/// Bounds that hold from t0 to the deadline, of a chain between the samples too.
+/// Bounds that hold from t0 to the deadline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
     /// Of each |x_i|.
     pub x: Vec<f64>,
+    /// Whether they hold between the samples too.
+    pub between: bool,
     /// Of |u|.
     pub u: f64,
     /// What |u| reaches at least.
@@ -29,11 +32,13 @@ pub struct Way {
     pub u_rms: f64,
 }
 
-/// Bounds that hold from the deadline on, of a chain between the samples too.
+/// Bounds that hold from the deadline on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Afterwards {
     /// Of each |x_i|.
     pub x: Vec<f64>,
+    /// Whether they hold between the samples too.
+    pub between: bool,
     /// Of |u|.
     pub u: f64,
 }
@@ -43,6 +48,7 @@ impl Way {
     pub(super) fn most(self, other: &Self) -> Self {
         Self {
             x: larger(self.x, &other.x),
+            between: self.between && other.between,
             u: self.u.max(other.u),
             u_attained: self.u_attained.max(other.u_attained),
             u_rms: self.u_rms.max(other.u_rms),
@@ -53,7 +59,11 @@ impl Way {
 impl Afterwards {
     /// The greater of two bounds.
     pub(super) fn most(self, other: &Self) -> Self {
-        Self { x: larger(self.x, &other.x), u: self.u.max(other.u) }
+        Self {
+            x: larger(self.x, &other.x),
+            between: self.between && other.between,
+            u: self.u.max(other.u),
+        }
     }
 }
 
@@ -63,21 +73,26 @@ pub(super) fn larger(a: Vec<f64>, b: &[f64]) -> Vec<f64> {
 }
 
 impl Sampled {
-    /// The bounds on the way, over all samples up to `last` and the polynomials between them.
+    /// The bounds on the way, over all samples up to `last`, and between them where the time allows.
     pub(super) fn way(&self, last: usize, reach: Option<&Reach>) -> Option<Way> {
-        let (n, size) = (self.chain.moved, self.size());
-        let outputs = n + 1 + n * (n - 1) / 2;
-        let count = last as f64;
-        if 0.5 * count * count * (outputs * (size * size + 4 * size)) as f64 > OPERATIONS {
-            return None;
-        }
+        let n = self.chain.moved;
+        let fits = |outputs: usize| self.of_outputs(outputs, 0.5 * (last * last) as f64);
+        fits(n + 1).then_some(())?;
+        let between = self.between.as_ref().filter(|between| fits(n + 1 + between.outputs()));
         let fading = match reach {
             Some(_) => None,
             None => Some(self.fading(None, last)?),
         };
         let trust = reach.map(Trust::Reach).or(fading.as_ref().map(Trust::Fading));
-        let mut way = Way { x: self.x0[..n].to_vec(), u: 0.0, u_attained: 0.0, u_rms: 0.0 };
+        let mut way = Way {
+            x: self.x0[..n].to_vec(),
+            between: between.is_some(),
+            u: 0.0,
+            u_attained: 0.0,
+            u_rms: 0.0,
+        };
         let control = self.control();
+        let mut before: Option<Vec<f64>> = None;
         for k in 0..=last {
             if k < last {
                 let mut bound = self.bound(&control, k, trust);
@@ -87,17 +102,26 @@ impl Sampled {
                 way.u_attained = way.u_attained.max(bound.attained());
                 way.u_rms = way.u_rms.max(bound.rms);
             }
-            for i in 0..n {
-                let here = match reach {
-                    Some(reach) => reach.states[k][i] + self.of_early_switch(i, k, reach),
-                    None => self.bound(&self.state(i + 1), k, trust).total(),
-                };
-                let most = if k < last { here.max(self.until_next(i, k, trust)) } else { here };
-                way.x[i] = way.x[i].max(most);
+            let here = |i| match reach {
+                Some(reach) => reach.states[k][i] + self.of_early_switch(i, k, reach),
+                None => self.bound(&self.state(i + 1), k, trust).total(),
+            };
+            let here: Vec<_> = (0..n).map(here).collect();
+            way.x = larger(way.x, &here);
+            if let Some((between, before)) = between.zip(before) {
+                let ends = [before.as_slice(), &here];
+                way.x = larger(way.x, &self.until_next(between, k - 1, ends, trust));
             }
+            before = Some(here);
         }
         let finite = way.u.is_finite() && way.x.iter().all(|x| x.is_finite());
         finite.then_some(way)
+    }
+
+    /// Whether the time allows for so many outputs at samples that have `samples` before them in all.
+    fn of_outputs(&self, outputs: usize, samples: f64) -> bool {
+        let size = self.size();
+        samples * (outputs * (size * size + 4 * size)) as f64 <= OPERATIONS
     }
 
     /// Bounds from sample `from` on, where the loop no longer changes; `None` where none are found.
@@ -124,13 +148,21 @@ impl Sampled {
             length *= 2;
         }
         let (rest, later, length) = found?;
+        let fits = |between: &&Between| {
+            self.of_outputs(between.outputs(), (length * (from + length)) as f64)
+        };
+        let between = self.between.as_ref().filter(fits);
         let control = self.control();
-        let mut after = Afterwards { x: rest.x0[..self.chain.moved].to_vec(), u: 0.0 };
+        let x = rest.x0[..self.chain.moved].to_vec();
+        let mut after = Afterwards { x, between: between.is_some(), u: 0.0 };
         let mut see = |part: &Self, reach: &Reach, k: usize| {
             let trust = Some(Trust::Reach(reach));
             after.u = after.u.max(part.bound(&control, k, trust).total() - part.actuator);
-            for (i, x) in after.x.iter_mut().enumerate() {
-                *x = x.max(part.until_next(i, k, trust));
+            let next = reach.states.get(k + 1).unwrap_or(&rest.x0);
+            let ends = [reach.states[k].as_slice(), next];
+            let seen = between.map(|between| part.until_next(between, k, ends, trust));
+            if let Some(seen) = seen {
+                after.x = larger(std::mem::take(&mut after.x), &seen);
             }
         };
         (from..from + length).for_each(|k| see(self, &reach, k));
@@ -173,49 +205,6 @@ impl Sampled {
             rest.x0 = wider;
         }
         None
-    }
-
-    /// Bound of |x_{i+1}| between sample `k` and the next, of a chain.
-    fn until_next(&self, i: usize, k: usize, trust: Option<Trust<'_>>) -> f64 {
-        if self.chain.outputs.is_some() {
-            return 0.0;
-        }
-        let points = self.between(i).into_iter();
-        let most = points.map(|(point, is_last)| {
-            let more = if is_last { self.of_whole(i, k, trust) } else { 0.0 };
-            self.bound(&point, k, trust).total() + more
-        });
-        most.fold(0.0, f64::max) + self.of_switches(i, k, trust)
-    }
-
-    /// The control points of x_{i+1} between two samples in Bernstein's form, of which it is a convex
-    /// combination, and whether it is the last one: the inner ones, as the others are its values at the
-    /// samples. What acts in the sample beside u grows no faster than the last term of the form: it counts
-    /// with the last point. Samples that are not in time make a difference at once.
-    fn between(&self, i: usize) -> Vec<(Output, bool)> {
-        let (n, size) = (self.chain.n, self.size());
-        let degree = n - i;
-        let choose = |n: usize, k: usize| {
-            (0..k).fold(1.0, |product, j| product * (n - j) as f64 / (j + 1) as f64)
-        };
-        let point = |r: usize| {
-            let mut output = Output { row: vec![0.0; size], direct: 0.0, change: false };
-            for l in 0..=r {
-                let weight = choose(r, l) / choose(degree, l) * self.chain.shares[l];
-                if i + l < n {
-                    output.row[i + l] += weight;
-                } else {
-                    match self.acting {
-                        None => output.direct += weight * self.chain.gain,
-                        Some(kept) => output.row[kept] += weight * self.chain.gain,
-                    }
-                }
-            }
-            (output, r == degree)
-        };
-        let first = usize::from(self.jitter == 0.0);
-        let last = degree + usize::from(self.force.is_some() || self.is_relative());
-        (first..last).map(point).collect()
     }
 }
 

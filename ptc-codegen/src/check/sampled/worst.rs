@@ -8,8 +8,10 @@
 
 use std::collections::BTreeMap;
 
+use super::between::Between;
 use super::chain::{Chain, Gains, Step, Unit, along};
 use super::force::Force;
+use super::relative::Late;
 use super::transition::growth;
 use super::trust::{Fading, Inexact, Trust};
 
@@ -37,8 +39,10 @@ pub(super) struct Sampled {
     pub(super) force: Option<Force>,
     /// How far the true input gain may be from that of the chain, as a part of it.
     pub(super) gain_error: f64,
-    /// How far the time of each sample but the first may be from its own, s.
-    pub(super) jitter: f64,
+    /// How far the time of each sample but the first may be from its own.
+    pub(super) late: Option<Late>,
+    /// The plant between two samples; `None` if it is not known there.
+    pub(super) between: Option<Between>,
 }
 
 /// What is looked at: `row` s_K + `direct` (u_K and what the actuator adds), or by how much it has
@@ -100,17 +104,6 @@ fn most(steps: &[Step], units: &[Unit], unit: Unit) -> Vec<f64> {
     all
 }
 
-/// The signals that attain a bound.
-#[cfg(test)]
-pub(super) struct Signals {
-    /// State at the start.
-    pub(super) x0: Vec<f64>,
-    /// Error of each measured state at each sample.
-    pub(super) noise: Vec<Vec<f64>>,
-    /// Error of the actuator at each sample.
-    pub(super) actuator: Vec<f64>,
-}
-
 impl Sampled {
     /// The loop of a chain with one row of gains a sample, which nothing disturbs yet.
     pub(super) fn new(chain: Chain, gains: &[Gains]) -> Self {
@@ -143,7 +136,8 @@ impl Sampled {
             actuator: 0.0,
             force: None,
             gain_error: 0.0,
-            jitter: 0.0,
+            late: None,
+            between: None,
         }
     }
 
@@ -158,7 +152,7 @@ impl Sampled {
     }
 
     /// The bounds of the causes.
-    fn limits(&self) -> impl Iterator<Item = f64> {
+    pub(super) fn limits(&self) -> impl Iterator<Item = f64> {
         self.noise.iter().copied().chain([self.actuator])
     }
 
@@ -189,7 +183,7 @@ impl Sampled {
     }
 
     /// The row of an output on s_K, with u_K written out.
-    fn row(&self, output: &Output, at: usize) -> Vec<f64> {
+    pub(super) fn row(&self, output: &Output, at: usize) -> Vec<f64> {
         let mut row = output.row.clone();
         if output.direct != 0.0 {
             let u = &self.step(at).u.of_state;
@@ -321,32 +315,5 @@ impl Sampled {
             let errors = matrix.entries.iter().map(|entry| part * entry.abs());
             matrix.errors = errors.collect();
         }
-    }
-
-    /// The signals that attain [`Self::bound`].
-    #[cfg(test)]
-    pub(super) fn signals(&self, output: &Output, at: usize) -> Signals {
-        let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
-        let count = if output.direct == 0.0 { at } else { at + 1 };
-        let mut signals =
-            Signals { x0: Vec::new(), noise: vec![Vec::new(); count], actuator: vec![0.0; count] };
-        let mut row = self.row(output, at);
-        let mut before = Vec::new();
-        for k in (0..count).rev() {
-            let step = self.step(k);
-            let seen = |l: usize| match k == at {
-                true => output.direct * step.u.of_cause[l].0,
-                false => along(&row, &step.columns[l]),
-            };
-            let noise = self.noise.iter().enumerate().map(|(l, v)| sign(seen(l)) * v);
-            signals.noise[k] = noise.collect();
-            signals.actuator[k] = sign(seen(self.noise.len())) * self.actuator;
-            if k < at {
-                step.matrix.after(&row, &mut before);
-                std::mem::swap(&mut row, &mut before);
-            }
-        }
-        signals.x0 = row.iter().zip(&self.x0).map(|(p, x0)| sign(*p) * x0).collect();
-        signals
     }
 }

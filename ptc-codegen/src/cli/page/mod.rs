@@ -5,6 +5,7 @@ mod curve;
 mod design;
 mod formulas;
 mod svg;
+mod worst;
 
 use std::path::Path;
 
@@ -24,6 +25,7 @@ use design::{Fact, Known};
 pub(crate) use design::{command, short};
 use formulas::Group;
 pub(crate) use svg::{Svg, undrawn};
+use worst::Drawn;
 
 /// A table with a head.
 #[derive(Default)]
@@ -80,6 +82,7 @@ struct Page<'a> {
     report: &'a Report,
     refusals: Vec<&'static str>,
     budget: Vec<Bar>,
+    worst: Option<Drawn>,
     charts: Vec<Svg>,
     section: &'a Section,
     files: Vec<File>,
@@ -135,6 +138,7 @@ pub(crate) fn html(content: &Content<'_>) -> Result<String, Failure> {
         groups: formulas::groups(&report.spec, plant)?,
         refusals: report.refusals().map(|outcome| outcome.name).collect(),
         budget: budget::bars(report),
+        worst: worst::drawn(report)?,
         charts: curve::charts(report)?,
         report,
         section,
