@@ -119,7 +119,9 @@ impl C<'_> {
         else {
             return None;
         };
-        let is_stored = result.shape == Shape::Real && !self.zeroed;
+        let is_it = |s: &Statement| matches!(s, Statement::Let(local, ..) if local == name);
+        let is_stored =
+            result.shape == Shape::Real && !self.zeroed && function.body.iter().any(is_it);
         is_stored.then(|| (name.clone(), result.name.clone()))
     }
 
