@@ -280,7 +280,8 @@ fn the_worst_run_ends_at_the_bound() {
 /// The curve over eps is what the check finds with each of them.
 #[test]
 fn the_curve_over_eps_is_what_the_check_finds() {
-    for text in [&designs()[3], &designs()[5]] {
+    let gained = format!("g = 50\n{}", designs()[3]);
+    for text in [&designs()[3], &designs()[5], &gained] {
         let (spec, _) = read_design(&entries(text)).expect("a design");
         let curve = curve(&spec, None);
         assert_eq!(curve.len(), 33, "{text}");

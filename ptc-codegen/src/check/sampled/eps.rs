@@ -4,8 +4,10 @@
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
 
+use num_traits::ToPrimitive;
+
 use super::chain::{Chain, Gains};
-use super::gain::Gain;
+use super::gain::{Gain, known_gain};
 use super::judge::Loop;
 use super::worst::Sampled;
 use crate::check::examine::Numbers;
@@ -58,10 +60,18 @@ struct Trial<'a> {
 impl<'a> Trial<'a> {
     fn new(closed: &'a Loop<'a>, numbers: &'a Numbers<'a>) -> Self {
         let h = closed.period.middle();
-        let free = (0..closed.samples).map(|k| numbers.gains((closed.samples - k) as f64 * h));
         let gain = closed.gain();
         let chain = closed.plant.with_gain(gain.value);
-        Self { closed, numbers, h, free: free.collect(), gain, chain }
+        let mut trial = Self { closed, numbers, h, free: Vec::new(), gain, chain };
+        let free = (0..closed.samples).map(|k| trial.gains((closed.samples - k) as f64 * h));
+        trial.free = free.collect();
+        trial
+    }
+
+    /// The gains of u at a time-to-go: those of the chain over the g by which the law divides.
+    fn gains(&self, time_to_go: f64) -> Vec<f64> {
+        let known = known_gain(self.closed.spec).ok().and_then(|g| g.to_f64()).unwrap_or(1.0);
+        self.numbers.gains(time_to_go).iter().map(|gain| gain / known).collect()
     }
 
     /// From a sample to 0.9 of tau; none for a tau that is shorter.
@@ -73,7 +83,7 @@ impl<'a> Trial<'a> {
 
     /// The loop held at an eps.
     fn held(&self, eps: f64) -> Sampled {
-        let held = self.numbers.gains(eps);
+        let held = self.gains(eps);
         let row = |k: usize| {
             let go = (self.closed.samples - k) as f64 * self.h;
             let values = if go > eps { self.free[k].clone() } else { held.clone() };

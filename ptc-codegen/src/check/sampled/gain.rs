@@ -32,15 +32,20 @@ impl Gain {
     }
 }
 
+/// The input gain by which the law divides.
+pub(super) fn known_gain(spec: &Spec) -> Result<BigRational, String> {
+    match &spec.input_gain {
+        None => Ok(BigRational::from_integer(1.into())),
+        Some(g) => g.number().cloned().ok_or_else(|| "the input gain g is not a number".to_owned()),
+    }
+}
+
 /// Between which numbers the true input gain is.
 pub(super) fn true_gain(spec: &Spec) -> Result<[BigRational; 2], String> {
     if let Some(PlantBounds::Bounded { gain: Some(gain), .. }) = &spec.promises.plant {
         return Ok(gain.clone());
     }
-    let known = match &spec.input_gain {
-        None => BigRational::from_integer(1.into()),
-        Some(g) => g.number().cloned().ok_or("the input gain g is not a number")?,
-    };
+    let known = known_gain(spec)?;
     let parts = spec.promises.g_error.iter().filter_map(|part| Some(part.number()? * &known));
     let mut ends: Vec<_> = parts.collect();
     ends.sort();
