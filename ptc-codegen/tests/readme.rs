@@ -42,10 +42,25 @@ const CART: &str = include_str!("../../examples/cart.toml");
 
 const MODELS: &str = include_str!("../../docs/models.md");
 
+/// The questions of users, the design of their answers, and the page with a program in C.
+const GUIDE: &str = include_str!("../../docs/guide/README.md");
+
+const TABLE: &str = include_str!("../../examples/table.toml");
+
+const AXES: &str = include_str!("../../docs/guide/axes.md");
+
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 25] = [
+const PAGES: [(&str, &str); 33] = [
+    ("guide/README.md", GUIDE),
+    ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
+    ("guide/period.md", include_str!("../../docs/guide/period.md")),
+    ("guide/noise.md", include_str!("../../docs/guide/noise.md")),
+    ("guide/torque.md", include_str!("../../docs/guide/torque.md")),
+    ("guide/sensors.md", include_str!("../../docs/guide/sensors.md")),
+    ("guide/axes.md", AXES),
+    ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
     ("start.md", START),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
@@ -235,6 +250,8 @@ fn pages_show_what_is_printed() {
     assert_eq!(blocks_of(MODELS, "toml"), [DRIVE]);
     fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
     fs::write(folder.join("cart.toml"), CART).expect("writable");
+    assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
+    fs::write(folder.join("table.toml"), TABLE).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }
@@ -252,6 +269,17 @@ fn pages_show_what_is_printed() {
             }
         }
     }
+    // What the guide shows is what its commands draw.
+    for picture in ["choose.svg", "noise.svg", "torque.svg"] {
+        let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide").join(picture);
+        let [kept, drawn] =
+            [kept, folder.join(picture)].map(|path| fs::read_to_string(path).expect("a picture"));
+        assert!(kept == drawn, "docs/guide/{picture} is another picture");
+    }
+    let [program] = &blocks_of(AXES, "c")[..] else { panic!("one program") };
+    fs::write(folder.join("axes.c"), program).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iaxes -c axes.c";
+    shell(strict, &folder);
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
         let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
         let shown = blocks_of(page.expect("a page").1, "console").concat();
