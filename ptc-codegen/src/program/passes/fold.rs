@@ -7,8 +7,8 @@ use crate::expression::Function;
 use crate::program::{self, Definition, Op, Program, Value, number};
 
 /// Replaces operations on numbers by the number they give at run time, bit for bit; removes
-/// multiplications and divisions by 1 and double negations, and moves signs of numbers into the
-/// operations, which changes no bit. Operations whose result is no finite number are left for run
+/// multiplications and divisions by 1 and double negations, moves signs of numbers into the
+/// operations, and divides by a number that is not 0 without a test, which changes no bit. Operations whose result is no finite number are left for run
 /// time, where they are reported; transcendental functions are left too, since the target's
 /// library may round them otherwise.
 pub(super) fn run(program: Program) -> Program {
@@ -16,7 +16,7 @@ pub(super) fn run(program: Program) -> Program {
 }
 
 fn fold(new: &mut Program, definition: Definition) -> Value {
-    let definition = Definition { op: with_sign(new, definition.op), ..definition };
+    let definition = Definition { op: simpler(new, definition.op), ..definition };
     if let Some(operand) = neutral(new, &definition.op) {
         return operand;
     }
@@ -31,11 +31,14 @@ fn constant(program: &Program, value: Value) -> Option<&crate::algebra::BigRatio
     }
 }
 
-/// A product with -1 as a negation, and the sum with a negative number as a difference, which
-/// give the same bits.
-fn with_sign(program: &mut Program, op: Op) -> Op {
+/// A product with -1 as a negation, the sum with a negative number as a difference, and a quotient by
+/// a number that is not 0 as a division, which give the same bits.
+fn simpler(program: &mut Program, op: Op) -> Op {
     let minus_one = |v: Value| constant(program, v).is_some_and(|n| (-n).is_one());
+    let divides =
+        |v: Value| constant(program, v).is_some_and(|n| number::round(n, program.precision) != 0.0);
     match op {
+        Op::Quotient(a, b) if divides(b) => Op::Div(a, b),
         Op::Mul(a, b) if minus_one(a) => Op::Neg(b),
         Op::Mul(a, b) if minus_one(b) => Op::Neg(a),
         Op::Add(a, b) => match constant(program, b) {

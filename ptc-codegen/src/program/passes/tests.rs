@@ -127,6 +127,23 @@ fn fold_computes_numbers_and_drops_neutral_operations() {
     assert_eq!(folded.get(x).op, Op::Input(Input::State(1)));
 }
 
+#[test]
+fn fold_divides_without_a_test_by_what_is_not_0() {
+    let by = |divisor: i64| {
+        let folded = after(
+            "fold",
+            program(|p| {
+                let divisor = append(p, Op::Number(integer(divisor)), None);
+                let x = append(p, Op::Input(Input::State(1)), None);
+                append(p, Op::Quotient(x, divisor), None)
+            }),
+        );
+        folded.get(folded.step).op.clone()
+    };
+    assert!(matches!(by(3), Op::Div(..)));
+    assert!(matches!(by(0), Op::Quotient(..)));
+}
+
 /// What a library computes differs from machine to machine, so it is left to the target.
 #[test]
 fn fold_computes_a_root_but_calls_no_library() {
