@@ -47,7 +47,7 @@ const IN_SAMPLES: [(Defect, usize); 6] = [
     (("y[0] - p1", "y[1] - p1", "a measurement beyond the array"), 0),
     (("(xhat != NULL)", "(self != NULL)", "the check of xhat for NULL left out"), 0),
     (("(v < -6.0)", "(v < -12.0)", "the lower clamp too low, in samples"), 1),
-    (("(elapsed < 792U)", "(elapsed <= 800U)", "the law used where it does not exist"), 1),
+    (("(elapsed < 92U)", "(elapsed <= 100U)", "the law used where it does not exist"), 1),
 ];
 
 /// Puts each defect in and records whether Eva reports it.
