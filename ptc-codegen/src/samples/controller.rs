@@ -233,22 +233,17 @@ impl Builder<'_> {
         body.extend(self.law(samples));
         let v = Expr::local("v");
         let mut finish = self.finish(samples);
-        if self.remembered() == 0 {
-            let range = Finish::Fail(Status::Range);
-            finish = Finish::choose(Test::Finite(v), finish, range);
-        } else {
-            body.push(Statement::Require(Test::Finite(v), Status::Range));
-            let u = match finish.results() {
-                Some([u]) => u.clone(),
-                _ => {
-                    body.push(Statement::Variable("u_now".to_owned(), real));
-                    body.extend(chosen(&finish));
-                    Expr::local("u_now")
-                }
-            };
-            finish.give_all(std::slice::from_ref(&u));
-            body.extend(self.shift_inputs(&u));
-        }
+        body.push(Statement::Require(Test::Finite(v), Status::Range));
+        let u = match finish.results() {
+            Some([u]) => u.clone(),
+            _ => {
+                body.push(Statement::Variable("u_now".to_owned(), real));
+                body.extend(chosen(&finish));
+                Expr::local("u_now")
+            }
+        };
+        finish.give_all(std::slice::from_ref(&u));
+        body.extend(self.shift_inputs(&u));
         if self.sampled.observes() {
             body.extend(self.keep_estimates());
         }

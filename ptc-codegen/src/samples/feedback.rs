@@ -111,12 +111,10 @@ impl Builder<'_> {
         let elapsed = || Expr::local("elapsed");
         let now = |value| Statement::Let("m0".to_owned(), Shape::Real, value);
         let whole = from.number().filter(|_| hold.is_none()).and_then(ToPrimitive::to_u32);
-        if let Some(from) = whole {
-            let end = match samples.clone().count_left(Expr::Count(from)) {
-                end @ Expr::Count(_) => end,
-                open => self.keep_count("end", "samples from the start to deadbeat", open),
-            };
-            let left = samples.clone().count_sub(elapsed()).real();
+        // With N known a proof sees that m0 is not 0.
+        if let (Some(from), Expr::Count(samples)) = (whole, samples) {
+            let end = Expr::Count(samples.saturating_sub(from));
+            let left = Expr::Count(*samples).count_sub(elapsed()).real();
             return (Vec::new(), Test::CountLess(elapsed(), end), vec![now(left)]);
         }
         let left = samples.clone().count_left(elapsed());
