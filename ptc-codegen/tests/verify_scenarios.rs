@@ -170,7 +170,11 @@ fn what_one_side_exceeds_before_it_ends_is_no_failure() {
         let mut scenario = campaign.scenario(0);
         (scenario.point[1], scenario.point[8]) = (x1, x8);
         let outcome = trial.run(&campaign.setting(&scenario));
-        assert!(outcome.excess[0] < 0.0 && outcome.excess_direct[0] > 0.0, "{outcome:?}");
+        assert!(
+            outcome.excess[0] < 0.0
+                && outcome.direct.as_ref().is_some_and(|direct| direct.excess[0] > 0.0),
+            "{outcome:?}"
+        );
         assert_eq!(outcome.judgement(0), Judgement::Open, "{outcome:?}");
         unfinished += u32::from(outcome.status() == Status::Unfinished);
     }

@@ -46,8 +46,8 @@ pub static KEYS: [KeyInfo; 6] = [
     },
     KeyInfo {
         key: "until",
-        meaning: "T/tau at which a run ends; 1e-3, or eps/tau where that is more, where it is not given",
-        legal: "a number > 0 and < 1",
+        meaning: "T/tau at which a run ends; 1e-3, or eps/tau where that is more, where it is not given; with a sample period 0, the deadline, and less goes on after it",
+        legal: "a number > 0 and < 1; with a sample period one from -100 on",
         example: "1e-3",
     },
     KeyInfo {

@@ -35,8 +35,21 @@ pub const TABLE: &str = "plant";
 pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
     let mut spec = request::read(entries)?;
     let plant = read(entries, &spec)?;
+    promised(&mut spec, plant.as_ref(), entries)?;
+    Ok((spec, plant))
+}
+
+/// Gives a spec what the table `[plant]` promises of its loop.
+///
+/// # Errors
+/// An input gain that is said twice.
+pub(crate) fn promised(
+    spec: &mut Spec,
+    plant: Option<&Plant>,
+    entries: &[Entry],
+) -> Result<(), Vec<Diagnostic>> {
     if let (false, Some(g)) =
-        (spec.promises.g_error.is_empty(), plant.as_ref().and_then(|plant| plant.g.as_ref()))
+        (spec.promises.g_error.is_empty(), plant.and_then(|plant| plant.g.as_ref()))
     {
         let place = entries.iter().find(|entry| entry.key == "g_error");
         let mut found = Diagnostics::default();
@@ -49,8 +62,8 @@ pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagn
         );
         return found.finish(None);
     }
-    spec.promises.plant = plant.as_ref().map(|plant| plant.bounds(&spec, entries));
-    Ok((spec, plant))
+    spec.promises.plant = plant.map(|plant| plant.bounds(spec, entries));
+    Ok(())
 }
 
 /// What moves the state of a chain of integrators.

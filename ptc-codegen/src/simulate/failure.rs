@@ -28,7 +28,7 @@ pub struct Failure {
 
 impl Failure {
     /// A wrong value or design.
-    pub(super) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
+    pub(crate) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::of(Cause::Input, message, help)
     }
 

@@ -10,6 +10,7 @@
 //! mapping, an output T/tau is met exactly and the deadline is never passed.
 
 mod along;
+mod around;
 mod continuous;
 mod controller;
 mod crossing;
@@ -27,11 +28,12 @@ mod switching;
 mod values;
 
 pub(crate) use along::Along;
+pub use around::Loop;
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;
 pub use failure::{Cause, Failure};
-pub use sampled::{Loop, Sampled};
+pub use sampled::Sampled;
 pub use side::{At, Run, Side};
 pub use values::Values;
 

@@ -11,63 +11,14 @@ use super::mode::Mode;
 use super::plant::Motion;
 use super::solver::{First, State};
 use super::switching::{Piecewise, Walk};
-use super::{Accuracy, Controller, Failure, Sample, Values};
+use super::{Accuracy, Controller, Failure, Loop, Sample, Values};
 use crate::code::{Code, Instance};
 use crate::expression::Expression;
-use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::reference::Status;
 use crate::request::{Spec, What};
 use crate::samples;
-
-/// Sample times, sensors and actuator of a sampled loop.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Loop {
-    /// Sample period in s.
-    pub period: f64,
-    /// Resolution of the actuator, in units of u; 0 for none.
-    pub u_step: f64,
-    /// Bound of the uniform noise on each measurement; empty for none.
-    pub noise: Vec<f64>,
-    /// Standard deviation of the random noise on each measurement; empty for none.
-    pub noise_rms: Vec<f64>,
-    /// Resolution of each measurement; empty for none.
-    pub sensor_step: Vec<f64>,
-    /// The least and the greatest input gain of the plant in parts of the one it is written with,
-    /// between which one is drawn for the run.
-    pub gain: [f64; 2],
-    /// Bound of how early or late a sample is, in s, evenly drawn; the first one and the end are in
-    /// time.
-    pub jitter: f64,
-    /// Seed of all that is drawn, which is the same on any machine.
-    pub seed: u64,
-    /// By how much u acts late.
-    pub delay: Delay,
-    /// Time after t0 at which the run ends, in s; tau if `None`.
-    pub until: Option<f64>,
-    /// Times after t0, in s, at whose next sample the controller is armed again.
-    pub arm_at: Vec<f64>,
-}
-
-impl Default for Loop {
-    /// A loop without noise, quantisation and delay; its period must be set.
-    fn default() -> Self {
-        Self {
-            period: f64::NAN,
-            u_step: 0.0,
-            noise: Vec::new(),
-            noise_rms: Vec::new(),
-            sensor_step: Vec::new(),
-            gain: [1.0; 2],
-            jitter: 0.0,
-            seed: 0,
-            delay: Delay::default(),
-            until: None,
-            arm_at: Vec::new(),
-        }
-    }
-}
 
 /// The plant with a sampled controller.
 #[derive(Clone, Debug)]
@@ -173,6 +124,22 @@ impl Sampled {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
+        self.run_along(values, &mut |_| None, x0, around, visit)
+    }
+
+    /// The same with other values of the plant's symbols from a sample on: `change` gives them where
+    /// they change, by the time after t0.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_along<'a>(
+        &mut self,
+        values: &Values,
+        change: &mut dyn FnMut(f64) -> Option<&'a Values>,
+        x0: &[f64],
+        around: &Loop,
+        visit: &mut dyn FnMut(Sample<'_>),
+    ) -> Result<(), Failure> {
         if let Moved::Chain(motion) = &mut self.moved {
             motion.init(values, x0)?;
         }
@@ -208,6 +175,9 @@ impl Sampled {
             let last = since >= end * (1.0 - SAME);
             let since = if last { end } else { since };
             let t = t0 + since;
+            if let (Moved::Chain(motion), Some(values)) = (&mut self.moved, change(since)) {
+                motion.give(values)?;
+            }
             let state = &x.as_slice()[..self.n];
             let mut measured = match &self.moved {
                 Moved::Chain(_) => state.to_vec(),
@@ -260,9 +230,25 @@ impl Sampled {
                 false => until.min(now + part * around.period),
             };
             for (u, from, to) in [(u, now, over), (newer, over, until)] {
-                if from < to {
-                    let moved = self.between(&mut walk, x, gain * u, (t0 + from, t0 + to));
+                let at = |part: u32| match part == around.parts {
+                    true => to,
+                    false => from + (to - from) * f64::from(part) / f64::from(around.parts),
+                };
+                for part in (0..around.parts).filter(|_| from < to) {
+                    let ends = (t0 + at(part), t0 + at(part + 1));
+                    let moved = self.between(&mut walk, x, gain * u, ends);
                     x = moved.map_err(|failure| failure.at(t, format_args!("t = {t} s")))?;
+                    if part + 1 < around.parts {
+                        visit(Sample {
+                            t: ends.1,
+                            time_to_go: deadline - at(part + 1),
+                            stretched: f64::NAN,
+                            x: &x.as_slice()[..self.n],
+                            measured: &measured,
+                            u,
+                            status,
+                        });
+                    }
                 }
             }
             now = until;

@@ -6,6 +6,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 
 use crate::simulate::Failure;
+use crate::verify::bound::Proof;
 use crate::verify::{
     self, Campaign, Corners, Evidence, Kind, Scenario, Status, Tally, Trial, bound, chunks, sample,
     search,
@@ -69,9 +70,19 @@ pub(super) fn run(campaign: &Campaign, trial: &Trial, scenarios: &[Scenario]) ->
         let excess = (0..campaign.objectives.len()).map(|objective| outcome.worst(objective));
         let excess = excess.collect();
         let unfinished = outcome.status() == Status::Unfinished;
-        (excess, outcome.difference, outcome.ended.filter(|_| unfinished))
+        (excess, outcome.difference(), outcome.ended.filter(|_| unfinished))
     };
     scenarios.par_iter().map_init(|| trial.clone(), one).collect()
+}
+
+/// For each objective by how much the worst signals of the loop that runs exceed it, where they do.
+pub(super) fn refuted(campaign: &Campaign) -> Vec<f64> {
+    let proofs = if campaign.around.is_some() { bound::proved(campaign) } else { Vec::new() };
+    let excess = |proof: Option<&Proof>| match proof {
+        Some(Proof::Refuted { excess, .. }) => *excess,
+        _ => f64::NEG_INFINITY,
+    };
+    (0..campaign.objectives.len()).map(|objective| excess(proofs.get(objective))).collect()
 }
 
 /// What `verify` finds of a loop. It ends early where an objective fails.
@@ -84,7 +95,13 @@ pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
         difference: 0.0,
         unfinished: None,
     };
-    let none = vec![false; campaign.objectives.len()];
+    for (worst, excess) in assessment.worst.iter_mut().zip(refuted(campaign)) {
+        worst.0 = excess;
+    }
+    if assessment.fails(campaign) {
+        return assessment;
+    }
+    let none = vec![Proof::NotProved { why: String::new() }; campaign.objectives.len()];
     assessment.take(campaign, &corners.tally, &|place| {
         usize::try_from(place).ok().and_then(|place| corners.scenarios.get(place)).cloned()
     });
@@ -93,7 +110,7 @@ pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
     {
         return assessment;
     }
-    let proved: Vec<_> = bound::proved(campaign).iter().map(bound::Proof::is_proved).collect();
+    let proofs = bound::proved(campaign);
     let seed = campaign.seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11;
     let fresh = Campaign {
         seed,
@@ -101,9 +118,9 @@ pub(super) fn assess(campaign: &Campaign, trial: &Trial) -> Assessment {
         search: campaign.search.max(SEARCH),
         ..campaign.clone()
     };
-    let verdicts = match proved.iter().all(|proved| *proved) {
-        true => Some(vec![verify::Verdict::Proved; proved.len()]),
-        false => assessment.sampled(&fresh, trial, (&corners, &proved)),
+    let verdicts = match proofs.iter().all(Proof::is_proved) {
+        true => Some(vec![verify::Verdict::Proved; proofs.len()]),
+        false => assessment.sampled(&fresh, trial, (&corners, &proofs)),
     };
     let Some(verdicts) = verdicts else { return assessment };
     let keeps = |(objective, verdict): (usize, &verify::Verdict)| {
@@ -153,7 +170,7 @@ impl Assessment {
         &mut self,
         campaign: &Campaign,
         trial: &Trial,
-        (corners, proved): (&Corners, &[bool]),
+        (corners, proofs): (&Corners, &[Proof]),
     ) -> Option<Vec<verify::Verdict>> {
         let tally = Mutex::new(Tally::new(campaign));
         let (mut from, mut to) = (0, 128.min(campaign.scenarios));
@@ -175,8 +192,8 @@ impl Assessment {
             (from, to) = (to, campaign.scenarios.min(4 * to));
         };
         let mut verdicts = Vec::new();
-        for (objective, proved) in proved.iter().enumerate() {
-            if *proved {
+        for (objective, proof) in proofs.iter().enumerate() {
+            if proof.is_proved() {
                 verdicts.push(verify::Verdict::Proved);
                 continue;
             }
@@ -186,8 +203,7 @@ impl Assessment {
             self.difference = self.difference.max(found.difference);
             let unfinished = found.unfinished.clone().map(|(_, ended)| ended);
             self.unfinished = self.unfinished.take().or(unfinished);
-            let tallies =
-                Evidence { drawn: &drawn, corners: &corners.tally, found: &found, proved: false };
+            let tallies = Evidence { drawn: &drawn, corners: &corners.tally, found: &found, proof };
             verdicts.push(verify::Verdict::of(campaign, objective, tallies));
             if found.excess > self.worst[objective].0 {
                 self.worst[objective] = (found.excess, found.scenario);
@@ -213,7 +229,7 @@ fn room(
     let mut trial = trial.clone();
     let setting = campaign.closely(scenario);
     let mut instants = Vec::new();
-    trial.infinite(&setting, &mut |instant| instants.push(instant)).ok()?;
+    trial.instants(&setting, &mut |instant| instants.push(instant)).ok()?;
     let levels = trial.levels(&setting, &instants).ok()?;
     let worst = |index: &usize| instants[*index].excess[objective];
     let worst = (0..instants.len()).reduce(|a, b| if worst(&b) > worst(&a) { b } else { a })?;

@@ -44,7 +44,11 @@ impl Probe {
             None => Ok(Trial::new(&campaign)?),
         };
         let middle = campaign.scenario(0);
-        let worst = vec![(f64::NEG_INFINITY, middle); campaign.objectives.len()];
+        let excess = match &trial {
+            Ok(_) => judge::refuted(&campaign),
+            Err(_) => vec![f64::NEG_INFINITY; campaign.objectives.len()],
+        };
+        let worst = excess.into_iter().map(|excess| (excess, middle.clone())).collect();
         let choice = choice.clone();
         let (unfinished, keeps) = (None, Vec::new());
         Ok(Self { choice, campaign, trial, worst, difference: 0.0, unfinished, keeps, seen: 0 })

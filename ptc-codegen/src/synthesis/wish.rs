@@ -9,6 +9,7 @@ use crate::check::poles;
 use crate::diagnostic::digits;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::parameter::{Fixed, Parameter};
+use crate::plant;
 use crate::request::{self, Entry, Feedback, Spec};
 use crate::syntax::{Value, number, parse};
 use crate::verify::{self, Campaign};
@@ -186,7 +187,7 @@ impl<'a> Wish<'a> {
 
 fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), Vec<Diagnostic>> {
     let all: Vec<_> = entries.iter().cloned().chain(choice.entries()).collect();
-    request::read(&all).map(|spec| (spec, all))
+    plant::read_design(&all).map(|(spec, _)| (spec, all))
 }
 
 fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {

@@ -78,7 +78,7 @@ impl Campaign {
                 let course = |((_, bounds, legal), upper): (&(_, _, Vec<_>), &bool)| {
                     Course::extreme((legal, *bounds), *upper)
                 };
-                Scenario { point, courses: courses.map(course).collect() }
+                Scenario { point, courses: courses.map(course).collect(), seed: 0 }
             };
             two_level(places.len() + self.disturbances.len()).into_iter().map(scenario).collect()
         };

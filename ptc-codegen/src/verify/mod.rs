@@ -3,7 +3,8 @@
 //! A [`Campaign`] is what a design asks for: boxes of initial states and tau, the set F of what may
 //! move the plant, and objectives. A [`Scenario`] is one point of it: a draw is a pure function of
 //! the seed and an index, so that shards and threads decide nothing; corners are joint extremes of all
-//! that is uncertain. A [`Trial`] runs one on both sides of Theorem 1; a [`Tally`] holds what is kept
+//! that is uncertain. A [`Trial`] runs one on both sides of Theorem 1, or, where the design has a
+//! sample period, in the loop that runs; a [`Tally`] holds what is kept
 //! of many, by reductions in which no order counts; [`search`] goes on from the worst ones, with the
 //! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
 //! [`record`] keeps one row per draw.
@@ -33,16 +34,23 @@ pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting};
 pub use start::{Impossible, impossible, reversed};
 pub use tally::{Tally, Worst};
-pub use trial::{Instant, Judgement, Outcome, Status, Trial};
+pub use trial::{Instant, Judgement, Other, Outcome, Status, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};
 
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::request::Spec;
+use crate::simulate::Loop;
 
 /// An interval, least and greatest value.
 pub type Interval = (f64, f64);
+
+/// The name of the true input gain, in parts of the known one.
+const GAIN: &str = "gain";
+
+/// T/tau at which the pieces of signals end in the loop that runs, whose deadline is T = 0.
+const SPAN: f64 = 1e-3;
 
 /// What is verified, and how.
 #[derive(Clone, Debug)]
@@ -57,7 +65,9 @@ pub struct Campaign {
     pub seed: u64,
     /// Runs that the search may take for each objective.
     pub search: usize,
-    /// T/tau at which a run ends.
+    /// What is around the controller in the loop that runs; `None` where the law itself is verified.
+    pub around: Option<Loop>,
+    /// T/tau at which a run ends; in the loop that runs it may be beyond the deadline, at T <= 0.
     pub until: f64,
     /// Most by which the two sides of Theorem 1 may differ, as a part of the largest value of a run.
     pub tolerance: f64,
@@ -98,9 +108,30 @@ impl Campaign {
         lines.extend((1..).zip(&self.x0).map(|(j, x0)| within(&format!("x{j}"), *x0)));
         let Self { scenarios, seed, until, tolerance, search, .. } = self;
         lines.push(format!("scenarios = {scenarios}, seed = {seed}, until = {until:?}"));
+        lines.extend(self.around.iter().map(|around| format!("{around:?}")));
         lines.push(format!("tolerance = {tolerance:?}, search = {search}"));
         lines.extend(self.objectives.iter().map(ToString::to_string));
         lines.join("\n")
+    }
+
+    /// What the true input gain of the loop that runs is between, where it is not known.
+    pub(super) fn gains(&self) -> Option<Interval> {
+        let [least, most] = self.around.as_ref()?.gain;
+        (least < most).then_some((least, most))
+    }
+
+    /// T/tau at which the pieces of signals end, > 0.
+    pub(super) fn span(&self) -> f64 {
+        if self.around.is_some() { SPAN } else { self.until }
+    }
+
+    /// The same of the law in time, before there is an eps with which it runs.
+    #[must_use]
+    pub fn of_law(&self) -> Self {
+        match self.spec.sampled() {
+            Some(_) => self.clone(),
+            None => Self { around: None, until: self.span(), ..self.clone() },
+        }
     }
 
     /// What a gain that is not known must keep, |b| < |g|: the plant's own gain, with what f makes of
@@ -120,9 +151,13 @@ impl Campaign {
         let mut names = vec!["tau".to_owned()];
         names.extend((1..=self.spec.n).map(|j| format!("x{j}_0")));
         names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
+        names.extend(self.gains().map(|_| GAIN.to_owned()));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
-        names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
-        names.extend(["difference", "status"].map(str::to_owned));
+        if self.around.is_none() {
+            names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
+            names.push("difference".to_owned());
+        }
+        names.push("status".to_owned());
         names
     }
 }

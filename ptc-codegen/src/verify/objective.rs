@@ -224,7 +224,7 @@ impl Level {
 }
 
 /// value/bound - 1; a bound of 0 holds what is 0.
-fn over(value: f64, bound: f64) -> f64 {
+pub(super) fn over(value: f64, bound: f64) -> f64 {
     match () {
         () if value == 0.0 && bound >= 0.0 => -1.0,
         () if bound > 0.0 => value / bound - 1.0,

@@ -1,6 +1,7 @@
 //! A scenario as text: what is printed of one is what runs it again, to the last bit.
 
 use super::course::PIECES;
+use super::scenario::SEEDS;
 use super::{Campaign, Course, Interval, Scenario, Signal};
 
 /// A number in the fewest digits that are read as it.
@@ -18,7 +19,8 @@ impl Campaign {
         let of_courses = courses.map(|((symbol, bounds, _), course)| {
             format!("{} = {}", symbol.spelling(), course.text_of(*bounds))
         });
-        of_point.chain(of_courses).collect::<Vec<_>>().join(", ")
+        let seed = self.is_drawn().then(|| format!("seed = {}", scenario.seed));
+        of_point.chain(of_courses).chain(seed).collect::<Vec<_>>().join(", ")
     }
 
     /// The scenario of a text.
@@ -55,7 +57,7 @@ impl Campaign {
         let mut courses = Vec::new();
         for (symbol, bounds, legal) in &self.disturbances {
             let name = symbol.spelling();
-            let course = take(&name).and_then(|text| Course::read(text, *bounds, self.until));
+            let course = take(&name).and_then(|text| Course::read(text, *bounds, self.span()));
             match course {
                 Some(course) if legal.contains(&course.signal()) => courses.push(course),
                 _ => {
@@ -67,17 +69,25 @@ impl Campaign {
                 }
             }
         }
+        let seed = if self.is_drawn() { take("seed") } else { Some("0") };
+        let Some(seed) = seed.and_then(|text| text.parse().ok()).filter(|seed| *seed < SEEDS)
+        else {
+            let message =
+                "the scenario has no seed of what its sensors and samples draw".to_owned();
+            return Err((message, format!("seed = N, an integer from 0 to {}", SEEDS - 1)));
+        };
         match given.first() {
             Some((name, _)) => {
                 Err((format!("`{name}` is not a quantity of this scenario"), self.form()))
             }
-            None => Ok(Scenario { point, courses }),
+            None => Ok(Scenario { point, courses, seed }),
         }
     }
 
     fn form(&self) -> String {
         let disturbances = self.disturbances.iter().map(|(symbol, ..)| symbol.spelling());
-        let names: Vec<_> = self.names().chain(disturbances).collect();
+        let seed = self.is_drawn().then(|| "seed".to_owned());
+        let names: Vec<_> = self.names().chain(disturbances).chain(seed).collect();
         format!("give the index of a draw, or NAME = VALUE for each of {}", names.join(", "))
     }
 }

@@ -54,8 +54,11 @@ impl Campaign {
         let mut numbers = scenario.point.clone();
         let status = outcome.status().code();
         numbers.extend(outcome.excess);
-        numbers.extend(outcome.excess_direct);
-        numbers.extend([outcome.difference, status]);
+        if let Some(direct) = outcome.direct {
+            numbers.extend(direct.excess);
+            numbers.push(direct.difference);
+        }
+        numbers.push(status);
         Row { index, numbers }
     }
 

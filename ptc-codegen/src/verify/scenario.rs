@@ -6,11 +6,17 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::course::{Course, between};
-use super::{Campaign, Interval, Signal};
+use super::{Campaign, GAIN, Interval, Signal};
 use crate::expression::{Expression, Function, Variable};
 use crate::parameter::{Name, Parameter};
 use crate::plant::Plant;
-use crate::simulate::Values;
+use crate::simulate::{Loop, Values};
+
+/// Seeds of what is drawn at each sample are below this, so that a double holds one.
+pub(super) const SEEDS: u64 = 1 << 53;
+
+/// Instants of a run in samples that is looked at closely, about.
+const INSTANTS: f64 = 65536.0;
 
 /// One scenario, in the plant's own units.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +25,8 @@ pub struct Scenario {
     pub point: Vec<f64>,
     /// What each disturbance does.
     pub courses: Vec<Course>,
+    /// Seed of what is drawn at each sample; 0 where nothing is.
+    pub seed: u64,
 }
 
 /// One scenario as it is run.
@@ -30,6 +38,8 @@ pub struct Setting {
     pub x0: Vec<f64>,
     /// T/tau of the instants that are looked at, with what holds from the one before on.
     pub pieces: Vec<(Vec<f64>, Values)>,
+    /// What is around the controller in the loop that runs.
+    pub around: Option<Loop>,
 }
 
 impl Campaign {
@@ -38,29 +48,37 @@ impl Campaign {
     pub fn scenario(&self, index: u64) -> Scenario {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(index);
-        let mut even = || {
-            #[allow(clippy::cast_precision_loss)]
-            let bits = (random.next_u64() >> 11) as f64;
-            bits / 2f64.powi(53)
-        };
+        let mut bits = || random.next_u64() >> 11;
+        #[allow(clippy::cast_precision_loss)]
+        let mut even = || bits() as f64 / 2f64.powi(53);
         let point = self.sides().map(|interval| between(interval, even())).collect();
         let drawn = |(_, bounds, legal): &(_, Interval, Vec<Signal>)| {
-            Course::drawn((legal, *bounds), self.until, &mut even)
+            Course::drawn((legal, *bounds), self.span(), &mut even)
         };
-        Scenario { point, courses: self.disturbances.iter().map(drawn).collect() }
+        let courses = self.disturbances.iter().map(drawn).collect();
+        // Drawn last, so that sensors change nothing of the rest.
+        let seed = if self.is_drawn() { bits() } else { 0 };
+        Scenario { point, courses, seed }
+    }
+
+    /// Whether anything is drawn at each sample of a run.
+    pub(super) fn is_drawn(&self) -> bool {
+        self.around.as_ref().is_some_and(Loop::is_drawn)
     }
 
     /// The intervals of tau, x_1..x_n at t0 and the constants.
     pub(super) fn sides(&self) -> impl Iterator<Item = Interval> {
         let constants = self.intervals.iter().map(|(_, interval)| *interval);
-        std::iter::once(self.tau).chain(self.x0.iter().copied()).chain(constants)
+        let box_of_x0 = self.x0.iter().copied();
+        std::iter::once(self.tau).chain(box_of_x0).chain(constants).chain(self.gains())
     }
 
     /// The names of these.
     pub(super) fn names(&self) -> impl Iterator<Item = String> {
         let constants = self.intervals.iter().map(|(symbol, _)| symbol.spelling());
         let states = (1..=self.x0.len()).map(|j| format!("x{j}"));
-        std::iter::once("tau".to_owned()).chain(states).chain(constants)
+        let gain = self.gains().map(|_| GAIN.to_owned());
+        std::iter::once("tau".to_owned()).chain(states).chain(constants).chain(gain)
     }
 
     /// What is constant in a run and not known, by its name, with its interval.
@@ -70,9 +88,10 @@ impl Campaign {
 
     /// T/tau of the instants at which objectives are looked at.
     fn grid(&self) -> Vec<f64> {
-        let last = 0.1f64.max(self.until.sqrt());
+        let until = self.span();
+        let last = 0.1f64.max(until.sqrt());
         let even = (0..40).map(|i| 1.0 - (1.0 - last) * f64::from(i) / 40.0);
-        let late = (0..40).map(|i| last * (self.until / last).powf(f64::from(i) / 39.0));
+        let late = (0..40).map(|i| last * (until / last).powf(f64::from(i) / 39.0));
         even.chain(late).collect()
     }
 
@@ -95,13 +114,14 @@ impl Campaign {
         for ((symbol, _), value) in self.intervals.iter().zip(constants) {
             values.set(*symbol, *value);
         }
-        if !values.get(Parameter::Eps).is_finite() {
+        if !values.get(Parameter::Eps).is_finite() && self.around.is_none() {
             // The side that is emitted code must not hold its gains before the run ends.
             values.set(Parameter::Eps, 0.5 * self.until * tau);
         }
-        let jumps = scenario.courses.iter().flat_map(|course| course.jumps(self.until));
-        let mut breaks: Vec<_> = jumps.chain([self.until]).collect();
-        breaks.retain(|share| (self.until..1.0).contains(share));
+        let until = self.span();
+        let jumps = scenario.courses.iter().flat_map(|course| course.jumps(until));
+        let mut breaks: Vec<_> = jumps.chain([until]).collect();
+        breaks.retain(|share| (until..1.0).contains(share));
         breaks.sort_by(|a, b| b.total_cmp(a));
         breaks.dedup();
         let mut grid = self.grid();
@@ -125,7 +145,7 @@ impl Campaign {
                     values.set(phase, TAU * turns);
                 } else {
                     let at = (from * to).sqrt();
-                    values.set(bias, course.value(*bounds, self.until, at));
+                    values.set(bias, course.value(*bounds, until, at));
                     [size, rate, phase].into_iter().for_each(|symbol| values.set(symbol, 0.0));
                 }
             }
@@ -135,7 +155,17 @@ impl Campaign {
             from = to;
         }
         let values = pieces.first().map_or(values, |(_, values)| values.clone());
-        Setting { values, x0: x0.to_vec(), pieces }
+        let around = self.around.as_ref().map(|around| Loop {
+            gain: match (self.gains(), constants.get(self.intervals.len())) {
+                (Some(_), Some(gain)) => [*gain; 2],
+                _ => around.gain,
+            },
+            seed: scenario.seed,
+            until: Some(tau * (1.0 - self.until)),
+            parts: parts.min(parts_of(tau * (1.0 - self.until) / around.period)),
+            ..around.clone()
+        });
+        Setting { values, x0: x0.to_vec(), pieces, around }
     }
 
     /// The plant with a wave of run-time symbols in place of each disturbance.
@@ -166,6 +196,13 @@ fn wave(d: usize) -> [Parameter; 4] {
         let name = Name::new(&format!("ptc_disturbance{d}_{part}"));
         name.map_or(Parameter::StartTime, Parameter::Named)
     })
+}
+
+/// Parts of a sample that are looked at, of a run of so many samples.
+fn parts_of(samples: f64) -> u32 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let parts = (INSTANTS / samples) as u32;
+    parts.max(1)
 }
 
 /// What divides a step of the grid evenly.

@@ -9,6 +9,7 @@
 use rayon::prelude::*;
 
 use super::kernel::{self, Rates};
+use super::scenario::SEEDS;
 use super::{Campaign, Judgement, Outcome, Scenario, Signal, Status, Trial};
 use crate::simulate::Failure;
 
@@ -47,9 +48,12 @@ pub fn search(
     told: &dyn Fn(usize),
 ) -> Found {
     let worst = |(_, _, legal): &(_, _, Vec<Signal>)| legal.contains(&Signal::Worst);
-    let rates = campaign.disturbances.iter().any(worst).then(|| Rates::new(campaign)).flatten();
+    let switches = campaign.disturbances.iter().any(worst);
+    // The slopes are those of the law: in the loop that runs the bounds are tried piece by piece.
+    let sloped = switches && campaign.around.is_none();
+    let rates = sloped.then(|| Rates::new(campaign)).flatten();
     let left = campaign.search;
-    let mut search = Search { campaign, trial, rates, objective, told, left, best: None };
+    let mut search = Search { campaign, trial, switches, rates, objective, told, left, best: None };
     search.take(starts);
     for start in starts {
         search.switch(start);
@@ -71,7 +75,9 @@ pub fn search(
 struct Search<'a> {
     campaign: &'a Campaign,
     trial: &'a Trial,
-    /// What the worst signals follow from, where one is legal.
+    /// Whether a worst signal is legal.
+    switches: bool,
+    /// What the worst signals follow from, where the run has slopes.
     rates: Option<Rates>,
     objective: usize,
     told: &'a dyn Fn(usize),
@@ -103,7 +109,7 @@ impl Search<'_> {
             Status::Unfinished => outcome.ended.clone().map(|ended| (scenario.clone(), ended)),
             _ => None,
         };
-        let difference = outcome.difference;
+        let difference = outcome.difference();
         let Some(best) = &mut self.best else {
             let scenario = scenario.clone();
             self.best =
@@ -130,7 +136,7 @@ impl Search<'_> {
 
     /// Goes on with the worst switching of the disturbances along the run, as long as that is worse.
     fn switch(&mut self, start: &Scenario) {
-        if self.rates.is_none() {
+        if !self.switches {
             return;
         }
         let mut from = start.clone();
@@ -210,6 +216,10 @@ impl Campaign {
                 moved.push(scenario);
             }
         }
+        if self.is_drawn() {
+            let seed = from.seed.wrapping_add(1) % SEEDS;
+            moved.push(Scenario { seed, ..from.clone() });
+        }
         for (d, (_, bounds, _)) in self.disturbances.iter().enumerate() {
             for course in from.courses[d].moved(*bounds, size) {
                 let mut scenario = from.clone();
@@ -223,7 +233,7 @@ impl Campaign {
     /// The scenarios in which a disturbance at its bounds is at the other one in a piece of the run.
     fn flipped(&self, from: &Scenario) -> Vec<Scenario> {
         let each = from.courses.iter().enumerate().flat_map(|(d, course)| {
-            course.flipped(self.until).into_iter().map(move |course| (d, course))
+            course.flipped(self.span()).into_iter().map(move |course| (d, course))
         });
         let with = |(d, course)| {
             let mut scenario = from.clone();

@@ -104,7 +104,7 @@ fn from_rest(campaign: &Campaign, trial: &mut Trial) -> Result<Option<Impossible
     for scenario in campaign.corners().into_iter().filter(at_rest) {
         let mut moved = false;
         // How the run ends is for the verdict: a start away from 0 may do better.
-        let _ = trial.infinite(&campaign.setting(&scenario), &mut |instant| {
+        let _ = trial.instants(&campaign.setting(&scenario), &mut |instant| {
             moved |= instant.x.iter().any(|x| *x != 0.0);
         });
         if moved {

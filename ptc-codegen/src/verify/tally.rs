@@ -44,6 +44,8 @@ pub struct Tally {
     pub apart: u64,
     objectives: usize,
     first: usize,
+    /// Whether a row has both sides of Theorem 1.
+    both: bool,
     tolerance: f64,
 }
 
@@ -51,6 +53,8 @@ impl Tally {
     /// Of no scenario.
     pub fn new(campaign: &Campaign) -> Self {
         let objectives = campaign.objectives.len();
+        let both = campaign.around.is_none();
+        let last = if both { 2 * objectives + 2 } else { objectives + 1 };
         Self {
             scenarios: 0,
             excess: vec![Worst::NONE; objectives],
@@ -61,25 +65,32 @@ impl Tally {
             difference: Worst::NONE,
             apart: 0,
             objectives,
-            first: campaign.columns().len() - 2 * objectives - 2,
+            first: campaign.columns().len() - last,
+            both,
             tolerance: campaign.tolerance,
         }
     }
 
     /// The excess of an objective in a row, on the worse side.
     pub(super) fn worst_of(&self, row: &Row, objective: usize) -> f64 {
+        let [one, other] = self.sides(row, objective);
+        one.max(other)
+    }
+
+    /// The excess of an objective in a row, on each side; of one alone twice.
+    fn sides(&self, row: &Row, objective: usize) -> [f64; 2] {
         let excess = &row.numbers[self.first..];
-        excess[objective].max(excess[objective + self.objectives])
+        let other = if self.both { objective + self.objectives } else { objective };
+        [excess[objective], excess[other]]
     }
 
     /// Takes a row.
     pub fn add(&mut self, row: &Row) {
         self.scenarios += 1;
         let index = row.index;
-        let excess = &row.numbers[self.first..];
-        let status = excess[2 * self.objectives + 1];
+        let status = row.numbers.last().copied().unwrap_or(f64::NAN);
         for i in 0..self.objectives {
-            let sides = [excess[i], excess[i + self.objectives]];
+            let sides = self.sides(row, i);
             self.excess[i].take(Worst { value: sides[0].max(sides[1]), index });
             let judgement = Judgement::of(sides);
             self.failed[i] += u64::from(judgement == Judgement::Fails);
@@ -89,7 +100,8 @@ impl Tally {
             self.unfinished += 1;
             self.first_unfinished = self.first_unfinished.into_iter().chain([index]).min();
         }
-        let value = excess[2 * self.objectives];
+        let of_both = self.both.then(|| row.numbers[self.first + 2 * self.objectives]);
+        let value = of_both.unwrap_or(0.0);
         self.difference.take(Worst { value, index });
         self.apart += u64::from(value > self.tolerance);
     }

@@ -1,18 +1,27 @@
-//! One scenario on both sides of Theorem 1.
+//! One scenario: on both sides of Theorem 1, or in the loop that runs.
 
 use super::objective::Observer;
 use super::{Campaign, Level, Setting};
-use crate::parameter::Precision;
+use crate::check::examine::examine;
+use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Side};
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Sampled, Side};
 
-/// Both closed loops of a campaign, to be run with many scenarios.
+/// The closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
 pub struct Trial {
-    infinite: Run<Continuous>,
-    direct: Run<Direct>,
+    closed: Closed,
     observer: Observer,
     objectives: usize,
+}
+
+/// What a scenario is run in.
+#[derive(Clone, Debug)]
+enum Closed {
+    /// Both sides of Theorem 1.
+    Theorem(Box<(Run<Continuous>, Run<Direct>)>),
+    /// The loop that runs.
+    Running(Box<Sampled>),
 }
 
 /// How far a run came.
@@ -64,15 +73,22 @@ impl Judgement {
 /// What a scenario gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// By how much each objective is exceeded at its worst instant, on the side of the infinite-time
-    /// system; above 0 it fails. Infinite where x or u leaves the range of numbers.
+    /// By how much each objective is exceeded at its worst instant, in the loop that runs or on the side
+    /// of the infinite-time system; above 0 it fails. Infinite where x or u leaves the range of numbers.
     pub excess: Vec<f64>,
-    /// The same on the side of the plant with the emitted program.
-    pub excess_direct: Vec<f64>,
+    /// What the other side of Theorem 1 says; `None` for the loop that runs.
+    pub direct: Option<Other>,
+    /// Why a run ended early.
+    pub ended: Option<Failure>,
+}
+
+/// The side of the plant with the emitted program, beside that of the infinite-time system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Other {
+    /// By how much each objective is exceeded at its worst instant.
+    pub excess: Vec<f64>,
     /// Largest difference of the sides in x_i and u, as a part of their largest value in the run.
     pub difference: f64,
-    /// Why a side ended early.
-    pub ended: Option<Failure>,
 }
 
 impl Outcome {
@@ -87,12 +103,24 @@ impl Outcome {
 
     /// By how much an objective is exceeded on the side on which it comes off worse.
     pub fn worst(&self, objective: usize) -> f64 {
-        self.excess[objective].max(self.excess_direct[objective])
+        let [one, other] = self.sides(objective);
+        one.max(other)
+    }
+
+    /// The difference of the sides; 0 where there is one alone.
+    pub fn difference(&self) -> f64 {
+        self.direct.as_ref().map_or(0.0, |direct| direct.difference)
+    }
+
+    /// The excess of an objective on each side; of one alone twice.
+    fn sides(&self, objective: usize) -> [f64; 2] {
+        let own = self.excess[objective];
+        [own, self.direct.as_ref().map_or(own, |direct| direct.excess[objective])]
     }
 
     /// What it says of an objective.
     pub fn judgement(&self, objective: usize) -> Judgement {
-        Judgement::of([self.excess[objective], self.excess_direct[objective]])
+        Judgement::of(self.sides(objective))
     }
 }
 
@@ -109,75 +137,69 @@ pub struct Instant {
     pub u: f64,
     /// By how much each objective is exceeded here.
     pub excess: Vec<f64>,
+    /// Whether what has to hold at the end has to hold here.
+    pub at_end: bool,
 }
 
 /// Far below the tolerance of the sides, and an order above what would cost time.
 const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
 
 impl Trial {
-    /// The loops of a campaign. Both compute in f64: what f32 makes of the law is no part of Theorem 1.
+    /// The loops of a campaign. Both sides of Theorem 1 compute in f64: what f32 makes of the law is no
+    /// part of it.
     ///
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn new(campaign: &Campaign) -> Result<Self, Failure> {
         let spec = Spec { precision: Precision::F64, ..campaign.spec.clone() };
         let plant = campaign.disturbed();
-        Ok(Self {
-            infinite: Continuous::of(&spec, &plant)?,
-            direct: Direct::of(&spec, &plant)?,
-            observer: Observer::new(&spec, &campaign.objectives),
-            objectives: campaign.objectives.len(),
-        })
+        let closed = match campaign.around {
+            Some(_) => {
+                has_eps(&campaign.spec)?;
+                Closed::Running(Box::new(Sampled::new(&campaign.spec, &plant)?))
+            }
+            None => {
+                let sides = (Continuous::of(&spec, &plant)?, Direct::of(&spec, &plant)?);
+                Closed::Theorem(Box::new(sides))
+            }
+        };
+        let observer = Observer::new(&spec, &campaign.objectives);
+        Ok(Self { closed, observer, objectives: campaign.objectives.len() })
     }
 
-    /// Runs both sides.
+    /// Runs a scenario.
     pub fn run(&mut self, setting: &Setting) -> Outcome {
-        let (mut first, mut second) = (Vec::new(), Vec::new());
-        let infinite = self.infinite(setting, &mut |instant| first.push(instant));
-        let direct = self.direct(setting, &mut |instant| second.push(instant));
-        let is_range = |end: &Result<(), Failure>| {
-            end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
-        };
-        let excess = |side: &[Instant], end: &Result<(), Failure>| {
-            let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
-            let worst =
-                |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
-            (0..self.objectives).map(worst).collect()
-        };
-        let difference = match (is_range(&infinite), is_range(&direct)) {
-            // As far as both came.
-            (false, false) => difference(&first, &second),
-            (true, true) => 0.0,
-            _ if infinite.is_err() && direct.is_err() => 0.0,
-            _ => f64::INFINITY,
-        };
-        Outcome {
-            excess: excess(&first, &infinite),
-            excess_direct: excess(&second, &direct),
-            difference,
-            // What could not be finished says more than what left the range of numbers elsewhere.
-            ended: match (infinite.err(), direct.err()) {
-                (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
-                (first, second) => first.or(second),
-            },
+        let Self { closed, observer, objectives } = self;
+        match closed {
+            Closed::Theorem(sides) => both(sides, (observer, *objectives), setting),
+            Closed::Running(sampled) => {
+                // Of many samples the worst is kept alone.
+                let mut excess = vec![f64::NEG_INFINITY; *objectives];
+                let end = running(sampled, (observer, *objectives), setting, &mut |instant| {
+                    excess.iter_mut().zip(&instant.excess).for_each(|(a, b)| *a = a.max(*b));
+                });
+                if is_range(&end) {
+                    excess.fill(f64::INFINITY);
+                }
+                Outcome { excess, direct: None, ended: end.err() }
+            }
         }
     }
 
-    /// The side of the infinite-time system, instant by instant.
+    /// The loop that runs, or the side of the infinite-time system, instant by instant.
     ///
     /// # Errors
     /// The run ended early.
-    pub fn infinite(
+    pub fn instants(
         &mut self,
         setting: &Setting,
         visit: &mut dyn FnMut(Instant),
     ) -> Result<(), Failure> {
-        along(&mut self.infinite, (&mut self.observer, self.objectives), setting, visit)
-    }
-
-    /// The side of the plant with the emitted program, instant by instant.
-    fn direct(&mut self, setting: &Setting, visit: &mut dyn FnMut(Instant)) -> Result<(), Failure> {
-        along(&mut self.direct, (&mut self.observer, self.objectives), setting, visit)
+        let Self { closed, observer, objectives } = self;
+        match closed {
+            Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), setting, visit),
+            Closed::Running(sampled) => running(sampled, (observer, *objectives), setting, visit),
+        }
     }
 
     /// What each objective bounds at the instants of a run: `levels[i][k]` of objective i at instant k.
@@ -190,12 +212,10 @@ impl Trial {
         instants: &[Instant],
     ) -> Result<Vec<Vec<Level>>, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
-        let whole: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
         let mut levels = vec![Vec::with_capacity(instants.len()); self.objectives];
-        for (index, Instant { time_to_go, x, u, .. }) in instants.iter().enumerate() {
+        for Instant { time_to_go, x, u, at_end, .. } in instants {
             let here = (*time_to_go, x.as_slice(), *u);
-            let last = index + 1 == whole;
-            self.observer.levels(here, last, &mut |i, _, level| levels[i].push(level));
+            self.observer.levels(here, *at_end, &mut |i, _, level| levels[i].push(level));
         }
         Ok(levels)
     }
@@ -227,9 +247,65 @@ impl Trial {
     pub fn at_start(&mut self, setting: &Setting) -> Result<Vec<f64>, Failure> {
         self.observer.start(&setting.values, &setting.x0)?;
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
-        let tau = setting.values.get(crate::parameter::Parameter::Tau);
+        let tau = setting.values.get(Parameter::Tau);
         self.observer.excess((tau, &setting.x0, 0.0), false, &mut |i, value| excess[i] = value);
         Ok(excess)
+    }
+}
+
+/// The emitted program needs its eps.
+fn has_eps(spec: &Spec) -> Result<(), Failure> {
+    if spec.sampled().is_some() || spec.fixed.contains_key(&Parameter::Eps) {
+        return Ok(());
+    }
+    let report = examine(spec);
+    let refusal = report.refusals().next().map(|outcome| {
+        let help = outcome.fix.clone().unwrap_or_else(|| "give `eps`".to_owned());
+        (format!("eps has no value: check `{}`: {}", outcome.name, outcome.summary), help)
+    });
+    let (message, help) = refusal.unwrap_or_else(|| {
+        let help =
+            "give `eps`, below which time-to-go is held, or a fixed `tau`, from which it follows";
+        ("eps has no value, and no check sets it".to_owned(), help.to_owned())
+    });
+    Err(Failure::input(message, help))
+}
+
+/// Whether a run left the range of numbers.
+fn is_range(end: &Result<(), Failure>) -> bool {
+    end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
+}
+
+/// Both sides of Theorem 1.
+fn both(
+    (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
+    (observer, objectives): (&mut Observer, usize),
+    setting: &Setting,
+) -> Outcome {
+    let (mut first, mut second) = (Vec::new(), Vec::new());
+    let watched = (&mut *observer, objectives);
+    let infinite = along(infinite, watched, setting, &mut |instant| first.push(instant));
+    let direct = along(direct, (observer, objectives), setting, &mut |i| second.push(i));
+    let excess = |side: &[Instant], end: &Result<(), Failure>| {
+        let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
+        let worst = |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
+        (0..objectives).map(worst).collect()
+    };
+    let difference = match (is_range(&infinite), is_range(&direct)) {
+        // As far as both came.
+        (false, false) => difference(&first, &second),
+        (true, true) => 0.0,
+        _ if infinite.is_err() && direct.is_err() => 0.0,
+        _ => f64::INFINITY,
+    };
+    Outcome {
+        excess: excess(&first, &infinite),
+        direct: Some(Other { excess: excess(&second, &direct), difference }),
+        // What could not be finished says more than what left the range of numbers elsewhere.
+        ended: match (infinite.err(), direct.err()) {
+            (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
+            (first, second) => first.or(second),
+        },
     }
 }
 
@@ -242,17 +318,53 @@ fn along<S: Side>(
 ) -> Result<(), Failure> {
     run.start(&setting.values, &setting.x0)?;
     let mut watch = Watch::new(observer, setting, objectives)?;
+    let mut left: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
     setting.pieces.iter().try_for_each(|(shares, values)| {
-        let seen = &mut |sample: Sample<'_>| visit(watch.instant(sample));
+        let seen = &mut |sample: Sample<'_>| {
+            left -= 1;
+            visit(watch.instant(sample, left == 0));
+        };
         run.advance(values, shares, ACCURACY, seen)
     })
 }
+
+/// The loop that runs with its objectives, instant by instant. A signal jumps at the first sample after
+/// the place of its jump.
+fn running(
+    sampled: &mut Sampled,
+    (observer, objectives): (&mut Observer, usize),
+    setting: &Setting,
+    visit: &mut dyn FnMut(Instant),
+) -> Result<(), Failure> {
+    let Setting { values, x0, pieces, around } = setting;
+    let around = around.clone().unwrap_or_default();
+    let mut watch = Watch::new(observer, setting, objectives)?;
+    let tau = values.get(Parameter::Tau);
+    // From where the piece before ends on.
+    let ends = pieces.iter().filter_map(|(shares, _)| shares.last());
+    let mut next = ends.zip(pieces.iter().skip(1).map(|(_, values)| values)).peekable();
+    let mut change = |since: f64| {
+        let mut values = None;
+        while let Some((_, own)) = next.next_if(|(share, _)| since >= tau * (1.0 - *share)) {
+            values = Some(own);
+        }
+        values
+    };
+    sampled.run_along(values, &mut change, x0, &around, &mut |sample| {
+        // The deadline sample is T = 0, and not what rounding makes of it.
+        let is_deadline = sample.time_to_go.abs() <= SAME * tau;
+        let time_to_go = if is_deadline { 0.0 } else { sample.time_to_go };
+        visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));
+    })
+}
+
+/// Part of tau within which a sample is that of the deadline.
+const SAME: f64 = 1e-12;
 
 /// The objectives along one run.
 struct Watch<'a> {
     observer: &'a mut Observer,
     objectives: usize,
-    left: usize,
 }
 
 impl<'a> Watch<'a> {
@@ -262,17 +374,15 @@ impl<'a> Watch<'a> {
         objectives: usize,
     ) -> Result<Self, Failure> {
         observer.start(&setting.values, &setting.x0)?;
-        let left = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
-        Ok(Self { observer, objectives, left })
+        Ok(Self { observer, objectives })
     }
 
-    fn instant(&mut self, sample: Sample<'_>) -> Instant {
-        self.left -= 1;
+    fn instant(&mut self, sample: Sample<'_>, at_end: bool) -> Instant {
         let Sample { t, time_to_go, x, u, .. } = sample;
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
         let here = (time_to_go, x, u);
-        self.observer.excess(here, self.left == 0, &mut |i, value| excess[i] = value);
-        Instant { t, time_to_go, x: x.to_vec(), u, excess }
+        self.observer.excess(here, at_end, &mut |i, value| excess[i] = value);
+        Instant { t, time_to_go, x: x.to_vec(), u, excess, at_end }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The verdict on an objective: one value, made of all that is known of it.
 
+use super::bound::Proof;
 use super::search::Found;
 use super::{Campaign, Judgement, Tally};
 
@@ -41,8 +42,8 @@ pub struct Evidence<'a> {
     pub corners: &'a Tally,
     /// The search for the worst scenario of this objective.
     pub found: &'a Found,
-    /// Whether it is proved.
-    pub proved: bool,
+    /// What is known without a scenario.
+    pub proof: &'a Proof,
 }
 
 /// The probability that a statement on draws is wrong.
@@ -59,7 +60,8 @@ pub fn confidence(draws: u64) -> Option<(f64, f64)> {
 impl Verdict {
     /// The verdict on an objective, by its place.
     pub fn of(campaign: &Campaign, objective: usize, evidence: Evidence<'_>) -> Self {
-        let Evidence { drawn, corners, found, proved } = evidence;
+        let Evidence { drawn, corners, found, proof } = evidence;
+        let proved = proof.is_proved();
         let tallies = [drawn, corners];
         let fails = found.judgement == Judgement::Fails
             || tallies.iter().any(|tally| tally.failed[objective] > 0);
@@ -71,7 +73,7 @@ impl Verdict {
             || tallies.iter().any(|tally| tally.open[objective] > 0);
         match () {
             () if fails && proved => Self::Undecided(Doubt::Contradiction),
-            () if fails => Self::Fails,
+            () if fails || proof.is_refuted() => Self::Fails,
             () if proved => Self::Proved,
             () if apart => Self::Undecided(Doubt::Apart),
             () if unfinished => Self::Undecided(Doubt::Unfinished),
@@ -127,7 +129,11 @@ mod tests {
             drawn.apart = u64::from(is(5));
             drawn.open[0] = u64::from(is(6));
             for proved in [false, true] {
-                let evidence = Evidence { drawn, corners, found: &found, proved };
+                let proof = match proved {
+                    true => Proof::Proved { scope: String::new() },
+                    false => Proof::NotProved { why: String::new() },
+                };
+                let evidence = Evidence { drawn, corners, found: &found, proof: &proof };
                 let verdict = Verdict::of(&campaign, 0, evidence);
                 let fails = is(0) || is(1) || is(2);
                 let expected = match (fails, proved) {

@@ -21,14 +21,18 @@ pub(super) fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
         || promises.u_step.is_some()
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }));
     let open = !spec.fixed.contains_key(&Parameter::Eps);
-    if !disturbed || !open || lacking(spec).is_some() {
-        return;
+    if disturbed && open {
+        spec.fixed.extend(best_eps(spec, expanded).map(|eps| (Parameter::Eps, eps)));
     }
-    let closed = Loop::new(spec, expanded).ok();
-    let best = closed.and_then(|closed| closed.best_eps(&Numbers::new(spec, expanded)));
-    if let Some(eps) = best.and_then(known::rounded_down) {
-        spec.fixed.insert(Parameter::Eps, eps);
+}
+
+/// The eps whose worst final error in the loop is least; `None` where the loop is not known.
+pub(super) fn best_eps(spec: &Spec, expanded: Option<&Expanded>) -> Option<Fixed> {
+    if lacking(spec).is_some() {
+        return None;
     }
+    let closed = Loop::new(spec, expanded).ok()?;
+    closed.best_eps(&Numbers::new(spec, expanded)).and_then(known::rounded_down)
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop

@@ -16,10 +16,11 @@ pub(crate) use period::held_period;
 pub use report::Report;
 
 use super::membership::prove;
+use super::sampled::Worst;
 use super::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
-use crate::parameter::Fixed;
+use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
 /// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
@@ -44,11 +45,20 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let membership = membership(&spec);
     let (growth, greatest) = growth::check_growth(&spec);
     choose_eps(&mut spec, forms);
-    let (sampling, deadline) = guard(&mut spec, forms);
-    let (looped, worst) = match known::lacking(&spec) {
-        Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
-        None => sampled::outcome(&spec, forms),
-    };
+    let is_open = !spec.fixed.contains_key(&Parameter::Eps);
+    let (mut sampling, mut deadline) = guard(&mut spec, forms);
+    let (mut looped, mut worst) = looped(&spec, forms);
+    let fails = |o: &Outcome| matches!(o.verdict, Verdict::Unsound | Verdict::Refuted);
+    // What the limit of short periods allows may be too much for the loop itself.
+    if is_open
+        && worst.is_some()
+        && (fails(&sampling) || fails(&looped))
+        && let Some(eps) = guard::best_eps(&spec, forms)
+    {
+        spec.fixed.insert(Parameter::Eps, eps);
+        (sampling, deadline) = guard(&mut spec, forms);
+        (looped, worst) = self::looped(&spec, forms);
+    }
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let deadline = superseded(deadline, decided);
     let envelope = envelope::outcome(&spec, forms);
@@ -58,6 +68,14 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
         vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
+}
+
+/// The check of the loop that runs, and its worst case.
+fn looped(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
+    match known::lacking(spec) {
+        Some(lacking) => (Outcome::not_checked(sampled::NAME, format!("it needs {lacking}")), None),
+        None => sampled::outcome(spec, expanded),
+    }
 }
 
 /// What is said of x and u of a chain, where the plant is another one.

@@ -112,7 +112,7 @@ fn within_rounding(worst: &Worst, state: usize) -> bool {
 const LOST: f64 = 1e-12;
 
 /// Whether u may be clipped, and what is known of it.
-fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
+pub(super) fn clipping(spec: &Spec, worst: &Worst, closed: &Loop<'_>) -> (Option<String>, bool) {
     let limit = match spec.fixed.get(&Parameter::UMax) {
         None => return (Some("without a limit of u, which is left to run time".to_owned()), false),
         Some(Fixed::Infinite) => return (None, false),

@@ -28,7 +28,8 @@ pub(crate) fn design(request: &Request) -> Result<(), Failure> {
         Err(found) => return parsed.finish(None, found),
     };
     // What fails at t0 fails with every choice.
-    starts(wish.campaign(), &mut Trial::new(wish.campaign())?)?;
+    let of_law = wish.campaign().of_law();
+    starts(&of_law, &mut Trial::new(&of_law)?)?;
     let bar = progress("designing", u64::from(request.tries));
     let most = usize::try_from(request.tries).unwrap_or(usize::MAX);
     let outcome = synthesis::design(&wish, most, &|probe, tries| {

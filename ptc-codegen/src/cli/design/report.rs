@@ -1,6 +1,7 @@
 //! The report of a choice that was found, or of a wish for which there is none.
 
 use ptc_codegen::synthesis::{Assessment, Choice, Outcome, Probe, ROOM, Refused, Wish};
+use ptc_codegen::verify::bound::limits;
 use ptc_codegen::verify::{Verdict, confidence};
 
 use crate::cli::report::{Failure, Notice};
@@ -19,6 +20,7 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
     let mut draws = None;
     for (number, ((objective, (excess, _)), verdict)) in (1..).zip(all) {
         let how = match verdict {
+            Verdict::Proved if campaign.around.is_some() => "proved by the worst case",
             Verdict::Proved => "proved by intervals",
             _ => "by sampling",
         };
@@ -28,6 +30,7 @@ pub(super) fn met(probe: &Probe, found: &Assessment, tries: usize) -> String {
         let at = against(&objective.kind, *excess);
         text.push_str(&format!("objective {number}, {objective}: holds, {how}, {at}\n"));
     }
+    text.extend(limits(campaign).map(|limits| format!("{limits}\n")));
     if let Some(draws) = draws {
         let most = confidence(draws).map_or(String::new(), |(most, beta)| {
             format!(", which bounds its probability by {most:.2e} with confidence {}", 1.0 - beta)
@@ -107,6 +110,7 @@ pub(super) fn blocked(wish: &Wish<'_>, outcome: &Outcome) -> Failure {
             }
             notes.push(note);
         }
+        notes.extend(limits(&best.campaign));
     }
     let help = match (outcome.used_up, open) {
         (true, _) => "all tries were used up: give more with --tries, or widen what blocks",

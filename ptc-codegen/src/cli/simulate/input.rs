@@ -5,7 +5,7 @@ use std::ops::Range;
 use num_traits::{One, Signed, ToPrimitive};
 use ptc_codegen::algebra::BigRational;
 use ptc_codegen::parameter::Fixed;
-use ptc_codegen::request::{Spec, one_or_each};
+use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::Loop;
 use ptc_codegen::syntax::number;
 
@@ -88,12 +88,13 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         (spec.sampled().is_some(), "clock"),
     ];
     let Some((_, asked)) = disturbed.iter().find(|(given, _)| *given) else { return Ok(None) };
-    let Some(period) = spec.promises.sample_time.as_ref().and_then(to_f64) else {
+    let Some(around) = Loop::of(spec) else {
         return Err(Failure::because(
             format!("`{asked}` needs the sampled loop, which has no sample period"),
             "give --sample-time, or sample_time in the design",
         ));
     };
+    let period = around.period;
     let tau = spec.fixed.get(&ptc_codegen::parameter::Parameter::Tau).and_then(to_f64);
     let until = request.until.as_deref().map(end).transpose()?;
     if let Some(length) = until.or(tau).filter(|length| length / period > MAX_SAMPLES) {
@@ -105,26 +106,7 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
         ));
     }
     let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
-    let each = |bounds: &[Fixed]| -> Vec<f64> {
-        (0..spec.n).filter_map(|j| one_or_each(bounds, j)).collect()
-    };
-    let around = Loop {
-        period,
-        u_step: promises.u_step.as_ref().and_then(to_f64).unwrap_or(0.0),
-        noise: each(&promises.noise),
-        noise_rms: each(&promises.noise_rms),
-        sensor_step: each(&promises.sensor_step),
-        gain: match promises.g_error.iter().map(to_f64).collect::<Vec<_>>().as_slice() {
-            [Some(least), Some(most)] => [*least, *most],
-            _ => [1.0; 2],
-        },
-        jitter: promises.jitter.as_ref().and_then(to_f64).unwrap_or(0.0),
-        seed: request.seed,
-        delay: promises.delay.clone().unwrap_or_default(),
-        until,
-        arm_at,
-    };
-    Ok(Some(around))
+    Ok(Some(Loop { seed: request.seed, until, arm_at, ..around }))
 }
 
 /// The time at which a run ends.

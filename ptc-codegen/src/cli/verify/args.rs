@@ -11,7 +11,8 @@ What is verified is in the design: under [plant] the plant, with [least, greates
 that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn and
 tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
 of them a function of the seed and its index alone, and run on both sides of Theorem 1, which must
-agree; so are the joint corners of all that is uncertain, and what a search finds from the worst ones.
+agree, or, with a sample period, in the loop that runs; so are the joint corners of all that is
+uncertain, and what a search finds from the worst ones.
 
 With --out one row per draw is kept as Parquet, and a run that was interrupted goes on where it was
 when it is started again. Shards are parts of the same run: merged they are its bytes.

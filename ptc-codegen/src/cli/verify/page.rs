@@ -6,7 +6,7 @@ use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
 use super::args::Verify;
-use super::report::{APART, End, Judged, Summary, Trajectory, shown};
+use super::report::{APART, End, Judged, Sides, Summary, Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
 };
@@ -47,15 +47,17 @@ fn section(
     told.push(format!("{}. Draws: {}.", uncertain(campaign).join("; "), summary.distribution));
     let pairs = campaign.objectives.iter().zip(&summary.objectives);
     let mut verdicts: Vec<_> = (1..).zip(pairs).map(judged).collect();
-    let mut details = vec![summary.sides.clone()];
-    details.extend(summary.apart.then(|| APART.to_owned()));
-    verdicts.push(page::Judged {
-        name: String::new(),
-        what: words("both sides of Theorem 1"),
-        colour: if summary.apart { "open" } else { "good" },
-        verdict: if summary.apart { "differ" } else { "agree" }.to_owned(),
-        details,
-    });
+    if let Some(Sides { told, apart }) = &summary.sides {
+        let mut details = vec![told.clone()];
+        details.extend(apart.then(|| APART.to_owned()));
+        verdicts.push(page::Judged {
+            name: String::new(),
+            what: words("both sides of Theorem 1"),
+            colour: if *apart { "open" } else { "good" },
+            verdict: if *apart { "differ" } else { "agree" }.to_owned(),
+            details,
+        });
+    }
     let Some(trajectory) = &summary.trajectory else {
         let figure = Svg::of(&Figure::default())?;
         let caption = String::new();
@@ -168,7 +170,7 @@ fn figure(
         stretched: vec![f64::NAN; instants.len()],
         x: (0..spec.n).map(|j| instants.iter().map(|instant| instant.x[j]).collect()).collect(),
         u: instants.iter().map(|instant| instant.u).collect(),
-        held: false,
+        held: campaign.around.is_some(),
     };
     let bounded = campaign.objectives.iter().zip(&levels).enumerate();
     Ok(Figure {

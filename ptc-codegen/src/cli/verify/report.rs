@@ -28,12 +28,18 @@ pub(super) struct Summary {
     pub(super) distribution: String,
     /// One for each objective.
     pub(super) objectives: Vec<Judged>,
-    /// How far the sides of Theorem 1 are apart.
-    pub(super) sides: String,
-    /// Whether they are too far apart.
-    pub(super) apart: bool,
+    /// How far the sides of Theorem 1 are apart; `None` for the loop that runs.
+    pub(super) sides: Option<Sides>,
     /// The trajectory of the objective that comes off worst.
     pub(super) trajectory: Option<Trajectory>,
+}
+
+/// Both sides of Theorem 1.
+pub(super) struct Sides {
+    /// How far they are apart, in words.
+    pub(super) told: String,
+    /// Whether that is too far.
+    pub(super) apart: bool,
 }
 
 /// An objective, judged.
@@ -82,23 +88,26 @@ pub(super) fn summary(
     let Known { drawn, corners, found, proofs } = known;
     let runs: usize = found.iter().map(|found| found.runs).sum();
     let run = format!(
-        "{} draws of seed {}, {} corners and {runs} runs of the search, T/tau from 1 to {:?}",
+        "{} draws of seed {}, {} corners and {runs} runs of the search, {}",
         drawn.scenarios,
         campaign.seed,
         corners.scenarios.len(),
-        campaign.until
+        extent(campaign)
     );
     let mut objectives = Vec::new();
     for (index, found) in found.iter().enumerate() {
         let tally = &corners.tally;
         let proof = &proofs[index];
-        let evidence = Evidence { drawn, corners: tally, found, proved: proof.is_proved() };
+        let evidence = Evidence { drawn, corners: tally, found, proof };
         let verdict = Verdict::of(campaign, index, evidence);
         let mut details = reasons((campaign, trial), (index, verdict), (known, found))?;
         if let (Verdict::Sampled { .. } | Verdict::Undecided(_), Proof::NotProved { why }) =
             (verdict, proof)
         {
             details.push(format!("not proved: {why}"));
+        }
+        if let Proof::Refuted { why, .. } = proof {
+            details.push(why.clone());
         }
         let kind = &campaign.objectives[index].kind;
         let Worst { value, index: draw } = drawn.excess[index];
@@ -116,21 +125,15 @@ pub(super) fn summary(
             }
         }
         let scope = match proof {
-            Proof::Proved { scope } => scope.clone(),
-            Proof::NotProved { .. } => String::new(),
+            Proof::Proved { scope } => match campaign.around {
+                Some(_) => format!("by the worst case, for every x0 and every signal, {scope}"),
+                None => format!("by intervals for every x0, tau and T, {scope}"),
+            },
+            Proof::Refuted { .. } | Proof::NotProved { .. } => String::new(),
         };
         objectives.push(Judged { verdict, scope, details });
     }
-    let others = found.iter().map(|found| found.difference);
-    let others = others.fold(corners.tally.difference.value, f64::max);
-    let Worst { index, value } = drawn.difference;
-    let difference = others.max(value);
-    let apart = difference > campaign.tolerance;
-    let agree = if apart { "differ" } else { "agree" };
-    let sides = format!(
-        "both sides of Theorem 1 {agree}: maximum difference {difference:.1e} (of the draws {value:.1e}, scenario {index}), tolerance {:?}",
-        campaign.tolerance
-    );
+    let sides = campaign.around.is_none().then(|| sides(campaign, known));
     let trajectory = foremost(found).map(|worst| {
         let scenario = worst.scenario.clone();
         let (instants, ended) = trajectory(campaign, trial, &scenario);
@@ -138,7 +141,34 @@ pub(super) fn summary(
         Trajectory { told: campaign.text_of(&scenario), instants, scenario, ended }
     });
     let distribution = distribution(campaign);
-    Ok(Summary { run, distribution, objectives, sides, apart, trajectory })
+    Ok(Summary { run, distribution, objectives, sides, trajectory })
+}
+
+/// What of a run is looked at.
+fn extent(campaign: &Campaign) -> String {
+    let Some(around) = &campaign.around else {
+        return format!("T/tau from 1 to {:?}", campaign.until);
+    };
+    let to = match campaign.until {
+        0.0 => "the deadline".to_owned(),
+        until => format!("T/tau = {until:?}"),
+    };
+    format!("in the loop that runs, every {:?} s from t0 to {to}", around.period)
+}
+
+/// How far the sides of Theorem 1 are apart.
+fn sides(campaign: &Campaign, known: &Known<'_>) -> Sides {
+    let others = known.found.iter().map(|found| found.difference);
+    let others = others.fold(known.corners.tally.difference.value, f64::max);
+    let Worst { index, value } = known.drawn.difference;
+    let difference = others.max(value);
+    let apart = difference > campaign.tolerance;
+    let agree = if apart { "differ" } else { "agree" };
+    let told = format!(
+        "both sides of Theorem 1 {agree}: maximum difference {difference:.1e} (of the draws {value:.1e}, scenario {index}), tolerance {:?}",
+        campaign.tolerance
+    );
+    Sides { told, apart }
 }
 
 /// Why a verdict is what it is.
@@ -222,6 +252,15 @@ fn distribution(campaign: &Campaign) -> String {
         };
         parts.push(format!("{} {likely}", symbol.spelling()));
     }
+    if let Some(around) = campaign.around.as_ref().filter(|around| around.is_drawn()) {
+        let sensors =
+            [(&around.noise, "noise even within its bounds"), (&around.noise_rms, "normal noise")];
+        let given = sensors.into_iter().filter(|(sizes, _)| sizes.iter().any(|size| *size > 0.0));
+        parts.extend(given.map(|(_, told)| format!("{told} at each sample")));
+        if around.jitter > 0.0 {
+            parts.push("samples early or late, evenly within jitter".to_owned());
+        }
+    }
     if parts.is_empty() { "nothing is drawn".to_owned() } else { parts.join("; ") }
 }
 
@@ -238,7 +277,7 @@ impl Judged {
     pub(super) fn verdict(&self) -> String {
         match self.verdict {
             Verdict::Proved => {
-                format!("holds, proved by intervals for every x0, tau and T, {}", self.scope)
+                format!("holds, proved {}", self.scope)
             }
             Verdict::Sampled { .. } => "holds, by sampling".to_owned(),
             Verdict::Undecided(_) => "undecided".to_owned(),
@@ -255,7 +294,11 @@ impl Summary {
         };
         match () {
             () if any(&|verdict| verdict == Verdict::Fails) => End::Fails,
-            () if self.apart || any(&|verdict| !verdict.holds()) => End::Undecided,
+            () if self.sides.as_ref().is_some_and(|sides| sides.apart)
+                || any(&|verdict| !verdict.holds()) =>
+            {
+                End::Undecided
+            }
             () => End::Holds,
         }
     }
@@ -269,9 +312,11 @@ impl Summary {
             text.push_str(&format!("objective {number}, {objective}: {}\n", judged.verdict()));
             judged.details.iter().for_each(|detail| text.push_str(&format!("  {detail}\n")));
         }
-        text.push_str(&format!("\n{}\n", self.sides));
-        if self.apart {
-            text.push_str(&format!("  {APART}\n"));
+        if let Some(Sides { told, apart }) = &self.sides {
+            text.push_str(&format!("\n{told}\n"));
+            if *apart {
+                text.push_str(&format!("  {APART}\n"));
+            }
         }
         if let Some(Trajectory { told, instants, ended, .. }) = &self.trajectory {
             text.push_str(&format!("\nworst trajectory, {told}\n{}", table(instants)));
@@ -304,7 +349,7 @@ fn trajectory(
     scenario: &Scenario,
 ) -> (Vec<Instant>, Option<simulate::Failure>) {
     let mut instants = Vec::new();
-    let ended = trial.infinite(&campaign.closely(scenario), &mut |instant| instants.push(instant));
+    let ended = trial.instants(&campaign.closely(scenario), &mut |instant| instants.push(instant));
     // How far it came is what is to be seen.
     (instants, ended.err())
 }

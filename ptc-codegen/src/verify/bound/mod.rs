@@ -22,6 +22,7 @@ mod piece;
 mod reason;
 mod root;
 mod rounding;
+mod running;
 mod series;
 mod weight;
 
@@ -35,6 +36,7 @@ use flow::Flow;
 use form::Values;
 use margin::Bounds;
 use reason::Why;
+pub use running::limits;
 
 use super::{Campaign, Kind, Objective, Signal};
 use crate::algebra::{BigInt, BigRational, integer};
@@ -57,13 +59,20 @@ const DRIVEN: usize = 4000;
 const MOST: usize = 20_000;
 
 /// What is known of an objective without a scenario.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Proof {
     /// It holds, for the law in exact arithmetic and every state of the box, every tau, and T/tau
     /// from 1 to the end of a run. A bound of u holds for that of the emitted program.
     Proved {
         /// What is included of the emitted program, in one line.
         scope: String,
+    },
+    /// It fails: signals that are allowed exceed it in the loop that runs.
+    Refuted {
+        /// What they reach, in one line.
+        why: String,
+        /// By how much, as [`Outcome::excess`](super::Outcome::excess).
+        excess: f64,
     },
     /// Nothing is known.
     NotProved {
@@ -77,6 +86,11 @@ impl Proof {
     pub fn is_proved(&self) -> bool {
         matches!(self, Self::Proved { .. })
     }
+
+    /// Whether it fails.
+    pub fn is_refuted(&self) -> bool {
+        matches!(self, Self::Refuted { .. })
+    }
 }
 
 /// Cells that are this many powers of 2 narrower than they are far from 0 are not halved.
@@ -84,6 +98,9 @@ const NARROW: u32 = 40;
 
 /// For each objective whether it is proved, or why not.
 pub fn proved(campaign: &Campaign) -> Vec<Proof> {
+    if campaign.around.is_some() {
+        return running::proved(campaign);
+    }
     let values = clock::values(campaign);
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
     let mut prover = match Prover::of(campaign, &values) {

@@ -88,7 +88,7 @@ impl Line {
         let setting = campaign.looked_at(from, PARTS);
         let mut instants: Vec<Instant> = Vec::new();
         // As far as it comes.
-        let _ = trial.infinite(&setting, &mut |instant| instants.push(instant));
+        let _ = trial.instants(&setting, &mut |instant| instants.push(instant));
         rates.start(&setting)?;
         let mut line = Self { setting, instants, steps: vec![Vec::new()] };
         let mut count = 0.0;
@@ -224,7 +224,8 @@ impl Line {
                     let mut point = from.point.clone();
                     point[1..=n].copy_from_slice(&start);
                     let courses = self.courses(campaign, (target, &kernels), &direction, from);
-                    *best = Some(Way { excess: value, scenario: Scenario { point, courses } });
+                    *best =
+                        Some(Way { excess: value, scenario: Scenario { point, courses, seed: 0 } });
                     direction = slopes(&moved, *time_to_go, value, &mut |moved| {
                         excess(&start, moved, rates)
                     });

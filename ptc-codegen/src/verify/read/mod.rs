@@ -3,6 +3,7 @@
 
 mod disturbance;
 mod objective;
+mod running;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,6 +16,7 @@ use crate::keys::verify::KEYS;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec};
+use crate::simulate::Loop;
 use crate::syntax::{Node, Value, real};
 
 /// What stands at a key, and where the key is.
@@ -26,9 +28,13 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// # Errors
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
-    spec.needs_time("a campaign")?;
     spec.needs_chain("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
+    let mut spec = spec.clone();
+    plant::promised(&mut spec, plant.as_ref(), entries)?;
+    let spec = &spec;
+    // What has a sample period runs with a chain, or with the plant that it was designed for.
+    let plant = plant.or_else(|| Loop::of(spec).is_some().then(|| Plant::own(spec)));
     let Some(plant) = plant else {
         found.push(Diagnostic {
             code: "missing-key",
@@ -185,7 +191,11 @@ impl Reader<'_> {
         let scenarios = self.integer("scenarios", given, (1, 1_000_000_000_000), 10_000);
         let seed = self.integer("seed", given, (0, 1 << 53), 0);
         let search = self.integer("search", given, (0, 1_000_000_000), 2000);
-        let until = self.until(given, tau);
+        let around = Loop::of(self.spec);
+        let until = match &around {
+            Some(around) => self.end(given, tau, around.period),
+            None => self.until(given, tau),
+        };
         let tolerance = self.number("tolerance", given, &|t| t > 0.0).unwrap_or(1e-6);
         let varies: BTreeSet<_> = disturbances.iter().map(|(symbol, ..)| *symbol).collect();
         let constant = self.plant.bounds.iter().filter(|(symbol, _)| !varies.contains(symbol));
@@ -198,15 +208,20 @@ impl Reader<'_> {
         }
         // Each of them may have told what is wrong with it.
         (x0.len() == n).then_some(())?;
+        let tau = tau?;
+        if around.is_some() {
+            spec = self.running(spec, &x0)?;
+        }
         Some(Campaign {
             spec,
             plant: self.plant.clone(),
+            around,
             scenarios: scenarios?,
             seed: seed?,
             search: usize::try_from(search?).ok()?,
             until: until?,
             tolerance,
-            tau: tau?,
+            tau,
             x0,
             intervals,
             disturbances,

@@ -1,0 +1,30 @@
+//! The worst case as a theorem: what nothing that is allowed exceeds.
+
+use super::cells::Worst;
+use super::judge::Loop;
+use super::outcome::clipping;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{PlantBounds, Spec};
+
+/// The worst case of a loop in which u is not clipped and all that disturbs it is bounded.
+///
+/// # Errors
+/// What the loop lacks, or why its bounds are not those of every run.
+pub(crate) fn proved(spec: &Spec) -> Result<Worst, String> {
+    if !spec.fixed.contains_key(&Parameter::Eps) && spec.sampled().is_none() {
+        return Err("`eps` is left to run time".to_owned());
+    }
+    let number = |value: &Fixed| value.number().is_some_and(|value| *value != Default::default());
+    if spec.promises.noise_rms.iter().any(number) {
+        return Err("the random noise of `noise_rms` has no bound".to_owned());
+    }
+    if let Some(PlantBounds::Unknown(why)) = &spec.promises.plant {
+        return Err(why.clone());
+    }
+    let closed = Loop::new(spec, None)?;
+    let worst = closed.worst(true)?;
+    match clipping(spec, &worst, &closed) {
+        (Some(why), true) => Err(format!("u may be clipped: {why}")),
+        _ => Ok(worst),
+    }
+}
