@@ -28,7 +28,7 @@ use crate::law::Law;
 use crate::lower::lower;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, number, passes};
-use crate::request::{Clock, Feedback, PlantBounds, Spec, What};
+use crate::request::{Clock, Feedback, PlantBounds, Reference, Spec, What};
 
 /// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
 const PIECES: f64 = 20.0;
@@ -116,11 +116,12 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     };
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let deadline = superseded(deadline, decided);
+    let deadline = of_error(&spec, deadline);
     let envelope = envelope(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
     let mut outcomes =
-        vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
+        vec![membership, of_error(&spec, of_chain(&spec, growth)), sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
 }
@@ -131,6 +132,18 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
         let of_model =
             if spec.model.is_some() { "x is the output with its derivatives; " } else { "" };
         outcome.details.push(format!("{of_model}u stands for f + g u, which moves x{}", spec.n));
+    }
+    outcome
+}
+
+/// What is said of x, where the law sees the tracking error in its place.
+fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
+    if spec.reference.is_some() && outcome.verdict != Verdict::NotChecked {
+        let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };
+        let n = spec.n;
+        outcome.details.push(format!(
+            "x is the tracking error, x_i - r^(i-1){start}; u stands for what the law adds to r^({n})"
+        ));
     }
     outcome
 }
@@ -280,14 +293,20 @@ fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
     }
 }
 
-/// A period that is judged for a chain with f = 0 says nothing sound of a law whose f moves between
-/// the samples at which it is cancelled.
+/// A period that is judged for a chain with f = 0 says nothing sound of a law whose f, or reference,
+/// moves between the samples at which it is known.
 fn of_chain_alone(spec: &Spec, outcome: Outcome) -> Outcome {
     let moves = spec.model.is_some() || spec.drift.as_ref().is_some_and(|f| f.number().is_none());
-    if !moves || outcome.verdict != Verdict::Sound {
+    let follows = spec.reference.as_ref().is_some_and(Reference::moves);
+    if !(moves || follows) || outcome.verdict != Verdict::Sound {
         return outcome;
     }
-    let summary = format!("f is cancelled at the samples alone; with f = 0: {}", outcome.summary);
+    let (what, still) = match (moves, follows) {
+        (true, false) => ("f is cancelled", "f = 0"),
+        (false, _) => ("r is known", "a constant r"),
+        (true, true) => ("f and r are known", "f = 0 and a constant r"),
+    };
+    let summary = format!("{what} at the samples alone; with {still}: {}", outcome.summary);
     Outcome { verdict: Verdict::Undecided, summary, ..outcome }
 }
 
@@ -353,6 +372,9 @@ fn envelope(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
     if spec.what == What::Associated {
         return lacks("the infinite-time system has no deadline".to_owned());
     }
+    if spec.reference.is_some() {
+        return lacks("it does not examine a reference".to_owned());
+    }
     if spec.feedback == Feedback::Extern {
         return lacks("the law is user-defined, and its range is unknown".to_owned());
     }
@@ -385,7 +407,11 @@ fn envelope(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time | Input::Gain(_) | Input::Drift | Input::Control => Interval::ANY,
+        Input::Time
+        | Input::Reference(_)
+        | Input::Gain(_)
+        | Input::Drift
+        | Input::Control => Interval::ANY,
     };
     let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);
