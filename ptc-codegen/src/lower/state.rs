@@ -94,7 +94,7 @@ impl Builder<'_> {
             0 => "the reference".to_owned(),
             order => format!("derivative {order} of the reference"),
         };
-        Some(self.name(value, &format!("r_{order}"), &rate))
+        Some(self.name(value, &format!("reference{order}"), &rate))
     }
 
     /// State x_j of the chain at the current time.

@@ -411,6 +411,20 @@ impl Spec {
         found.finish(Some(()))
     }
 
+    /// Refuses a reference that each call is given for what makes the calls itself.
+    ///
+    /// # Errors
+    /// That `what` has none to give.
+    pub fn needs_known_reference(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.reference == Some(Reference::Input) {
+            let message = format!("{what} has no reference to give to each call");
+            let help = "give `reference` as an expression in t: the same law follows it";
+            found.push("reference", "reference", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
     /// Refuses a reference for what knows a law that brings the state to 0 alone.
     ///
     /// # Errors

@@ -15,8 +15,11 @@ impl Builder<'_> {
         if self.controller.program.gains.is_empty() {
             return Vec::new();
         }
-        let of = if self.spec.references() > 0 { "e" } else { "x" };
-        let about = format!("u = gain[0] {of}[0] + ... + gain[{}] {of}[{}]", n - 1, n - 1);
+        let (of, rate) = match self.spec.references() {
+            0 => ("x", String::new()),
+            _ => ("e", format!(" + r[{n}], e[i] = x[i] - r[i]")),
+        };
+        let about = format!("u = gain[0] {of}[0] + ... + gain[{}] {of}[{}]{rate}", n - 1, n - 1);
         let mut gains = vec![Variable::new("gain", Shape::Reals(n), about)];
         if self.run_time_limit() {
             gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
