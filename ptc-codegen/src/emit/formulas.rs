@@ -133,10 +133,13 @@ pub(super) fn of_reference(spec: &Spec) -> Vec<String> {
     match &spec.reference {
         None => Vec::new(),
         Some(Reference::Input) => {
-            vec![format!("  e_i = x_i - r^(i-1), where r^(0)..r^({n}) are the reference and its derivatives, r[0]..r[{n}] of each call")]
+            vec![format!(
+                "  e_i = x_i - r^(i-1), where r^(0)..r^({n}) are the reference and its derivatives, r[0]..r[{n}] of each call"
+            )]
         }
         Some(Reference::Known(derivatives)) => {
-            let rates = (1..=n).filter_map(|i| Some(format!("  r^({i}) = {}", spec.derivative(i)?)));
+            let rates =
+                (1..=n).filter_map(|i| Some(format!("  r^({i}) = {}", spec.derivative(i)?)));
             let head = format!("  e_i = x_i - r^(i-1), with the reference r = {}", derivatives[0]);
             [head].into_iter().chain(rates).collect()
         }

@@ -77,7 +77,9 @@ fn purpose(spec: &Spec) -> Vec<String> {
         ),
         match spec.drift {
             None => "f is not part of the law: cancel its known terms before the call.",
-            Some(_) => "The law cancels its own f(x, t). What differs from it is not part of the law.",
+            Some(_) => {
+                "The law cancels its own f(x, t). What differs from it is not part of the law."
+            }
         }
         .to_owned(),
     ]

@@ -41,9 +41,7 @@ impl Condition {
             Self::NotZero => !values.has_zero(),
             Self::Positive => values.is_positive(),
             Self::NotNegative => values.is_not_negative(),
-            Self::WithinOne => {
-                values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1)))
-            }
+            Self::WithinOne => values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1))),
         }
     }
 

@@ -78,11 +78,9 @@ impl Input {
             Self::Parameter(_) => Stage::Init,
             Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
-            Self::State(_)
-            | Self::Reference(_)
-            | Self::Gain(_)
-            | Self::Drift
-            | Self::Control => Stage::Step,
+            Self::State(_) | Self::Reference(_) | Self::Gain(_) | Self::Drift | Self::Control => {
+                Stage::Step
+            }
         }
     }
 }

@@ -120,8 +120,14 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let envelope = envelope(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
-    let mut outcomes =
-        vec![membership, of_error(&spec, of_chain(&spec, growth)), sampling, deadline, looped, envelope];
+    let mut outcomes = vec![
+        membership,
+        of_error(&spec, of_chain(&spec, growth)),
+        sampling,
+        deadline,
+        looped,
+        envelope,
+    ];
     outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
 }
@@ -407,11 +413,9 @@ fn envelope(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time
-        | Input::Reference(_)
-        | Input::Gain(_)
-        | Input::Drift
-        | Input::Control => Interval::ANY,
+        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
+            Interval::ANY
+        }
     };
     let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);

@@ -140,7 +140,8 @@ impl Builder<'_> {
     /// The array of the reference, where each call is given it.
     fn reference(&self) -> Option<Variable> {
         let count = self.spec.references();
-        let about = format!("reference of x1 and its derivatives, up to that of order {}", self.spec.n);
+        let about =
+            format!("reference of x1 and its derivatives, up to that of order {}", self.spec.n);
         (count > 0).then(|| Variable::new("r", Shape::Reals(count), about))
     }
 

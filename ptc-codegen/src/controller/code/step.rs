@@ -78,9 +78,17 @@ impl Builder<'_> {
             name: "step",
             about: match (&self.spec.model, self.reference()) {
                 (None, None) => "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
-                (None, Some(_)) => "u at time t [s], state x = (x1, x1', ...) and reference r = (r, r', ...).".to_owned(),
-                (Some(model), None) => format!("u at time t [s] and state x = ({}).", model.names()),
-                (Some(model), Some(_)) => format!("u at time t [s], state x = ({}) and reference r = (r, r', ...) of the output.", model.names()),
+                (None, Some(_)) => {
+                    "u at time t [s], state x = (x1, x1', ...) and reference r = (r, r', ...)."
+                        .to_owned()
+                }
+                (Some(model), None) => {
+                    format!("u at time t [s] and state x = ({}).", model.names())
+                }
+                (Some(model), Some(_)) => format!(
+                    "u at time t [s], state x = ({}) and reference r = (r, r', ...) of the output.",
+                    model.names()
+                ),
             },
             owner: Owner::Controller,
             access: Access::Read,

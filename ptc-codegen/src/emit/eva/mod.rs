@@ -234,7 +234,11 @@ fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
         let tick = words(&["&self", "t", "&gains"]);
         calls.push(Call { function: "tick", arguments: tick, pointers: vec![0, 2] });
-        let given = if frame.references > 0 { &["&gains", "x", "r", "&u"][..] } else { &["&gains", "x", "&u"] };
+        let given = if frame.references > 0 {
+            &["&gains", "x", "r", "&u"][..]
+        } else {
+            &["&gains", "x", "&u"]
+        };
         let pointers = (0..given.len()).collect();
         calls.push(Call { function: "axis", arguments: words(given), pointers });
     }

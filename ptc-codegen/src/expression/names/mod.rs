@@ -195,7 +195,9 @@ impl NameInfo {
     fn instead(&self, subject: Subject, index: usize) -> Option<String> {
         let of_state = OF_STATE.contains(&subject);
         let text = match (self.name, subject) {
-            ("T", Kappa | Force | InputGain | Reference | Drift | PlantGain) => "tau - dt".to_owned(),
+            ("T", Kappa | Force | InputGain | Reference | Drift | PlantGain) => {
+                "tau - dt".to_owned()
+            }
             ("t", Kappa) => "dt".to_owned(),
             ("dt" | "t_kappa", Mu) => "t".to_owned(),
             ("t_kappa", Reference | Drift | PlantGain | Objective | Bound) => return None,

@@ -11,7 +11,7 @@ use crate::expression::normal::shorter;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::limits::SIZE;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Feedback, Reference, Spec, What};
+use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Value, parse};
 
 impl Reader<'_> {
@@ -21,7 +21,8 @@ impl Reader<'_> {
         if matches!(&node.value, Value::Word(word) if word == "input") {
             return Some(Reference::Input);
         }
-        let scope = Scope { subject: Subject::Reference, n: 0, known, own: &[] };
+        let scope =
+            Scope { subject: Subject::Reference, n: n.unwrap_or(MAX_ORDER), known, own: &[] };
         let given = resolve(node, scope, &mut self.found)?;
         let (message, help) = if let Some(kink) = kink(&given) {
             (
@@ -35,7 +36,9 @@ impl Reader<'_> {
                     return (!rests).then_some(Reference::Known(all));
                 }
                 Err(order) => (
-                    format!("derivative {order} of the reference is larger than an expression may be"),
+                    format!(
+                        "derivative {order} of the reference is larger than an expression may be"
+                    ),
                     "take a simpler reference, or give the derivatives with each call, `reference` = input",
                 ),
             }
@@ -85,8 +88,7 @@ impl Reader<'_> {
     pub(super) fn reference_exists(&mut self, spec: &Spec) {
         let Some(Reference::Known(derivatives)) = &spec.reference else { return };
         let known = |p: &Parameter| spec.fixed.contains_key(p) || spec.bounds.contains_key(p);
-        let decided =
-            |part: &Expression| moves(part) || part.parameters().iter().all(known);
+        let decided = |part: &Expression| moves(part) || part.parameters().iter().all(known);
         let names = names(spec);
         let mut evaluator = Evaluator::new();
         let mut met = |(part, condition): &(Expression, Condition)| {
@@ -147,7 +149,8 @@ fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
 fn names(spec: &Spec) -> Names {
     let exact = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
     let start = exact(Parameter::StartTime);
-    let from = |low: Option<_>| low.map_or_else(Interval::whole, |low| Interval::between(low, None));
+    let from =
+        |low: Option<_>| low.map_or_else(Interval::whole, |low| Interval::between(low, None));
     let mut names = Names::from([
         (Variable::Time.into(), from(start)),
         (Variable::Elapsed.into(), from(Some(&integer(0)))),
