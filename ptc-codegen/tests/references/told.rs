@@ -48,7 +48,11 @@ fn verdicts_speak_of_the_tracking_error() {
 fn the_command_gives_the_design_back() {
     let given = example("track.toml").replace("0.1*sin(2*t + phase)", "input");
     for text in [example("track.toml"), given.replace("phase = 0.3 ", "# ")] {
-        let own = spec(&text);
+        let own = spec(
+            &text
+                .replace("error = [1e-3, 1e-2] ", "# ")
+                .replace("tau = 1 ", "tau = 1\neps = 0.04 "),
+        );
         let command = own.command();
         assert!(command.contains("--reference"), "{command}");
         let files = ptc_codegen::generate(&own, ptc_codegen::emit::Language::C).expect("a design");
