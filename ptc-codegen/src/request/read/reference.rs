@@ -7,12 +7,15 @@ use crate::expression::effort::bounded;
 use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::interval::Interval;
-use crate::expression::normal::shorter;
+use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::limits::SIZE;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Value, parse};
+
+/// How many times shorter a form is that is taken for its length alone.
+const FAR: usize = 4;
 
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
@@ -83,30 +86,30 @@ impl Reader<'_> {
         }
     }
 
-    /// Refuses a reference of which a derivative is not shown to exist from the start on. What depends
-    /// on parameters alone is left to run time, as far as they are.
+    /// Refuses a reference whose derivatives are not shown to exist from the start on: they do where each
+    /// of its operations is analytic. What depends on parameters alone is left to run time, as far as
+    /// they are.
     pub(super) fn reference_exists(&mut self, spec: &Spec) {
         let Some(Reference::Known(derivatives)) = &spec.reference else { return };
         let known = |p: &Parameter| spec.fixed.contains_key(p) || spec.bounds.contains_key(p);
         let decided = |part: &Expression| moves(part) || part.parameters().iter().all(known);
+        // A root has a value at 0, and no derivative there.
+        let analytic = |(part, condition): (Expression, Condition)| match condition {
+            Condition::NotNegative => (part, Condition::Positive),
+            condition => (part, condition),
+        };
         let names = names(spec);
         let mut evaluator = Evaluator::new();
-        let mut met = |(part, condition): &(Expression, Condition)| {
+        let mut met = |part: &Expression, condition: Condition| {
             let value = evaluator.value(part, &names);
             value.is_some_and(|value| condition.is_met(&value.interval))
         };
-        let open = (0..).zip(derivatives).find_map(|(order, e)| {
-            let wanted = needs(e).into_iter().filter(|(part, _)| decided(part));
-            Some((order, wanted.into_iter().find(|need| !met(need))?))
-        });
-        let Some((order, (part, condition))) = open else { return };
+        let mut wanted = needs(&derivatives[0]).into_iter().map(analytic);
+        let open = wanted.find(|(part, condition)| decided(part) && !met(part, *condition));
+        let Some((part, condition)) = open else { return };
         let place = self.keys.get("reference").map(|node| node.place);
-        let of = match order {
-            0 => "the reference".to_owned(),
-            order => format!("derivative {order} of the reference"),
-        };
         let message = format!(
-            "{of} is not shown to exist for all t >= t0: {part} has to be {}",
+            "the reference is not shown to have derivatives at all t >= t0: {part} has to be {}",
             condition.words()
         );
         let help = "give t0, and values or bounds of the parameters under [params]; write a sum of squares as one; or give the derivatives with each call, `reference` = input";
@@ -133,16 +136,25 @@ fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
             last.differentiable().ok_or(order)?;
             // t and dt pass alike.
             let rate = last.derivative(Variable::Time).add(last.derivative(Variable::Elapsed));
+            let rate = tidied(rate);
             if !SIZE.admits(rate.size()) {
                 return Err(order);
             }
-            let rate = shorter(rate);
             // What walks an expression recurses as deep as one that a user may write.
             parse("reference", &rate.to_string(), &mut |_| Place(0)).map_err(|_| order)?;
             all.push(rate);
         }
         Ok(all)
     })
+}
+
+/// The normal form, where it is no longer and divides by nothing else, or is far shorter: a divisor that
+/// is multiplied out loses digits where it is small.
+fn tidied(rate: Expression) -> Expression {
+    let (form, own) = (normal(&rate), needs(&rate));
+    let same = || needs(&form).iter().all(|need| own.contains(need));
+    let shorter = form.size() <= rate.size() && same();
+    if shorter || FAR * form.size() <= rate.size() { form } else { rate }
 }
 
 /// What is known of time and the parameters.
