@@ -98,6 +98,55 @@ fn u_is_that_of_the_formula() {
     }
 }
 
+/// Quotients and nested functions, to order 6, by closed formulas of their derivatives: that of 1/(1 + t^2) is
+/// (-1)^k k! sin((k+1) a) sin(a)^(k+1) with the angle a of (t, 1), that of exp(-s^2) is (-1)^k H_k(s) exp(-s^2) with
+/// the polynomials of Hermite.
+#[test]
+fn derivatives_of_quotients_and_bells_are_those_of_formulas() {
+    let quotient = |k: i32, t: f64| {
+        let angle = 1f64.atan2(t);
+        let factorial: f64 = (1..=k).map(f64::from).product();
+        (-1f64).powi(k) * factorial * (f64::from(k + 1) * angle).sin() * angle.sin().powi(k + 1)
+    };
+    let bell = |k: i32, t: f64| {
+        let s = t - 1.0;
+        let (mut last, mut hermite) = (0.0, 1.0);
+        for i in 0..k {
+            (last, hermite) = (hermite, 2.0 * s * hermite - 2.0 * f64::from(i) * last);
+        }
+        (-1f64).powi(k) * hermite * (-s * s).exp()
+    };
+    type Derivative<'a> = &'a dyn Fn(i32, f64) -> f64;
+    let cases: [(&str, &str, Derivative<'_>); 2] =
+        [("quotient", "1/(1 + t^2)", &quotient), ("bell", "exp(-(t - 1)^2)", &bell)];
+    for (name, reference, derivative) in cases {
+        for n in 1..=6usize {
+            let poles: Vec<_> = (0..n).map(|i| (n + 1 + i) as f64).collect();
+            let listed = poles.iter().map(|p| format!("-{p}")).collect::<Vec<_>>().join(", ");
+            let text = format!(
+                "name = \"{name}\"\nn = {n}\nmu = \"exp(a=1)\"\npoles = [{listed}]\n\
+                 reference = \"{reference}\"\n[params]\ntau = 2\nt0 = 0\neps = 1e-3\nu_max = inf\n"
+            );
+            let calls: Vec<_> =
+                (0..20).map(|i| (0.05 * f64::from(i), vec![0.0; n], Vec::new())).collect();
+            for ((t, _, _), u) in calls.iter().zip(inputs(name, &spec(&text), &calls)) {
+                let r: Vec<_> = (0..=n as i32).map(|k| derivative(k, *t)).collect();
+                let error: Vec<_> = r[..n].iter().map(|r| -r).collect();
+                let size: f64 = (0..n)
+                    .map(|k| {
+                        let mut one = vec![0.0; n];
+                        one[k] = error[k];
+                        wanted(&poles, &one, 2.0 - t).abs()
+                    })
+                    .sum();
+                let hand = wanted(&poles, &error, 2.0 - t) + r[n];
+                let allowed = 1e-13 * (size + r[n].abs());
+                assert!((u - hand).abs() <= allowed, "{name}, n = {n} at {t}: {u}, not {hand}");
+            }
+        }
+    }
+}
+
 /// dt runs with t, so that its derivative is 1 whatever the start.
 #[test]
 fn elapsed_time_passes_as_time_does() {

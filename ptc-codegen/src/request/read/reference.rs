@@ -14,9 +14,6 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
 use crate::syntax::{Value, parse};
 
-/// How many times shorter a form is that is taken for its length alone.
-const FAR: usize = 4;
-
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
     pub(super) fn reference(&mut self, n: Option<usize>, known: &[Parameter]) -> Option<Reference> {
@@ -130,13 +127,14 @@ fn kink(e: &Expression) -> Option<&Expression> {
 /// r and its derivatives up to that of order `n`, or the order of the first that is too large.
 fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
     bounded(|| {
+        let parts: Vec<_> = needs(r).into_iter().map(|(part, _)| part).collect();
         let mut all = vec![r.clone()];
         for order in 1..=n {
             let last = &all[order - 1];
             last.differentiable().ok_or(order)?;
             // t and dt pass alike.
             let rate = last.derivative(Variable::Time).add(last.derivative(Variable::Elapsed));
-            let rate = tidied(rate);
+            let rate = tidied(rate, &parts);
             if !SIZE.admits(rate.size()) {
                 return Err(order);
             }
@@ -148,13 +146,18 @@ fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
     })
 }
 
-/// The normal form, where it is no longer and divides by nothing else, or is far shorter: a divisor that
-/// is multiplied out loses digits where it is small.
-fn tidied(rate: Expression) -> Expression {
-    let (form, own) = (normal(&rate), needs(&rate));
-    let same = || needs(&form).iter().all(|need| own.contains(need));
-    let shorter = form.size() <= rate.size() && same();
-    if shorter || FAR * form.size() <= rate.size() { form } else { rate }
+/// The shorter one of a derivative and its normal form, in which the `parts` that the reference divides by,
+/// or takes a root or a logarithm of, stay as they are: multiplied out they are long, and lose digits
+/// where they are small.
+fn tidied(rate: Expression, parts: &[Expression]) -> Expression {
+    // States of the infinite-time system stand for them, which no reference knows.
+    let stand_in = |index: usize| Expression::from(Variable::Xi(index + 1));
+    let kept = rate.substitute(&|e| parts.iter().position(|part| part == e).map(stand_in));
+    let form = normal(&kept).substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(index)) => parts.get(index - 1).cloned(),
+        _ => None,
+    });
+    if form.size() <= rate.size() { form } else { rate }
 }
 
 /// What is known of time and the parameters.
