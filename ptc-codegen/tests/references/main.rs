@@ -34,11 +34,11 @@ fn wanted(poles: &[f64], x: &[f64], to_go: f64) -> f64 {
         (0..=n).map(|at| poles.iter().map(|p| at as f64 - p).product()).collect();
     let mut factorial = 1.0;
     let mut sum = 0.0;
-    for k in 0..n {
+    for (k, x) in x.iter().enumerate() {
         factorial *= if k == 0 { 1.0 } else { k as f64 };
         let c = differences[0] / factorial;
-        let sign = if (n - k) % 2 == 0 { -1.0 } else { 1.0 };
-        sum += sign * c * x[k] * to_go.powi(k as i32 - n as i32);
+        let sign = if (n - k).is_multiple_of(2) { -1.0 } else { 1.0 };
+        sum += sign * c * x * to_go.powi(k as i32 - n as i32);
         differences = differences.windows(2).map(|pair| pair[1] - pair[0]).collect();
     }
     sum

@@ -214,7 +214,7 @@ fn with_token(
             .render(),
         ),
         Version::Three => (
-            Fmi3 { name: &name, core: &core, single, inputs, letter }.render(),
+            Fmi3 { name: &name, core: &core, single, inputs, letter, frame: &frame }.render(),
             Model3 {
                 name: &name,
                 token,
@@ -358,6 +358,7 @@ struct Fmi3<'a> {
     single: bool,
     inputs: usize,
     letter: char,
+    frame: &'a Outline,
 }
 
 #[derive(Template)]
