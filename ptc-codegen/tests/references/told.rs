@@ -61,6 +61,23 @@ fn the_command_gives_the_design_back() {
     }
 }
 
+/// A batch of states and a batch of references each have a length of their own.
+#[test]
+fn python_takes_both_arrays() {
+    let text = "name = \"batch\"\nn = 2\nmu = \"exp\"\nreference = \"input\"\n";
+    let files = ptc_codegen::generate(&spec(text), ptc_codegen::emit::Language::Python);
+    let module = &files.expect("a design")[0].text;
+    for part in [
+        "if states.ndim == 0 or states.shape[-1] != 2:",
+        "if states.ndim == 0 or states.shape[-1] != 3:",
+        "x1, x2 = _states(x, \"x\")",
+        "r0, r1, r2 = _reference(r, \"r\")",
+        "e1 = x1 - r0",
+    ] {
+        assert!(module.contains(part), "{part}: {module}");
+    }
+}
+
 /// Both runs show the plant's own state, and say how far it is from the reference in the end.
 #[test]
 fn a_run_shows_the_plant_and_tells_the_error() {
