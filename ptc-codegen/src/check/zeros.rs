@@ -69,7 +69,8 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
         _ => vec!["from the linearisation: it holds near the origin".to_owned()],
     };
     if order > 0 && spec.reference.as_ref().is_some_and(Reference::moves) {
-        let driven = "with the output at rest: on a reference that moves it drives the other states";
+        let driven =
+            "with the output at rest: on a reference that moves it drives the other states";
         details.push(driven.to_owned());
     }
     Some(Outcome { name: NAME, verdict, summary, details, fix })

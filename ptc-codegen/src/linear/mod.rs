@@ -17,7 +17,7 @@ pub use delay::Delay;
 pub(crate) use eigenvalues::eigenvalues;
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
-pub(crate) use pair::{Held, Pair, binomial, factorial, held};
+pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};
 pub(crate) use poles::sampled_poles;
 
 use crate::algebra::{BigRational, integer};

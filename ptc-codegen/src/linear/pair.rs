@@ -149,7 +149,7 @@ impl Pair {
 
 /// A plant over a sample in which its input is held: x(t + h) = Phi x(t) + Gamma u.
 #[derive(Clone, Debug)]
-pub(crate) struct Held {
+pub(crate) struct ZeroOrderHold {
     /// Phi, by rows.
     pub(crate) phi: Vec<Vec<BigRational>>,
     /// The part of Gamma that is due to the oldest input that acts.
@@ -159,12 +159,16 @@ pub(crate) struct Held {
 }
 
 /// A plant over a sample; `None` where a mode is too fast for `h`.
-pub(crate) fn held(plant: &Linear, h: &BigRational, delay: &Delay) -> Option<Held> {
+pub(crate) fn zero_order_hold(
+    plant: &Linear,
+    h: &BigRational,
+    delay: &Delay,
+) -> Option<ZeroOrderHold> {
     let pair = Pair::linear(plant, h, &delay.part())?;
     let n = pair.order();
     let row = |i: usize| (0..n).map(|j| pair.phi.at(i, j).clone()).collect();
     let older = pair.gamma.iter().zip(&pair.newer).map(|(all, newer)| all - newer).collect();
-    Some(Held { phi: (0..n).map(row).collect(), older, newer: pair.newer })
+    Some(ZeroOrderHold { phi: (0..n).map(row).collect(), older, newer: pair.newer })
 }
 
 /// k!.

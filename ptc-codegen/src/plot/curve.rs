@@ -1,13 +1,12 @@
 //! One quantity over another, both on logarithmic axes.
 
 use plotters::backend::SVGBackend;
-use plotters::chart::ChartBuilder;
 use plotters::drawing::IntoDrawingArea;
 use plotters::element::PathElement;
 use plotters::series::LineSeries;
 
-use super::panel::dashed;
-use super::{PANEL, range, style};
+use super::chart::dashed;
+use super::{PANEL, chart, range, style};
 
 /// A curve, and what its values should not exceed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,21 +48,9 @@ impl Curve {
             true => range::power_of_ten(*power),
             false => String::new(),
         };
-        let mut chart = ChartBuilder::on(&area)
-            .margin(10)
-            .margin_right(22)
-            .x_label_area_size(42)
-            .y_label_area_size(62)
-            .caption(&self.title, style::text(17))
-            .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
-        chart
-            .configure_mesh()
-            .light_line_style(style::PAGE)
-            .bold_line_style(style::GRID)
-            .axis_style(style::FRAME)
-            .label_style(style::text(14))
-            .x_labels(7)
-            .y_labels(6)
+        let mut chart =
+            chart::around(&area, &self.title).build_cartesian_2d(across.0..across.1, up.0..up.1)?;
+        chart::mesh(&mut chart)
             .x_label_formatter(&label)
             .y_label_formatter(&label)
             .x_desc(&self.across)

@@ -3,6 +3,7 @@
 //! The same drawing becomes SVG and PNG. The page is white, which prints; where a reader's page is
 //! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
 
+mod chart;
 mod curve;
 mod panel;
 mod range;

@@ -1,16 +1,12 @@
 //! One panel: a quantity of every run, with its axes and bounds.
 
-use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::Shift;
-use plotters::coord::cartesian::Cartesian2d;
-use plotters::coord::types::RangedCoordf64;
 use plotters::drawing::DrawingArea;
 use plotters::element::PathElement;
 use plotters::prelude::DrawingBackend;
-use plotters::series::{DashedLineSeries, LineSeries};
-use plotters::style::ShapeStyle;
 
-use super::{Figure, Trace, range, style};
+use super::chart::dashed;
+use super::{Figure, Trace, chart, range, style};
 
 /// What a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +27,6 @@ const TICK: f64 = 0.04;
 /// Part of tau at the start in which u may be so large that the rest would be a flat line.
 const OUTSET: f64 = 0.02;
 
-type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-
 impl Panel {
     /// The panels of a figure.
     pub(super) fn all(figure: &Figure) -> Vec<Self> {
@@ -52,22 +46,10 @@ impl Panel {
     ) -> Result<(), String> {
         let told = |error: &dyn std::fmt::Display| error.to_string();
         let (across, (up, cut)) = (self.across(figure), self.up(figure));
-        let mut chart = ChartBuilder::on(area)
-            .margin(10)
-            .margin_right(22)
-            .x_label_area_size(42)
-            .y_label_area_size(62)
-            .caption(self.title(figure, cut), style::text(17))
+        let mut chart = chart::around(area, &self.title(figure, cut))
             .build_cartesian_2d(across.0..across.1, up.0..up.1)
             .map_err(|e| told(&e))?;
-        chart
-            .configure_mesh()
-            .light_line_style(style::PAGE)
-            .bold_line_style(style::GRID)
-            .axis_style(style::FRAME)
-            .label_style(style::text(14))
-            .x_labels(7)
-            .y_labels(6)
+        chart::mesh(&mut chart)
             .x_label_formatter(&|x| range::label(*x))
             .y_label_formatter(&|y| self.label(figure, *y))
             .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
@@ -220,18 +202,4 @@ fn settled(trace: &Trace) -> f64 {
         trace.stretched.iter().zip(&trace.t).filter(|(_, t)| trace.deadline - *t >= tau / 100.0);
     let most = before.map(|(s, _)| *s).fold(0.0, f64::max);
     if last > 0.0 { (1.5 * last).min(most) } else { most }
-}
-
-/// A line of dashes, or a whole one where the gap is 0.
-pub(super) fn dashed<B: DrawingBackend>(
-    chart: &mut Chart<'_, B>,
-    points: Vec<(f64, f64)>,
-    (dash, gap): (u32, u32),
-    style: ShapeStyle,
-) -> Result<(), String> {
-    let drawn = match gap {
-        0 => chart.draw_series(LineSeries::new(points, style)).map(|_| ()),
-        _ => chart.draw_series(DashedLineSeries::new(points, dash, gap, style)).map(|_| ()),
-    };
-    drawn.map_err(|error| error.to_string())
 }

@@ -5,7 +5,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 use super::Failure;
 use super::solver::State;
 use crate::algebra::BigRational;
-use crate::linear::{self, Delay, held};
+use crate::linear::{self, Delay, zero_order_hold};
 
 /// Relative tolerance within which a length counts as the period.
 const SAME: f64 = 1e-9;
@@ -31,7 +31,7 @@ impl Linear {
     }
 
     fn rows(&self, h: &BigRational) -> Option<Vec<Vec<f64>>> {
-        let held = held(&self.plant, h, &Delay::default())?;
+        let held = zero_order_hold(&self.plant, h, &Delay::default())?;
         let rows = held.phi.iter().zip(&held.older);
         Some(rows.map(|(row, gamma)| row.iter().chain([gamma]).map(double).collect()).collect())
     }

@@ -8,7 +8,7 @@ use super::rounded::{Rounded, unit_roundoff};
 use crate::algebra::BigRational;
 use crate::expression::interval::Interval;
 use crate::expression::range::Range;
-use crate::linear::{Delay, Held, Linear, held};
+use crate::linear::{Delay, Linear, ZeroOrderHold, zero_order_hold};
 use crate::parameter::Precision;
 
 /// A matrix with bounds of the distance of each entry from the true one, by rows.
@@ -120,7 +120,7 @@ impl Chain {
     /// A linear plant with period `h`; `None` if a mode is too fast for it. Where inputs take over
     /// within a sample, the one that acted last is its last state, as it acted.
     pub(super) fn linear(plant: &Linear, h: &BigRational, delay: &Delay) -> Option<Self> {
-        let Held { mut phi, older, newer } = held(plant, h, delay)?;
+        let ZeroOrderHold { mut phi, older, newer } = zero_order_hold(plant, h, delay)?;
         let near = |value: &BigRational| centre(Range::from(&Interval::exact(value)), 0.0);
         let (moved, zero) = (older.len(), BigRational::default());
         let mut whole: Vec<_> = older.iter().zip(&newer).map(|(a, b)| near(&(a + b))).collect();

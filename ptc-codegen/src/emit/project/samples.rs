@@ -6,7 +6,7 @@ use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
 use crate::internal::fault;
-use crate::linear::{Delay, Linear, held};
+use crate::linear::{Delay, Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::number;
 use crate::request::{Sampled, Spec};
@@ -87,7 +87,7 @@ fn linear(
     text: &dyn Fn(&BigRational) -> String,
 ) -> Plant {
     let period = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number);
-    let Some(held) = period.and_then(|h| held(plant, h, delay)) else {
+    let Some(held) = period.and_then(|h| zero_order_hold(plant, h, delay)) else {
         fault("a linear plant without its sample period")
     };
     let row = |row: &Vec<BigRational>| row.iter().map(text).collect();

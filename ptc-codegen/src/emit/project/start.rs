@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use super::super::example::Example;
 use crate::algebra::BigRational;
 use crate::code::{Code, Instance};
-use crate::linear::{Linear, held};
+use crate::linear::{Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Sampled, Spec};
 use crate::samples;
@@ -62,7 +62,7 @@ impl Run {
         let h = BigRational::from_float(example.value(Parameter::SampleTime))?;
         let chain = || Linear::chain(spec.n, &sampled.gain, sampled.measured);
         let plant = sampled.linear.clone().unwrap_or_else(chain);
-        let held = held(&plant, &h, &sampled.delay)?;
+        let held = zero_order_hold(&plant, &h, &sampled.delay)?;
         let row = |row: &Vec<BigRational>| -> Option<Vec<f64>> {
             row.iter().map(ToPrimitive::to_f64).collect()
         };

@@ -1,0 +1,67 @@
+//! The check `envelope`: what the program of the law reaches within the bounds of x.
+
+use super::known::is_known;
+use crate::check::Outcome;
+use crate::check::envelope::{Interval, scan};
+use crate::expansion::Expanded;
+use crate::law::Law;
+use crate::lower::lower;
+use crate::parameter::{Fixed, Parameter};
+use crate::program::{Input, number, passes};
+use crate::request::{Feedback, Spec, What};
+
+/// Pieces of time-to-go in which the envelope is scanned: some 20 a decade.
+const PIECES: f64 = 20.0;
+
+pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
+    let lacks = |reason: String| Outcome::not_checked("envelope", reason);
+    if spec.promises.x_max.is_empty() {
+        return lacks("`x_max` is not given".to_owned());
+    }
+    if spec.what == What::Associated {
+        return lacks("the infinite-time system has no deadline".to_owned());
+    }
+    if spec.reference.is_some() {
+        return lacks("it does not examine a reference".to_owned());
+    }
+    if spec.feedback == Feedback::Extern {
+        return lacks("the law is user-defined, and its range is unknown".to_owned());
+    }
+    let open = |p: &Parameter| {
+        !matches!(p, Parameter::UMax | Parameter::StartTime)
+            && !is_known(spec, *p)
+            && !spec.bounds.contains_key(p)
+    };
+    if let Some(open) = spec.parameters().into_iter().find(open) {
+        return lacks(format!("`{}` is left to run time without bounds", open.spelling()));
+    }
+    let law = Law::from(spec, expanded);
+    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
+    let round = |value: &Fixed| {
+        value.number().map_or(f64::INFINITY, |value| number::round(value, spec.precision))
+    };
+    let parameter = |p: Parameter| match (spec.fixed.get(&p), spec.bounds.get(&p)) {
+        (Some(value), _) if p != Parameter::UMax => Interval::point(round(value)),
+        (_, Some((least, greatest))) => Interval::new(round(least), round(greatest)),
+        _ => Interval::point(0.0),
+    };
+    let around = |bounds: &[Fixed], j: usize| {
+        bounds.get(j - 1).map(|bound| Interval::new(-round(bound), round(bound)))
+    };
+    let promises = &spec.promises;
+    let input = |input: Input| match input {
+        Input::Parameter(p) => parameter(p),
+        Input::StartTime => parameter(Parameter::StartTime),
+        Input::State(j) => around(&promises.x_max, j).unwrap_or(Interval::ANY),
+        Input::StateAtStart(j) => around(&promises.x0_max, j)
+            .or_else(|| around(&promises.x_max, j))
+            .unwrap_or(Interval::ANY),
+        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
+            Interval::ANY
+        }
+    };
+    let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
+    let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    Outcome::from(&scan(&program, &input, eps, tau, pieces.ceil() as u32))
+}

@@ -1,0 +1,64 @@
+//! The check `growth`: what the gains do at the deadline with the decay rate of the mapping.
+
+use super::known::{Decay, Rate, decay, fixed_gains, rounded_down};
+use crate::check::Outcome;
+use crate::check::digits;
+use crate::check::growth::{self, Growth, Modes, growth, growth_between};
+use crate::family::Family;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Feedback, Spec};
+
+/// What the gains do at the deadline; where the rate is left to run time, the greatest with which
+/// they do it.
+pub(super) fn check_growth(spec: &Spec) -> (Outcome, Option<(Parameter, Fixed)>) {
+    let lacks = |reason: &str| (Outcome::not_checked("growth", reason), None);
+    if spec.feedback != Feedback::Linear {
+        return lacks("the law is not a sum of gains, so its poles are not known");
+    }
+    let Some(gains) = fixed_gains(spec) else {
+        return lacks("the gains are left to run time: their poles must lie left of -n rho");
+    };
+    // A pole that fails for the slowest mapping fails for every one.
+    let at_rest = growth(&gains, &crate::algebra::integer(0), Modes::Other);
+    let Decay { rate, modes } = decay(spec);
+    let known = matches!(rate, Rate::Exact(_) | Rate::Between(..));
+    if !known && !at_rest.x_to_zero {
+        return (Outcome::from(&at_rest), None);
+    }
+    let told = |growth: Growth| {
+        let rate = if spec.custom().is_some() { "a decay rate" } else { growth.rate };
+        (Outcome::from(&Growth { rate, ..growth }), None)
+    };
+    match rate {
+        Rate::Exact(rate) => told(growth(&gains, &rate, modes)),
+        Rate::Between(low, high, spelling) => match growth_between(&gains, [&low, &high], modes) {
+            Some(found) => told(Growth { spelling, ..found }),
+            None => {
+                let rho = spelling.map_or_else(
+                    || "the parameters".to_owned(),
+                    |spelling| format!("rho = {spelling}"),
+                );
+                (growth::open(&rho), None)
+            }
+        },
+        Rate::Infinite => (growth::too_fast(spec.n), None),
+        Rate::NotFound => (growth::without_rate(at_rest.largest_rho), None),
+        Rate::Open => {
+            let Some(limit) = at_rest.largest_rho else {
+                return lacks("the rate is left to run time, and none is slow enough");
+            };
+            let text = digits(limit);
+            let share = match spec.family() {
+                Some(Family::Exp) => Some(1.0),
+                Some(Family::Tanh) => Some(0.5),
+                _ => None,
+            };
+            let greatest = share.and_then(|share| rounded_down(share * limit));
+            let by = if greatest.is_some() { "; init refuses more" } else { "" };
+            let (outcome, _) = lacks(&format!(
+                "the rate is left to run time: x and u go to 0 where mu' decays at a rate of at most {text}{by}"
+            ));
+            (outcome, greatest.map(|greatest| (Parameter::A, greatest)))
+        }
+    }
+}
