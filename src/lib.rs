@@ -102,6 +102,7 @@ pub use error::Error;
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
 /// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
 /// | `f` | known part of the plant, cancelled | an expression in `x1`..`xn` and `t`; a finite number with `clock = samples` | 0 |
+/// | `reference` | what x1, or the output of a model, follows in place of 0; with `clock = time` | an expression in `t`; or `input`: `step` takes r and its n derivatives behind x | 0 |
 /// | `states` | names of the states of a model of the plant, from which x1..xn, f and g follow | a list of names: `[angle, speed]` | |
 /// | `input` | name of the input of the model | a name | |
 /// | `output` | output of the model that is brought to 0: x1 | an expression in the states | |

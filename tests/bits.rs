@@ -57,6 +57,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 
         Input::StartTime => parameter(Parameter::StartTime).expect("a run-time start"),
         Input::Time => record.t,
         Input::State(j) => record.x[j - 1],
+        Input::Reference(order) => record.x[spec.states() + order],
         Input::Gain(j) => gains[j - 1],
         Input::StateAtStart(_) | Input::Drift | Input::Control => f64::NAN,
     };
@@ -94,16 +95,18 @@ fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32
 fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i32> {
     let given = spec.run_time_parameters().zip(record.parameters.iter().copied());
     let mut controller = Instance::with_parameters(code, given).map_err(Status::number)?;
-    let (t, x) = (("t", [record.t]), ("x", record.x.as_slice()));
+    let (x, r) = record.x.split_at(spec.states());
+    let (t, x, r) = (("t", [record.t]), ("x", x), ("r", r));
     let t = (t.0, t.1.as_slice());
+    let given: &[_] = if spec.references() > 0 { &[t, x, r] } else { &[t, x] };
     let outcome = |found: &code::Outcome| {
         (found.status.number(), found.results.get("u").map_or(0.0, |u| u[0]))
     };
-    let step = outcome(&controller.call("step", &[t, x]));
+    let step = outcome(&controller.call("step", given));
     let gains = controller.call("tick", &[t]);
     let axis = match gains.status.number() {
         failed if failed < 0 => (failed, 0.0),
-        _ => outcome(&controller.gains(&gains).call("axis", &[x])),
+        _ => outcome(&controller.gains(&gains).call("axis", &given[1..])),
     };
     Ok([step, axis])
 }
@@ -172,7 +175,10 @@ fn languages_and_passes_agree_bit_for_bit() {
         let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
         assert!(!calls_a_library(spec) && files[1].text.contains("_rows("), "{spec:?}");
     }
-    let specs: Vec<_> = specs.into_iter().chain(looped).collect();
+    let following = ["f64", "f32"].map(|precision| {
+        spec(&[("n", "3"), ("mu", "rational"), ("reference", "input"), ("precision", precision)])
+    });
+    let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).collect();
     let folder = folder("bits");
     let programs: Vec<_> =
         specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();

@@ -17,7 +17,7 @@ use support::{folder, in_pairs, run, write};
 
 fn controllers() -> Vec<Spec> {
     let of_families = families().map(|family| Spec::new(2, family));
-    let features: [&[(&str, &str)]; 7] = [
+    let features: [&[(&str, &str)]; 9] = [
         &[
             ("n", "3"),
             ("mu", "tanh"),
@@ -42,6 +42,14 @@ fn controllers() -> Vec<Spec> {
             ("name", "infinite"),
         ],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt"), ("name", "in_loops")],
+        &[("n", "3"), ("mu", "tanh"), ("reference", "input"), ("name", "given")],
+        &[
+            ("n", "2"),
+            ("mu", "rational"),
+            ("reference", "w*t/(1 + dt^2)"),
+            ("f", "x2*t"),
+            ("name", "following"),
+        ],
     ];
     of_families.chain(features.map(spec)).collect()
 }

@@ -67,7 +67,7 @@ fn worst(spec: &Spec, tau: f64, t0: f64, calls: &[(f64, &Spec)]) -> (f64, f64) {
         let found = evaluate(definition, &call);
         let found = found.unwrap_or_else(|| panic!("no digits at {t}: {}", definition.command()));
         let control = found.control.expect("a law");
-        let u = Interpreter::new(&program, &call::inputs(&call)).value(program.step);
+        let u = Interpreter::new(&program, &call::inputs(&call, spec.states())).value(program.step);
         let error = control.error(u) / tolerance::of(spec);
         if error > worst.0 || !u.is_finite() {
             worst = (if u.is_finite() { error } else { f64::NAN }, (tau - (t - t0)) / tau);

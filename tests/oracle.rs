@@ -131,7 +131,11 @@ fn gain(program: &Program, vector: &Vector, j: usize, eps: f64) -> f64 {
         Input::StartTime => vector.t0,
         Input::Time => vector.t,
         Input::State(i) => f64::from(u8::from(i == j)),
-        Input::StateAtStart(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+        Input::Reference(_)
+        | Input::StateAtStart(_)
+        | Input::Gain(_)
+        | Input::Drift
+        | Input::Control => f64::NAN,
     };
     Interpreter::new(program, &input).value(program.step)
 }

@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 44] = [
+pub static KEYS: [KeyInfo; 45] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -94,6 +94,12 @@ pub static KEYS: [KeyInfo; 44] = [
         meaning: "known part of the plant xn' = f + g*u, cancelled",
         legal: "an expression in x1..xn and t; a finite number with clock = samples",
         example: "-9.81*sin(x1)",
+    },
+    KeyInfo {
+        key: "reference",
+        meaning: "what x1, or the output of a model, follows in place of 0; with clock = time",
+        legal: "an expression in t, or input: each call is given r and its n derivatives",
+        example: "0.1*sin(2*t)",
     },
     KeyInfo {
         key: "states",

@@ -127,6 +127,30 @@ fn the_controller_is_the_emitted_c() {
     }
 }
 
+/// What each call is given of a reference stands behind the states, and u depends on it.
+#[test]
+fn a_reference_is_among_the_inputs() {
+    let folder = folder("fmu_reference");
+    for lang in ["fmu2", "fmu3"] {
+        let home = folder.join(lang);
+        written(&["--lang", lang, "--n=2", "--mu=exp", "--name=stage", "--reference=input"], &home);
+        let entries = entries(&home.join("stage.fmu"));
+        let all = elements(&text(&entries, "modelDescription.xml"));
+        let inputs: Vec<_> = all
+            .iter()
+            .filter(|(_, a)| a.get("causality").is_some_and(|causality| causality == "input"))
+            .map(|(_, a)| (a["name"].as_str(), a["valueReference"].as_str()))
+            .collect();
+        assert_eq!(inputs, [("x1", "1"), ("x2", "2"), ("r0", "3"), ("r1", "4"), ("r2", "5")]);
+        assert!(all.iter().any(|(_, a)| a.get("dependencies").is_some_and(|d| d == "1 2 3 4 5")));
+        let source = text(&entries, "sources/stage_fmu.c");
+        assert!(
+            source.contains("stage_step(&state->controller, t, state->x, state->r, &state->u)")
+        );
+        assert!(source.contains("set x1..x2, r0..r2, get u"), "{source}");
+    }
+}
+
 #[test]
 fn the_description_is_well_formed_and_agrees_with_the_source() {
     let folder = folder("fmu_xml");

@@ -40,6 +40,11 @@ const DRIVE: &str = include_str!("../../examples/drive.toml");
 
 const CART: &str = include_str!("../../examples/cart.toml");
 
+/// The design that docs/references.md shows.
+const TRACK: &str = include_str!("../../examples/track.toml");
+
+const REFERENCES: &str = include_str!("../../docs/references.md");
+
 const MODELS: &str = include_str!("../../docs/models.md");
 
 /// The questions of users, the design of their answers, and the page with a program in C.
@@ -52,7 +57,7 @@ const AXES: &str = include_str!("../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 33] = [
+const PAGES: [(&str, &str); 34] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../docs/guide/period.md")),
@@ -72,6 +77,7 @@ const PAGES: [(&str, &str); 33] = [
     ("targets.md", include_str!("../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("models.md", MODELS),
+    ("references.md", REFERENCES),
     ("engines.md", include_str!("../../docs/engines.md")),
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
@@ -251,6 +257,8 @@ fn pages_show_what_is_printed() {
     assert_eq!(blocks_of(MODELS, "toml"), [DRIVE]);
     fs::write(folder.join("drive.toml"), DRIVE).expect("writable");
     fs::write(folder.join("cart.toml"), CART).expect("writable");
+    assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
+    fs::write(folder.join("track.toml"), TRACK).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {

@@ -43,6 +43,51 @@ ptc::ptc_controller!(
     params.R = 1.2,
     params.L = 2e-3
 );
+ptc::ptc_controller!(file = "examples/track.toml");
+ptc::ptc_controller!(
+    name = given,
+    n = 2,
+    g = 1 / 1.5,
+    mu = exp(a = 1),
+    poles = [-4, -5],
+    reference = input,
+    tau = 1,
+    t0 = 0,
+    eps = 4.42e-2,
+    u_max = 50
+);
+ptc::ptc_controller!(
+    name = phased,
+    n = 2,
+    g = 1 / 1.5,
+    mu = exp(a = 1),
+    poles = [-4, -5],
+    reference = 0.1 * sin(2 * t + phase),
+    tau = 1,
+    t0 = 0,
+    eps = 4.42e-2,
+    u_max = 50
+);
+
+/// An expression in a file, one with a run-time parameter, and what each call is given.
+#[test]
+fn a_reference_is_followed_however_it_is_given() {
+    let track = Track::new(TrackParams {}).expect("no parameter");
+    let phased = Phased::new(PhasedParams { phase: 0.3 }).expect("a parameter");
+    let given = Given::new(GivenParams {}).expect("no parameter");
+    let x = [0.25, -0.5];
+    for t in [0.0f64, 0.5, 0.99, 2.0] {
+        let w = 2.0 * t + 0.3;
+        let r = [0.1 * w.sin(), 0.2 * w.cos(), -0.4 * w.sin()];
+        let wanted = given.step(t, &x, &r).expect("a control");
+        for found in [track.step(t, &x), phased.step(t, &x)] {
+            let found = found.expect("a control");
+            assert_close(found.u, wanted.u, 1e-12, t);
+            assert_eq!(found.status, wanted.status);
+        }
+        assert_eq!(given.step(t, &x, &[r[0], f64::NAN, r[2]]), Err(Error::Input));
+    }
+}
 
 #[test]
 fn a_model_in_a_file_is_that_of_its_keys() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
-use ptc_codegen::request::{After, Feedback, Spec, What};
+use ptc_codegen::request::{After, Feedback, Reference, Spec, What};
 
 use super::machine::Machine;
 use super::rust::libraries;
@@ -22,7 +22,7 @@ pub struct Record {
     pub x0: Vec<f64>,
     /// Time, s.
     pub t: f64,
-    /// State x1..xn.
+    /// State x1..xn; behind it the reference and its derivatives, where each call is given them.
     pub x: Vec<f64>,
 }
 
@@ -136,13 +136,15 @@ pub(super) fn size(precision: Precision) -> usize {
 /// Numbers of a record.
 pub(super) fn numbers(spec: &Spec) -> usize {
     let latched = if spec.latches() { spec.n } else { 0 };
-    spec.run_time_parameters().count() + latched + 1 + spec.n
+    spec.run_time_parameters().count() + latched + 1 + spec.given()
 }
 
 /// Whether `tick` and `axis` are emitted.
 pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
         && spec.input_gain.is_none()
+        && spec.drift.is_none()
+        && !matches!(spec.reference, Some(Reference::Known(_)))
         && spec.after == After::Hold
         && spec.what == What::Controller
 }
@@ -206,6 +208,7 @@ pub(super) fn glue_arguments(folder: &Path, spec: &Spec, name: &str, header: &st
         format!("-DNAME={name}"),
         "-DDRIVE=drive_0".to_owned(),
         format!("-DN={}", spec.n),
+        format!("-DREFERENCES={}", spec.references()),
         format!("-DREAL={real}"),
         format!("-DPARAMS={}", spec.run_time_parameters().count()),
         format!("-DLATCHES={}", yes(spec.latches())),

@@ -21,7 +21,7 @@ pub fn records(spec: &Spec, random: &mut Random, count: usize) -> Vec<Record> {
             let t = time(spec, &drawn, random);
             let mut states = |n| (0..n).map(|_| state(spec, random)).collect::<Vec<_>>();
             let latched = states(if spec.latches() { spec.n } else { 0 });
-            let x = states(spec.n);
+            let x = states(spec.given());
             let x0 = latched.into_iter().map(|x| if x.is_finite() { x } else { 1.0 }).collect();
             records.push(Record { parameters: drawn.parameters.clone(), x0, t, x });
         }

@@ -36,7 +36,8 @@ pub fn homes<'a>(folder: &Path, specs: &'a [Spec], language: Language) -> Result
 /// A line of the manifest has, between tabs: the folder, in which it finds `records.bin` and leaves
 /// `outcomes.bin`; the name and the type's name; n; `f64` or `f32`; the parameters, as `tau:0,k:3` with
 /// the length of arrays; and whether the controller latches x0, calls pi0, calls a law after
-/// the deadline, has tick and axis, and is the infinite-time system.
+/// the deadline, has tick and axis, and is the infinite-time system; and how many numbers of a
+/// reference it is given.
 pub fn outcomes(
     command: &mut Command,
     folder: &Path,
@@ -57,7 +58,12 @@ pub fn outcomes(
         let (name, type_name) = (spec.name(), spec.type_name());
         let (home, real) = (home.display(), real(spec.precision));
         let layout = layout(spec);
-        writeln!(manifest, "{home}\t{name}\t{type_name}\t{}\t{real}\t{layout}\t{flags}", spec.n)?;
+        writeln!(
+            manifest,
+            "{home}\t{name}\t{type_name}\t{}\t{real}\t{layout}\t{flags}\t{}",
+            spec.n,
+            spec.references()
+        )?;
     }
     let path = folder.join("manifest.tsv");
     fs::write(&path, manifest)?;

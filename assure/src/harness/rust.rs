@@ -105,7 +105,7 @@ fn library(home: &Path, batch: &[&Spec], machine: Machine) -> String {
 fn drive(index: usize, spec: &Spec) -> String {
     let (real, n, count) = (real(spec.precision), spec.n, spec.run_time_parameters().count());
     let (type_name, length) = (spec.type_name(), numbers(spec));
-    let start = length - n - 1;
+    let start = length - spec.given() - 1;
     let latched = if spec.latches() { format!(", &array(record, {count})") } else { String::new() };
     let mut externs = String::new();
     if spec.feedback == Feedback::Extern {
@@ -117,10 +117,20 @@ fn drive(index: usize, spec: &Spec) -> String {
     if spec.after == After::Extern {
         let _ = write!(externs, ", |x: &[{real}; {n}], _t: {real}| -x[0]");
     }
+    let (given, reference) = match spec.references() {
+        0 => ("", String::new()),
+        count => {
+            let at = start + 1 + n;
+            let array = format!("    let r: [{real}; {count}] = array(record, {at});\n");
+            (", &r", array)
+        }
+    };
     let axis = if has_gains(spec) {
-        "        (status[2], u[1]) = code(own.tick(t).and_then(|gains| gains.axis(&x)));\n"
+        format!(
+            "        (status[2], u[1]) = code(own.tick(t).and_then(|gains| gains.axis(&x{given})));\n"
+        )
     } else {
-        ""
+        String::new()
     };
     let again = if spec.latches() { ", &x" } else { "" };
     format!(
@@ -148,14 +158,14 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
         Err(Error::Range) => (-3, 0.0),
     }};
     let (t, x): (_, [{real}; {n}]) = (record[{start}], array(record, {start} + 1));
-    *status = [0; 4];
+{reference}    *status = [0; 4];
     *u = [12345.0; 3];
     match {type_name}::new({type_name}Params {{ {} }}{latched}) {{
         Err(_) => status[0] = -1,
         Ok(mut own) => {{
-        (status[0], (status[1], u[0])) = (0, code(own.step(t, &x{externs})));
+        (status[0], (status[1], u[0])) = (0, code(own.step(t, &x{given}{externs})));
 {axis}        match own.arm(t{again}) {{
-            Ok(()) => (status[3], u[2]) = code(own.step(t, &x{externs})),
+            Ok(()) => (status[3], u[2]) = code(own.step(t, &x{given}{externs})),
             Err(_) => status[3] = -1,
         }}
         }}

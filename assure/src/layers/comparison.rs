@@ -43,7 +43,7 @@ pub(super) struct Side<'a> {
 /// The families in several orders, random controllers, and one for each feature that these may
 /// lack.
 pub(super) fn controllers(context: &Context) -> Vec<Spec> {
-    let features: [&[(&str, &str)]; 10] = [
+    let features: [&[(&str, &str)]; 12] = [
         &[("n", "1"), ("mu", "exp(a=1)"), ("pi0", "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2")],
         &[("n", "2"), ("mu", "rational"), ("pi0", "-xi1 - sign(xi2)"), ("g", "2 + x1*x1")],
         &[("n", "2"), ("mu", "algebraic"), ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt)")],
@@ -52,6 +52,8 @@ pub(super) fn controllers(context: &Context) -> Vec<Spec> {
         &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1*xi1_0 - 2*xi2"), ("after", "zero")],
         &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1*xi1_0 - 2*xi2"), ("what", "associated")],
         &[("n", "3"), ("mu", "rational"), ("gains", "1,3,3"), ("what", "associated")],
+        &[("n", "3"), ("mu", "tanh"), ("reference", "input")],
+        &[("n", "2"), ("mu", "rational"), ("reference", "w*t/(1 + dt^2)"), ("f", "x2*t")],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt")],
         &[("n", "1"), ("mu", "exp"), ("pi0", "-sinh(xi1) - tanh(xi1) - atan(xi1)*cos(xi1)")],
     ];
@@ -198,6 +200,7 @@ impl Reference {
             Input::StartTime => parameter(Parameter::StartTime),
             Input::Time => record.t,
             Input::State(j) => record.x[j - 1],
+            Input::Reference(order) => record.x[self.spec.states() + order],
             Input::StateAtStart(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         };
         let mut interpreter = Interpreter::new(&self.program, &input);

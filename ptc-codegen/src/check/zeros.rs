@@ -10,7 +10,7 @@ use crate::expression::Expression;
 use crate::linear::eigenvalues;
 use crate::model::zeros::{Zeros, zeros};
 use crate::parameter::Fixed;
-use crate::request::Spec;
+use crate::request::{Reference, Spec};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "zeros";
@@ -64,10 +64,15 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
             None,
         ),
     };
-    let details = match order {
+    let mut details = match order {
         0 => Vec::new(),
         _ => vec!["from the linearisation: it holds near the origin".to_owned()],
     };
+    if order > 0 && spec.reference.as_ref().is_some_and(Reference::moves) {
+        let driven =
+            "with the output at rest: on a reference that moves it drives the other states";
+        details.push(driven.to_owned());
+    }
     Some(Outcome { name: NAME, verdict, summary, details, fix })
 }
 

@@ -42,6 +42,7 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
                 ("pi0", law),
                 ("f", spec.drift.as_ref().filter(|_| spec.model.is_none())),
                 ("g", spec.input_gain.as_ref().filter(|_| spec.model.is_none())),
+                ("reference", spec.derivative(0)),
             ];
             let uses = |e: &Expression| e.parameters().contains(&parameter);
             let keys = of.into_iter().filter(|(_, e)| e.is_some_and(uses)).map(|(key, _)| key);

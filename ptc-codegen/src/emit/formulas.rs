@@ -10,7 +10,7 @@ use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
 use crate::law::Form as LawForm;
 use crate::mapping::{Custom, Form, Mapping, TimeMapping};
-use crate::request::{Feedback, Spec};
+use crate::request::{Feedback, Reference, Spec};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
 const SHOWN: usize = 6;
@@ -127,25 +127,51 @@ pub(super) fn of_plant(spec: &Spec) -> Vec<String> {
     x.chain(f).chain(spec.input_gain.iter().map(|g| format!("  g = {}", text(g)))).collect()
 }
 
+/// What the reference is, and what the law sees of it.
+pub(super) fn of_reference(spec: &Spec) -> Vec<String> {
+    let n = spec.n;
+    match &spec.reference {
+        None => Vec::new(),
+        Some(Reference::Input) => {
+            vec![format!(
+                "  e_i = x_i - r^(i-1), where r^(0)..r^({n}) are the reference and its derivatives, r[0]..r[{n}] of each call"
+            )]
+        }
+        Some(Reference::Known(derivatives)) => {
+            let rates =
+                (1..=n).filter_map(|i| Some(format!("  r^({i}) = {}", spec.derivative(i)?)));
+            let head = format!("  e_i = x_i - r^(i-1), with the reference r = {}", derivatives[0]);
+            [head].into_iter().chain(rates).collect()
+        }
+    }
+}
+
 /// Theorem 1, specialised.
 pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
     let spec = controller.spec();
+    let rate = match (spec.references(), spec.derivative(spec.n)) {
+        (0, None) => String::new(),
+        _ => format!(" + r^({})", spec.n),
+    };
     let less = if spec.drift.is_some() { " - f" } else { "" };
+    let less = format!("{rate}{less}");
+    let x = if spec.reference.is_some() { "e" } else { "x" };
     let over_gain = if spec.input_gain.is_some() { "/g" } else { "" };
     let mut lines = vec![
         String::new(),
-        "Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
-        match less {
-            "" => format!("  u = kappa'^n (pi0(xi, t_kappa) - b_n^T x){over_gain}"),
-            _ => format!("  u = (kappa'^n (pi0(xi, t_kappa) - b_n^T x){less}){over_gain}"),
+        format!("Law, Theorem 1, with xi = BB_n {x} and t_kappa = kappa(Dt) + t0:"),
+        match less.as_str() {
+            "" => format!("  u = kappa'^n (pi0(xi, t_kappa) - b_n^T {x}){over_gain}"),
+            _ => format!("  u = (kappa'^n (pi0(xi, t_kappa) - b_n^T {x}){less}){over_gain}"),
         },
         format!("  pi0 = {}", pi0(spec)),
     ];
+    lines.extend(of_reference(spec));
     lines.extend(of_plant(spec));
     if spec.feedback == Feedback::Linear {
-        lines.push(match (less, over_gain) {
-            ("", "") => "  u = sum_j gain_j x_j".to_owned(),
-            _ => format!("  u = (sum_j gain_j x_j{less}){over_gain}"),
+        lines.push(match (less.as_str(), over_gain) {
+            ("", "") => format!("  u = sum_j gain_j {x}_j"),
+            _ => format!("  u = (sum_j gain_j {x}_j{less}){over_gain}"),
         });
     }
     match &controller.law.form {
@@ -177,7 +203,7 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
         }
         LawForm::State => {
             lines
-                .push("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) x_j".to_owned());
+                .push(format!("  xi_i = sum_j (i-1)!/(j-1)! r_1^(j-1) [z^(i-1)] p(z)^(j-1) {x}_j"));
             lines.push(SERIES.to_owned());
         }
     }

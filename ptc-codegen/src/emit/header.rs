@@ -10,7 +10,7 @@ use crate::expression::Function;
 use crate::model::Model;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Op, Stage, cost};
-use crate::request::{After, Feedback, Guard, Spec, What};
+use crate::request::{After, Feedback, Guard, Reference, Spec, What};
 
 /// Lines of the head, without comment signs.
 pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<String> {
@@ -71,13 +71,27 @@ fn purpose(spec: &Spec) -> Vec<String> {
     };
     vec![
         format!("Plant: {chain}. Time in s, x1 in any unit U{states}, {input} in U/{rate}."),
-        "Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.".to_owned(),
+        format!(
+            "Goal: {} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, f and clipping leave. The checks below say what is known of this design.",
+            goal(spec)
+        ),
         match spec.drift {
             None => "f is not part of the law: cancel its known terms before the call.",
-            Some(_) => "The law cancels its own f(x, t). What differs from it is not part of the law.",
+            Some(_) => {
+                "The law cancels its own f(x, t). What differs from it is not part of the law."
+            }
         }
         .to_owned(),
     ]
+}
+
+/// Where the state of a chain is at the deadline.
+fn goal(spec: &Spec) -> &'static str {
+    match &spec.reference {
+        None => "x = 0",
+        Some(Reference::Known(_)) => "x = (r, r', ...) of the reference r(t)",
+        Some(Reference::Input) => "x = (r, r', ...) of the reference that each call is given",
+    }
 }
 
 /// The plant that is known by a model, and what becomes of it.
@@ -87,10 +101,15 @@ fn of_model(spec: &Spec, model: &Model) -> Vec<String> {
         2 => "the output and its rate".to_owned(),
         n => format!("the output and its first {} derivatives", n - 1),
     };
+    let at = match &spec.reference {
+        None => "0",
+        Some(Reference::Known(_)) => "those of the reference r(t)",
+        Some(Reference::Input) => "those of the reference that each call is given",
+    };
     vec![
         format!("Plant, with the input {}: {}. Time in s.", model.input, model.lines().join(", ")),
         format!(
-            "Goal: {chain}, x, are 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
+            "Goal: {chain}, x, are {at} at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design."
         ),
         "The law takes the plant to be the model. What differs from it is not part of the law."
             .to_owned(),
@@ -174,17 +193,21 @@ fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<String> {
         _ => "|u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the deadline."
             .to_owned(),
     });
+    let [given, any] = match spec.references() {
+        0 => ["t and x", "t or x"],
+        _ => ["t, x and r", "t, x or r"],
+    };
     let pointers = language == Language::C;
     lines.push(match (spec.guard, pointers) {
-        (Guard::Full, true) => "Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused (status E_INPUT).".to_owned(),
+        (Guard::Full, true) => format!("Guard full: {given} are finite, t >= t0 and no pointer is NULL, or the call is refused (status E_INPUT)."),
         (Guard::Full, false) => {
-            "Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).".to_owned()
+            format!("Guard full: {given} are finite and t >= t0, or the call is refused (INPUT).")
         }
-        (Guard::Result, true) => "Guard result: t or x that is not finite is refused by one test on u (status E_RANGE). t >= t0 and valid pointers are the responsibility of the caller.".to_owned(),
-        (Guard::Result, false) => "Guard result: t or x that is not finite is refused by one test on u (RANGE). t >= t0 is the responsibility of the caller.".to_owned(),
-        (Guard::None, true) => "Guard none: finite t and x, t >= t0 and valid pointers are the responsibility of the caller.".to_owned(),
+        (Guard::Result, true) => format!("Guard result: {any} that is not finite is refused by one test on u (status E_RANGE). t >= t0 and valid pointers are the responsibility of the caller."),
+        (Guard::Result, false) => format!("Guard result: {any} that is not finite is refused by one test on u (RANGE). t >= t0 is the responsibility of the caller."),
+        (Guard::None, true) => format!("Guard none: finite {given}, t >= t0 and valid pointers are the responsibility of the caller."),
         (Guard::None, false) => {
-            "Guard none: finite t and x and t >= t0 are the responsibility of the caller.".to_owned()
+            format!("Guard none: finite {given} and t >= t0 are the responsibility of the caller.")
         }
     });
     let precision = match spec.precision {

@@ -8,6 +8,8 @@ use crate::request::{Feedback, Guard, Spec, What};
 /// The types and members of a controller in C.
 pub(super) struct Outline {
     pub(super) n: usize,
+    /// Numbers of the reference that a call is given; 0 for none.
+    pub(super) references: usize,
     pub(super) real: &'static str,
     pub(super) zero: &'static str,
     pub(super) guard: Guard,
@@ -44,6 +46,7 @@ impl Outline {
         };
         Self {
             n: spec.states(),
+            references: spec.references(),
             real: c::real(spec),
             zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },
             guard: spec.guard,

@@ -120,6 +120,7 @@ fn key_of(spec: &Spec, function: Function) -> &'static str {
         (Feedback::Expression(law), ..) if calls(law) => "pi0",
         (_, Some(gain), _) if calls(gain) => "g",
         _ if spec.drift.as_ref().is_some_and(calls) => "f",
+        _ if (0..=spec.n).filter_map(|i| spec.derivative(i)).any(calls) => "reference",
         (.., Some(custom)) if custom.subject == Subject::Kappa => "kappa",
         _ => "mu",
     }

@@ -20,6 +20,14 @@ impl Expression {
         (size, if alone { repeated } else { repeated + size })
     }
 
+    /// Whether it is abs, sign, min or max.
+    pub(crate) fn is_kink(&self) -> bool {
+        matches!(
+            self,
+            Self::Min(..) | Self::Max(..) | Self::Call(Function::Abs | Function::Sign, _)
+        )
+    }
+
     /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
     /// side or their mean: whether there is a kink is for the caller to ask.
     pub fn derivative(&self, wrt: Variable) -> Self {

@@ -32,15 +32,27 @@ impl Condition {
 
     /// Whether every number of an interval meets it.
     pub(crate) fn is_certain(self, values: &Interval) -> bool {
-        values.is_within_doubles()
-            && match self {
-                Self::NotZero => !values.has_zero(),
-                Self::Positive => values.is_positive(),
-                Self::NotNegative => values.is_not_negative(),
-                Self::WithinOne => {
-                    values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1)))
-                }
-            }
+        values.is_within_doubles() && self.is_met(values)
+    }
+
+    /// The same of numbers of any size.
+    pub(crate) fn is_met(self, values: &Interval) -> bool {
+        match self {
+            Self::NotZero => !values.has_zero(),
+            Self::Positive => values.is_positive(),
+            Self::NotNegative => values.is_not_negative(),
+            Self::WithinOne => values.is_inside(&Interval::integer(-1).hull(&Interval::integer(1))),
+        }
+    }
+
+    /// What it asks of a part, in words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Self::NotZero => "not 0",
+            Self::Positive => "> 0",
+            Self::NotNegative => ">= 0",
+            Self::WithinOne => "within -1 and 1",
+        }
     }
 }
 

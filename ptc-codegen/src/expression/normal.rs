@@ -30,6 +30,12 @@ fn complement_of(mu: &Expression) -> Expression {
     within(form, &plain)
 }
 
+/// The shorter one of an expression and its normal form.
+pub(crate) fn shorter(expression: Expression) -> Expression {
+    let form = normal(&expression);
+    if form.size() <= expression.size() { form } else { expression }
+}
+
 /// The normal form: equal to the expression wherever that exists.
 pub(crate) fn normal(expression: &Expression) -> Expression {
     let form = bounded(|| {

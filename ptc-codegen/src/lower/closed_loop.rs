@@ -67,9 +67,10 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
     let xi: Vec<_> = (1..=spec.n).map(|j| b.xi(j)).collect();
     let law = state::law(&mut b);
     let rows = series::drift_rows(&mut b, &taylor);
-    let sum = (0..).zip(rows.iter().zip(&states)).fold(law, |sum, (j, (row, x))| match row {
+    let sum = (0..).zip(&rows).fold(law, |sum, (j, row)| match row {
         Some(row) => {
-            let scaled = (0..j).fold(*x, |x, _| b.mul(x, taylor.r1));
+            let x = b.coordinate(j + 1);
+            let scaled = (0..j).fold(x, |x, _| b.mul(x, taylor.r1));
             let term = b.mul(*row, scaled);
             b.add(sum, term)
         }
@@ -156,10 +157,11 @@ pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
     Program { watched, ..b.finish(step, Vec::new(), None, limits) }
 }
 
-/// x_j = r_1^-(j-1) times its scaled value.
+/// x_j = r_1^-(j-1) times its scaled value, with the reference that it follows.
 fn states(b: &mut Builder<'_>, scaled: &[Value], base_inverse: Value) -> Vec<Value> {
     let power = |b: &mut Builder<'_>, (j, scaled): (usize, &Value)| {
-        (0..j).fold(*scaled, |x, _| b.mul(x, base_inverse))
+        let x = (0..j).fold(*scaled, |x, _| b.mul(x, base_inverse));
+        b.reference(j).map_or(x, |wanted| b.add(x, wanted))
     };
     scaled.iter().enumerate().map(|one| power(b, one)).collect()
 }

@@ -29,7 +29,7 @@ use crate::algebra::Poly;
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::request::{After, Guard, Spec, What};
+use crate::request::{After, Guard, Reference, Spec, What};
 
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
@@ -52,8 +52,9 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let step = without_drift(&mut b, step);
     let step = over_input_gain(&mut b, step);
-    // Gains that are held after the deadline, with no f(x, t) and g(x, t) of one axis, serve several.
-    let own = spec.drift.is_some() || spec.input_gain.is_some() || spec.model.is_some();
+    // Gains that are held after the deadline, with no f(x, t), g(x, t) and r(t) of one axis, serve several.
+    let of_plant = spec.drift.is_some() || spec.input_gain.is_some() || spec.model.is_some();
+    let own = of_plant || matches!(spec.reference, Some(Reference::Known(_)));
     let alone = !own && spec.after == After::Hold;
     let gains = rows.filter(|_| alone).map(|rows| rows.gains(&mut b)).unwrap_or_default();
     let axis = (!gains.is_empty()).then(|| axis(&mut b));
@@ -88,8 +89,12 @@ fn rows(b: &mut Builder<'_>, law: &Law) -> Option<Rows> {
     }
 }
 
-/// What is wanted of xn' less f(x, t).
-fn without_drift(b: &mut Builder<'_>, wanted: Value) -> Value {
+/// What is wanted of xn', where the law is that of the tracking error, less f(x, t).
+fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
+    let wanted = match b.reference(b.spec.n) {
+        Some(rate) => b.add(law, rate),
+        None => law,
+    };
     let Some(drift) = &b.spec.drift else { return wanted };
     let drift = b.scalar(drift);
     let drift = b.name(drift, "drift", "f, known of the plant");
@@ -107,16 +112,20 @@ fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     b.push(Op::Quotient(u, divisor))
 }
 
-/// u = sum_j gain_j x_j.
+/// u = sum_j gain_j x_j, of the tracking error where there is a reference.
 fn axis(b: &mut Builder<'_>) -> Value {
     let mut sum = None;
     for j in 1..=b.spec.n {
         let gain = b.push(Op::Input(Input::Gain(j)));
-        let x = b.push(Op::Input(Input::State(j)));
+        let x = b.coordinate(j);
         let product = b.mul(gain, x);
         sum = b.sum(sum, Some(product));
     }
-    sum.unwrap_or_else(|| b.integer(0))
+    let sum = sum.unwrap_or_else(|| b.integer(0));
+    match b.reference(b.spec.n) {
+        Some(rate) => b.add(sum, rate),
+        None => sum,
+    }
 }
 
 /// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.

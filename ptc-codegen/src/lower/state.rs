@@ -67,11 +67,38 @@ impl Builder<'_> {
         self.states[index][j - 1]
     }
 
-    /// State x_j of the chain, at the current time or at the start.
+    /// State x_j of the chain, at the current time or at the start; where there is a reference, the
+    /// tracking error in its place.
     pub(super) fn coordinate(&mut self, j: usize) -> Value {
         if self.is_at_start() {
             return self.push(Op::Input(Input::StateAtStart(j)));
         }
+        let x = self.state(j);
+        let Some(wanted) = self.reference(j - 1) else { return x };
+        let error = self.sub(x, wanted);
+        self.name(error, &format!("e{j}"), &format!("tracking error of x{j}"))
+    }
+
+    /// Derivative of this order, from 0, of the reference; none where it is 0.
+    pub(super) fn reference(&mut self, order: usize) -> Option<Value> {
+        if self.spec.references() > 0 {
+            return Some(self.push(Op::Input(Input::Reference(order))));
+        }
+        let wanted = self.spec.derivative(order)?;
+        let value = self.scalar(wanted);
+        // A literal is shared with whatever else is that number.
+        if wanted.number().is_some() {
+            return Some(value);
+        }
+        let rate = match order {
+            0 => "the reference".to_owned(),
+            order => format!("derivative {order} of the reference"),
+        };
+        Some(self.name(value, &format!("reference{order}"), &rate))
+    }
+
+    /// State x_j of the chain at the current time.
+    fn state(&mut self, j: usize) -> Value {
         let Some(model) = &self.spec.model else {
             return self.push(Op::Input(Input::State(j)));
         };

@@ -4,8 +4,8 @@ use super::decide::is_zero;
 use super::{Values, named};
 use crate::diagnostic::Place;
 use crate::expression::effort::bounded;
-use crate::expression::normal::normal;
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::normal::shorter;
+use crate::expression::{Expression, Variable};
 use crate::limits::SIZE;
 use crate::parameter::Name;
 use crate::syntax::parse;
@@ -53,7 +53,7 @@ impl Chain {
             let mut coordinates = vec![output.clone()];
             for order in 1..=dynamics.len() {
                 let last = &coordinates[order - 1];
-                if last.any(&is_kink) {
+                if last.any(&Expression::is_kink) {
                     return Err(Ill::Kink(plant.text(last)));
                 }
                 let gain = plant.along(last, &plant.gains, order)?;
@@ -86,20 +86,20 @@ impl<'a> Affine<'a> {
             let control = Expression::from(Variable::Control);
             e.substitute(&|leaf| (*leaf == control).then(|| Expression::integer(0)))
         };
-        let drifts = dynamics.iter().map(|rate| tidy(at_rest(rate))).collect();
+        let drifts = dynamics.iter().map(|rate| shorter(at_rest(rate))).collect();
         let mut plant = Self { names, drifts, gains: Vec::with_capacity(dynamics.len()) };
         for (index, rate) in dynamics.iter().enumerate() {
             let slope = rate.derivative(Variable::Control);
-            let kink = |e: &Expression| is_kink(e) && e.contains(Variable::Control);
-            let curved = || Ill::NotAffine(index, plant.text(&tidy(slope.clone())));
+            let kink = |e: &Expression| e.is_kink() && e.contains(Variable::Control);
+            let curved = || Ill::NotAffine(index, plant.text(&shorter(slope.clone())));
             if rate.any(&kink) {
                 return Err(curved());
             }
-            let tidied = tidy(slope.clone());
+            let tidied = shorter(slope.clone());
             let gain = match tidied.contains(Variable::Control) {
                 false => tidied,
                 true if is_zero(&slope.derivative(Variable::Control), values) == Some(true) => {
-                    tidy(at_rest(&slope))
+                    shorter(at_rest(&slope))
                 }
                 true => return Err(curved()),
             };
@@ -118,7 +118,7 @@ impl<'a> Affine<'a> {
         if !SIZE.admits(sum.size()) {
             return Err(Ill::TooLarge(order));
         }
-        let sum = tidy(sum);
+        let sum = shorter(sum);
         // What walks an expression recurses as deep as one that a user may write.
         match parse("dynamics", &sum.to_string(), &mut |_| Place(0)) {
             Ok(_) => Ok(sum),
@@ -129,16 +129,4 @@ impl<'a> Affine<'a> {
     fn text(&self, expression: &Expression) -> String {
         named(self.names.0, self.names.1, expression).to_string()
     }
-}
-
-/// The shorter one of an expression and its normal form.
-fn tidy(expression: Expression) -> Expression {
-    let form = normal(&expression);
-    if form.size() <= expression.size() { form } else { expression }
-}
-
-/// Whether it is abs, sign, min or max.
-pub(super) fn is_kink(e: &Expression) -> bool {
-    use Expression::{Call, Max, Min};
-    matches!(e, Min(..) | Max(..) | Call(Function::Abs | Function::Sign, _))
 }

@@ -3,7 +3,6 @@
 use num_traits::Zero;
 
 use super::decide::with;
-use super::lie::is_kink;
 use super::{Model, Values};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::{is_bounded, is_hurwitz};
@@ -121,7 +120,7 @@ impl Point<'_> {
         &self,
     ) -> Result<(Vec<Vec<BigRational>>, Vec<BigRational>, Vec<BigRational>), String> {
         let Model { states, output, dynamics, .. } = self.model;
-        if let Some(kink) = dynamics.iter().chain([output]).find(|e| e.any(&is_kink)) {
+        if let Some(kink) = dynamics.iter().chain([output]).find(|e| e.any(&Expression::is_kink)) {
             return Err(format!("{} has a kink: it has no linearisation", self.model.text(kink)));
         }
         if !self.number(output)?.is_zero() {

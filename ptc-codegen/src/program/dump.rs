@@ -72,6 +72,7 @@ fn input_text(input: Input) -> String {
         Input::Time => "time t".to_owned(),
         Input::State(j) => format!("state x{j}"),
         Input::StateAtStart(j) => format!("state x{j} at the start"),
+        Input::Reference(order) => format!("reference r{order}"),
         Input::Drift => "drift f".to_owned(),
         Input::Control => "control u".to_owned(),
         Input::Gain(j) => format!("gain {j}"),

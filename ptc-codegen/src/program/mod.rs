@@ -59,6 +59,8 @@ pub enum Input {
     Time,
     /// State x_j, from 1.
     State(usize),
+    /// Derivative of this order, from 0, of what the output follows, where each call is given it.
+    Reference(usize),
     /// State x_j given to `arm`, from 1.
     StateAtStart(usize),
     /// Feedback gain of x_j, from 1, as `tick` left it.
@@ -76,7 +78,9 @@ impl Input {
             Self::Parameter(_) => Stage::Init,
             Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
-            Self::State(_) | Self::Gain(_) | Self::Drift | Self::Control => Stage::Step,
+            Self::State(_) | Self::Reference(_) | Self::Gain(_) | Self::Drift | Self::Control => {
+                Stage::Step
+            }
         }
     }
 }

@@ -8,11 +8,12 @@ use super::long::{Arithmetic, double};
 use super::mapping::Point;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Parameter;
-use crate::request::{Feedback, Spec};
+use crate::request::{Feedback, Reference, Spec};
 
 impl Arithmetic {
     /// Theorem 1: u = kappa'^n/g (pi0(BB_n x, t_kappa) - b_n^T x), with the mapping at the time of
-    /// the call and, where a state is latched, at the start.
+    /// the call and, where a state is latched, at the start. Where there is a reference, x is the
+    /// tracking error, and r^(n) is added to what the law gives.
     pub(super) fn control(
         &mut self,
         spec: &Spec,
@@ -22,7 +23,11 @@ impl Arithmetic {
         parameter: &dyn Fn(Parameter) -> f64,
     ) -> Option<Term> {
         let n = spec.n;
-        let chain = self.chain(spec, call.x, parameter);
+        let mut chain = self.chain(spec, call.x, parameter);
+        let reference = self.followed(spec, call, parameter);
+        for (x, wanted) in chain.iter_mut().zip(&reference) {
+            *x = self.less(x, wanted);
+        }
         let xi = self.stretched_state(point, &chain);
         let starts: Vec<_> = call.x0.iter().map(|x| Term::given(self.double(*x))).collect();
         let starts = self.stretched_state(at_start, &starts);
@@ -64,10 +69,12 @@ impl Arithmetic {
         }
         let factor = (0..n).fold(self.integer(1), |power, _| self.mul(&power, &point.slope));
         u = Term { value: self.mul(&factor, &u.value), size: self.mul(&factor, &u.size).abs() };
+        if let Some(rate) = reference.last() {
+            u = self.less(&u, &Term { value: rate.value.neg(), size: rate.size.clone() });
+        }
         if let Some(drift) = &spec.drift {
             let drift = self.term(drift, &leaves);
-            let size = larger(&drift.size, &drift.value);
-            u = Term { value: self.sub(&u.value, &drift.value), size: self.add(&u.size, &size) };
+            u = self.less(&u, &drift);
         }
         if let Some(gain) = &spec.input_gain {
             let gain = self.term(gain, &leaves);
@@ -83,7 +90,7 @@ impl Arithmetic {
     fn chain(&mut self, spec: &Spec, x: &[f64], parameter: &dyn Fn(Parameter) -> f64) -> Vec<Term> {
         let bits = self.bits();
         let Some(model) = &spec.model else {
-            return x.iter().map(|x| Term::given(double(*x, bits))).collect();
+            return x[..spec.n].iter().map(|x| Term::given(double(*x, bits))).collect();
         };
         let number = |p| double(parameter(p), bits);
         let variable = |v: Variable| match v {
@@ -93,6 +100,37 @@ impl Arithmetic {
         };
         let leaves = Leaves { parameter: &number, variable: &variable };
         model.coordinates.iter().map(|coordinate| self.term(coordinate, &leaves)).collect()
+    }
+
+    /// a - b; a b that is a number alone is still a term.
+    fn less(&self, a: &Term, b: &Term) -> Term {
+        let size = larger(&b.size, &b.value);
+        Term { value: self.sub(&a.value, &b.value), size: self.add(&a.size, &size) }
+    }
+
+    /// The reference and its n derivatives at the time of the call; empty where there is none.
+    fn followed(
+        &mut self,
+        spec: &Spec,
+        call: &Call<'_>,
+        parameter: &dyn Fn(Parameter) -> f64,
+    ) -> Vec<Term> {
+        let bits = self.bits();
+        let Some(Reference::Known(derivatives)) = &spec.reference else {
+            let given = call.x.iter().skip(spec.states());
+            return given.map(|r| Term::given(double(*r, bits))).collect();
+        };
+        let time = double(call.t, bits);
+        let elapsed = self.sub(&time, &double(parameter(Parameter::StartTime), bits));
+        let number = |p| double(parameter(p), bits);
+        let variable = |v: Variable| match v {
+            Variable::Time => Term::given(time.clone()),
+            Variable::Elapsed => Term::given(elapsed.clone()),
+            // A reference is a function of time alone.
+            _ => Term::given(double(f64::NAN, bits)),
+        };
+        let leaves = Leaves { parameter: &number, variable: &variable };
+        derivatives.iter().map(|e| self.term(e, &leaves)).collect()
     }
 
     /// xi = BB_n x.

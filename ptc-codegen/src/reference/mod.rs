@@ -45,7 +45,7 @@ pub struct Call<'a> {
     pub x0: &'a [f64],
     /// Time, s.
     pub t: f64,
-    /// State `x_1..x_n`.
+    /// State `x_1..x_n`; behind it the reference and its derivatives, where each call is given them.
     pub x: &'a [f64],
     /// The law of the infinite-time system where it is a function of the user's program.
     pub law: Option<&'a Expression>,

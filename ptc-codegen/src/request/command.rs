@@ -1,6 +1,6 @@
 //! The command line that gives a spec.
 
-use super::{After, Clock, Feedback, Guard, Sampled, Spec, What};
+use super::{After, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
 use crate::expression::Subject;
 use crate::family::Family;
@@ -78,6 +78,13 @@ impl Spec {
             words.extend(self.drift.iter().map(|f| format!("--f=\"{f}\"")));
             words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
         }
+        words.extend(match &self.reference {
+            Some(Reference::Known(derivatives)) => {
+                Some(format!("--reference=\"{}\"", derivatives[0]))
+            }
+            Some(Reference::Input) => Some("--reference input".to_owned()),
+            None => None,
+        });
         match self.after {
             After::Hold => {}
             After::Zero => words.push("--after zero".to_owned()),

@@ -74,6 +74,27 @@ pub enum What {
     Observer,
 }
 
+/// What `x_1` follows in place of 0: the law sees the tracking error `e_i = x_i - r^(i-1)(t)`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// r(t) and its derivatives up to that of order n.
+    Known(Vec<Expression>),
+    /// Each call is given them.
+    Input,
+}
+
+impl Reference {
+    /// Whether it changes with time, as far as is known.
+    pub fn moves(&self) -> bool {
+        match self {
+            Self::Known(derivatives) => {
+                derivatives[1..].iter().any(|e| *e != Expression::integer(0))
+            }
+            Self::Input => true,
+        }
+    }
+}
+
 /// What a call of the controller is given beside the state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Clock {
@@ -106,6 +127,8 @@ pub struct Spec {
     pub drift: Option<Expression>,
     /// Input gain g(x, t) of the plant; none for g = 1.
     pub input_gain: Option<Expression>,
+    /// What x_1 follows; none for 0.
+    pub reference: Option<Reference>,
     /// The model of the plant from which n, f and g follow; none where they were given.
     pub model: Option<Box<Model>>,
     /// What follows the deadline.
@@ -143,6 +166,7 @@ impl Spec {
             feedback: Feedback::Linear,
             drift: None,
             input_gain: None,
+            reference: None,
             model: None,
             after: After::Hold,
             fixed: BTreeMap::new(),
@@ -196,6 +220,24 @@ impl Spec {
         model.map_or(self.n, |model| model.states.len())
     }
 
+    /// How many values of the reference a call is given: r and its derivatives, or none.
+    pub fn references(&self) -> usize {
+        if self.reference == Some(Reference::Input) { self.n + 1 } else { 0 }
+    }
+
+    /// How many numbers a call is given beside time: the state, and the reference behind it.
+    pub fn given(&self) -> usize {
+        self.states() + self.references()
+    }
+
+    /// The derivative of this order, from 0, of the reference; none where it is not known or 0.
+    pub fn derivative(&self, order: usize) -> Option<&Expression> {
+        match &self.reference {
+            Some(Reference::Known(all)) => all.get(order).filter(|e| **e != Expression::integer(0)),
+            Some(Reference::Input) | None => None,
+        }
+    }
+
     /// Every expression that a controller is computed from.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         let law = match &self.feedback {
@@ -204,7 +246,9 @@ impl Spec {
         };
         let given = self.custom().map(|custom| &custom.given);
         let model = self.model.iter().flat_map(|model| &model.coordinates);
-        given.into_iter().chain(law).chain(model).chain(&self.drift).chain(&self.input_gain)
+        let reference = (0..=self.n).filter_map(|order| self.derivative(order));
+        let of_plant = model.chain(&self.drift).chain(&self.input_gain);
+        given.into_iter().chain(law).chain(of_plant).chain(reference)
     }
 
     /// Whether states are latched at the start.
@@ -363,6 +407,34 @@ impl Spec {
             let message = format!("{what} does not know the model of a plant yet");
             let help = "leave [model] out, or emit the controller and run it with the plant in your own simulation";
             found.push("model", "dynamics", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
+    /// Refuses a reference that each call is given for what makes the calls itself.
+    ///
+    /// # Errors
+    /// That `what` has none to give.
+    pub fn needs_known_reference(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.reference == Some(Reference::Input) {
+            let message = format!("{what} has no reference to give to each call");
+            let help = "give `reference` as an expression in t: the same law follows it";
+            found.push("reference", "reference", None, message, help);
+        }
+        found.finish(Some(()))
+    }
+
+    /// Refuses a reference for what knows a law that brings the state to 0 alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_rest(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Diagnostics::default();
+        if self.reference.is_some() {
+            let message = format!("{what} does not know a reference yet");
+            let help = "leave `reference` out: its states are then those of the tracking error";
+            found.push("reference", "reference", None, message, help);
         }
         found.finish(Some(()))
     }

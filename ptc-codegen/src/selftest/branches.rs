@@ -97,7 +97,7 @@ impl Maker<'_> {
             let share = draw.between(0.0, 1.0);
             let t = self.time(&session, draw.of(&[share, share, 1.0, 0.999_999]) * tau);
             let size = draw.of(&[1.0, 1e-3, 1e2, 1e6]);
-            let x: Vec<_> = (0..spec.states())
+            let x: Vec<_> = (0..spec.given())
                 .map(|_| {
                     settle(draw.of(&[0.0, 1.0, 1.0]) * draw.between(-size, size), spec.precision)
                 })

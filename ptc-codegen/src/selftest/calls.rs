@@ -47,7 +47,7 @@ pub(super) fn sessions(
 impl Maker<'_> {
     /// Tracking from the start to the last digits of time-to-go, and inputs that are refused.
     fn approach(&mut self) -> Session {
-        let n = self.spec().states();
+        let n = self.spec().given();
         let mut session = self.session(self.chosen.least_eps());
         let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(&session, p));
         for (index, share) in APPROACH.iter().enumerate() {
@@ -76,7 +76,7 @@ impl Maker<'_> {
 
     /// Inputs that are not finite or before the start, as far as the guard catches them.
     fn wrong_inputs(&mut self, session: &mut Session, tau: f64) {
-        let (guard, n) = (self.spec().guard, self.spec().states());
+        let (guard, n) = (self.spec().guard, self.spec().given());
         let t = self.time(session, 0.5 * tau);
         let x = self.within(session, t, &state(n, 1.0));
         let status = match guard {
@@ -119,7 +119,7 @@ impl Maker<'_> {
 
     /// Held gains, the deadline, and what follows it.
     fn hold(&mut self) -> Session {
-        let n = self.spec().states();
+        let n = self.spec().given();
         let mut session = self.session(0.0625);
         let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(&session, p));
         for to_go in [2.0 * eps, 0.5 * eps, 0.0, -0.25 * tau, -10.0 * tau] {
@@ -134,7 +134,7 @@ impl Maker<'_> {
 
     /// Another start than that of the parameters.
     fn armed_again(&mut self) -> Session {
-        let n = self.spec().states();
+        let n = self.spec().given();
         let mut session = self.session(0.0625);
         session.again = Some(settle(1000.1, self.spec().precision));
         let tau = self.parameter(&session, Parameter::Tau);
@@ -153,7 +153,7 @@ impl Maker<'_> {
 
     /// Gains of 0, with which products in `init` are 0 by right.
     fn without_gains(&mut self) -> Option<Session> {
-        let n = self.spec().states();
+        let n = self.spec().given();
         self.checked[0].iter().find(|check| matches!(check, Condition::Kept(..)))?;
         let mut session = self.session(0.0625);
         for (value, parameter) in session.parameters.iter_mut().zip(self.chosen.at_run_time()) {
@@ -174,7 +174,7 @@ impl Maker<'_> {
     /// u at its bound from both sides, while tracking, in the hold and after the deadline.
     fn bounded(&mut self) -> Option<Session> {
         let spec = self.spec();
-        let n = spec.states();
+        let n = spec.given();
         let mut session = self.session(0.0625);
         let tau = self.parameter(&session, Parameter::Tau);
         let middle = self.time(&session, 0.5 * tau);

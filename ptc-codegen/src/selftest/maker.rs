@@ -148,7 +148,7 @@ impl<'a> Maker<'a> {
 
     /// Whether `init` takes the parameters: neither a coefficient nor the deadline leaves the range.
     pub(super) fn is_taken(&self, session: &Session) -> bool {
-        let zeros = vec![0.0; self.spec().states()];
+        let zeros = vec![0.0; self.spec().given()];
         let start = self.parameter(session, Parameter::StartTime);
         let deadline =
             settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);

@@ -31,7 +31,7 @@ const CANDIDATES: usize = 400;
 pub struct Call {
     /// Time, s.
     pub t: f64,
-    /// State.
+    /// State; behind it the reference and its derivatives, where each call is given them.
     pub x: Vec<f64>,
     /// The status that it must give.
     pub status: Status,

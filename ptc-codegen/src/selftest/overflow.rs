@@ -36,7 +36,7 @@ pub(super) fn find(
     let [fields, armed] = checked(controller);
     let mut found = Found::default();
     let usual = chosen.run_time(0.0625);
-    let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.states()]);
+    let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.given()]);
     let mut first: Vec<Option<Vec<f64>>> = vec![None; fields.len()];
     for round in trials.rounds(if usual.is_empty() { 0 } else { TRIALS }) {
         let set = extreme(spec, chosen, &usual, round, &mut draw);

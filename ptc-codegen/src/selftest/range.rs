@@ -37,7 +37,7 @@ impl Maker<'_> {
             }
             let sizes = [largest, -largest, 0.75 * largest, 1.0, -1.0, 0.0];
             let x: Vec<_> =
-                (0..spec.states()).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
+                (0..spec.given()).map(|_| settle(draw.of(&sizes), spec.precision)).collect();
             let seen = self.trial(&session, t, &x);
             let range = |status: Status| status == Status::Range;
             let kind = (range(seen.step.0), seen.axis.is_some_and(range));

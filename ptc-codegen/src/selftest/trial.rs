@@ -51,6 +51,7 @@ impl Trial<'_> {
             Input::StartTime => self.start,
             Input::Time => self.t,
             Input::State(j) => self.x[j - 1],
+            Input::Reference(order) => self.x[self.spec().states() + order],
             Input::StateAtStart(j) => self.x0[j - 1],
             Input::Gain(j) => gains[j - 1],
             Input::Drift | Input::Control => f64::NAN,

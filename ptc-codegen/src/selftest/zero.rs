@@ -23,7 +23,7 @@ pub(super) fn never<'a>(
             factors.extend(of);
         }
     }
-    let zeros = vec![0.0; controller.spec().states()];
+    let zeros = vec![0.0; controller.spec().given()];
     let mut seen = vec![false; factors.len()];
     for parameters in sets {
         let (x0, x, start, t) = (zeros.as_slice(), zeros.as_slice(), 0.0, 0.0);

@@ -25,6 +25,7 @@ mod side;
 mod solver;
 mod surface;
 mod switching;
+mod tracking;
 mod values;
 
 pub(crate) use along::Along;
@@ -35,6 +36,7 @@ pub use direct::Direct;
 pub use failure::{Cause, Failure};
 pub use sampled::Sampled;
 pub use side::{At, Run, Side};
+pub use tracking::tracking_error;
 pub use values::Values;
 
 use crate::reference::Status;

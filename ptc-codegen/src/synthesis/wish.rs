@@ -81,6 +81,7 @@ impl<'a> Wish<'a> {
             eps: None,
         };
         let (spec, campaign) = read(entries, &stand_in)?;
+        spec.needs_rest("design")?;
         Ok(Self { entries, spec, campaign })
     }
 

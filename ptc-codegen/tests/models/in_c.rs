@@ -51,33 +51,3 @@ pub(super) fn selftest(test: &str, spec: &Spec) -> f64 {
     );
     run_in(folder, spec, &main)[0][0]
 }
-
-/// u at each of these times and states, with static parameters `params`.
-pub(super) fn inputs<const N: usize>(
-    test: &str,
-    spec: &Spec,
-    params: &str,
-    calls: &[(f64, [f64; N])],
-) -> Vec<f64> {
-    let rows: Vec<_> = calls
-        .iter()
-        .map(|(t, x)| {
-            let x: Vec<_> = x.iter().map(|x| format!("{x:e}")).collect();
-            format!("{{ {t:e}, {} }}", x.join(", "))
-        })
-        .collect();
-    let name = spec.name();
-    let main = format!(
-        "{params}\n\
-         static const double calls[][{}] = {{ {} }};\n\
-         int main(void)\n{{\n    {name} control;\n\
-         \x20   if ({name}_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
-         \x20   for (unsigned i = 0; i < sizeof calls / sizeof calls[0]; i++) {{\n\
-         \x20       double u;\n\
-         \x20       if ({name}_step(&control, calls[i][0], calls[i] + 1, &u) < 0) {{ return 2; }}\n\
-         \x20       printf(\"%.17g\\n\", u);\n    }}\n    return 0;\n}}\n",
-        N + 1,
-        rows.join(", ")
-    );
-    run(test, spec, &main).into_iter().map(|line| line[0]).collect()
-}

@@ -1,6 +1,7 @@
 /* One controller behind `drive`: a record of numbers in, an outcome out; see Record and Outcome in
  * program.rs. HEADER is its header, NAME its name, DRIVE the name of its function, N its order, REAL
- * its type, PARAMS its number of run-time parameters. LATCHES, LAW, AFTER and AXIS are 1 where the
+ * its type, PARAMS its number of run-time parameters, REFERENCES the numbers of the
+ * reference that it is given. LATCHES, LAW, AFTER and AXIS are 1 where the
  * controller latches x0, calls pi0, calls a law after the deadline, has tick and axis. RATE is 1
  * for the infinite-time system, with f = 1/4; u is then the last of its rates. */
 #include <stdint.h>
@@ -20,6 +21,11 @@
 #else
 #define START
 #define START_AGAIN
+#endif
+#if REFERENCES
+#define REFERENCE , r
+#else
+#define REFERENCE
 #endif
 #if LAW
 #define LAW_ARGUMENT , user_law
@@ -64,7 +70,7 @@ static REAL user_after(void *context, const REAL x[N], REAL t)
 
 void DRIVE(const void *bytes, int32_t status[4], void *out)
 {
-    REAL record[PARAMS + (LATCHES * N) + 1 + N];
+    REAL record[PARAMS + (LATCHES * N) + 1 + N + REFERENCES];
     REAL u[3] = { UNSET, UNSET, UNSET };
     METHOD(NAME, _params) params;
     NAME self;
@@ -77,6 +83,9 @@ void DRIVE(const void *bytes, int32_t status[4], void *out)
 #endif
     const REAL t = record[PARAMS + (LATCHES * N)];
     const REAL *x = &record[PARAMS + (LATCHES * N) + 1];
+#if REFERENCES
+    const REAL *r = &x[N];
+#endif
 
     status[1] = 0;
     status[2] = 0;
@@ -88,13 +97,13 @@ void DRIVE(const void *bytes, int32_t status[4], void *out)
         status[1] = (int32_t)METHOD(NAME, _rate)(&self, t, x, (REAL)0.25 LAW_ARGUMENT CONTEXT_ARGUMENT, xi_dot);
         u[0] = xi_dot[N - 1];
 #else
-        status[1] = (int32_t)METHOD(NAME, _step)(&self, t, x LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[0]);
+        status[1] = (int32_t)METHOD(NAME, _step)(&self, t, x REFERENCE LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[0]);
 #endif
 #if AXIS
         METHOD(NAME, _gains) gains;
         status[2] = (int32_t)METHOD(NAME, _tick)(&self, t, &gains);
         if (status[2] >= 0) {
-            status[2] = (int32_t)METHOD(NAME, _axis)(&gains, x, &u[1]);
+            status[2] = (int32_t)METHOD(NAME, _axis)(&gains, x REFERENCE, &u[1]);
         } else {
             u[1] = (REAL)0;
         }
@@ -105,7 +114,7 @@ void DRIVE(const void *bytes, int32_t status[4], void *out)
             status[3] = (int32_t)METHOD(NAME, _rate)(&self, t, x, (REAL)0.25 LAW_ARGUMENT CONTEXT_ARGUMENT, xi_dot);
             u[2] = xi_dot[N - 1];
 #else
-            status[3] = (int32_t)METHOD(NAME, _step)(&self, t, x LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[2]);
+            status[3] = (int32_t)METHOD(NAME, _step)(&self, t, x REFERENCE LAW_ARGUMENT AFTER_ARGUMENT CONTEXT_ARGUMENT, &u[2]);
 #endif
         }
     }

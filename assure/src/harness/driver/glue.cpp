@@ -15,6 +15,11 @@
 #define START
 #define START_AGAIN
 #endif
+#if REFERENCES
+#define REFERENCE , r
+#else
+#define REFERENCE
+#endif
 #if LAW
 #define LAW_ARGUMENT , user_law
 #else
@@ -28,7 +33,7 @@
 
 void DRIVE(const void* bytes, std::int32_t status[4], void* out);
 
-using Numbers = std::array<REAL, PARAMS + (LATCHES * N) + 1 + N>;
+using Numbers = std::array<REAL, PARAMS + (LATCHES * N) + 1 + N + REFERENCES>;
 using State = std::array<REAL, N>;
 
 void DRIVE(const void* bytes, std::int32_t status[4], void* out)
@@ -52,6 +57,10 @@ void DRIVE(const void* bytes, std::int32_t status[4], void* out)
 #endif
     const REAL t = record[PARAMS + (LATCHES * N)];
     std::memcpy(x.data(), &record[PARAMS + (LATCHES * N) + 1], sizeof x);
+#if REFERENCES
+    std::array<REAL, REFERENCES> r{};
+    std::memcpy(r.data(), &record[PARAMS + (LATCHES * N) + 1 + N], sizeof r);
+#endif
 #if LAW
     const auto user_law = [](const State& xi, REAL time) {
         REAL sum{};
@@ -74,12 +83,12 @@ void DRIVE(const void* bytes, std::int32_t status[4], void* out)
         status[1] = static_cast<std::int32_t>(rate.status);
         u[0] = rate.xi_dot[N - 1];
 #else
-        const auto step = self.step(t, x LAW_ARGUMENT AFTER_ARGUMENT);
+        const auto step = self.step(t, x REFERENCE LAW_ARGUMENT AFTER_ARGUMENT);
         status[1] = static_cast<std::int32_t>(step.status);
         u[0] = step.u;
 #endif
 #if AXIS
-        const auto axis = self.tick(t).axis(x);
+        const auto axis = self.tick(t).axis(x REFERENCE);
         status[2] = static_cast<std::int32_t>(axis.status);
         u[1] = axis.u;
 #endif
@@ -89,7 +98,7 @@ void DRIVE(const void* bytes, std::int32_t status[4], void* out)
             const auto again = self.rate(t, x, static_cast<REAL>(0.25) LAW_ARGUMENT);
             u[2] = again.xi_dot[N - 1];
 #else
-            const auto again = self.step(t, x LAW_ARGUMENT AFTER_ARGUMENT);
+            const auto again = self.step(t, x REFERENCE LAW_ARGUMENT AFTER_ARGUMENT);
             u[2] = again.u;
 #endif
             status[3] = static_cast<std::int32_t>(again.status);

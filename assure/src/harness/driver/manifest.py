@@ -24,10 +24,11 @@ class Controller:
     after: bool
     has_axis: bool
     is_rate: bool
+    references: int
 
     def records(self) -> Any:
         """One row of numbers for each record."""
-        numbers = self.count + self.latches * self.n + 1 + self.n
+        numbers = self.count + self.latches * self.n + 1 + self.n + self.references
         return np.fromfile(f"{self.folder}/records.bin", self.real).reshape(-1, numbers)
 
     @property
@@ -52,7 +53,7 @@ class Controller:
 
 
 def of_line(line: str) -> Controller:
-    folder, name, type_name, n, real, layout, *flags = line.rstrip("\n").split("\t")
+    folder, name, type_name, n, real, layout, *flags, references = line.rstrip("\n").split("\t")
     fields = [field.split(":") for field in layout.split(",") if field]
     return Controller(
         folder,
@@ -62,6 +63,7 @@ def of_line(line: str) -> Controller:
         {"f64": np.float64, "f32": np.float32}[real],
         [(key, int(length)) for key, length in fields],
         *(flag == "1" for flag in flags),
+        int(references),
     )
 
 

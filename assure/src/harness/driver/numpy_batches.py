@@ -21,8 +21,13 @@ def user_law(xi: Any, t: Any) -> Any:
     return total + xi.dtype.type(0.125) * t
 
 
-def plain_step(self: Any, t: Any, x: Any, laws: dict[str, Any]) -> Any:
-    return self.step(t, x, **laws)
+def given(x: Any, references: int) -> list[Any]:
+    """The state, and the reference behind it."""
+    return [x[..., :-references], x[..., -references:]] if references else [x]
+
+
+def plain_step(self: Any, t: Any, x: Any, references: int, laws: dict[str, Any]) -> Any:
+    return self.step(t, *given(x, references), **laws)
 
 
 def last_rate(self: Any, t: Any, x: Any, laws: dict[str, Any]) -> Any:
@@ -58,17 +63,18 @@ def batch(controller: manifest.Controller) -> Any:
             outcomes["status"][rows, 0] = -1
             continue
         t, x = records[rows, fixed], records[rows, fixed + 1 :]
-        call = partial(last_rate, laws=laws) if controller.is_rate else partial(plain_step, laws=laws)
+        plain = partial(plain_step, references=controller.references, laws=laws)
+        call = partial(last_rate, laws=laws) if controller.is_rate else plain
         u, status = call(self, t, x)
         assert u.dtype == controller.real and u.shape == t.shape, (controller.name, u)
         outcomes["status"][rows, 1], outcomes["u"][rows, 0] = status, u
         if controller.has_axis:
-            axis = self.tick(t).axis(x)
+            axis = self.tick(t).axis(*given(x, controller.references))
             assert axis.u.dtype == controller.real, (controller.name, axis.u.dtype)
             outcomes["status"][rows, 2], outcomes["u"][rows, 1] = axis.status, axis.u
         for row, start, state in zip(rows, t, x):
             try:
-                self.arm(start, *[state] * controller.latches)
+                self.arm(start, *[state[: controller.n]] * controller.latches)
             except ValueError:
                 outcomes["status"][row, 3] = -1
                 continue

@@ -21,6 +21,7 @@ function drive(line)
     lengths = cellfun(@(f) str2double(f{2}), layout);
     count = sum(max(1, lengths));
     [latches, law, after, has_axis, is_rate] = num2cell(strcmp(words(7:11), '1')){:};
+    references = str2double(words{12});
     laws = {};
     if law
         laws{end + 1} = @user_law;
@@ -33,7 +34,7 @@ function drive(line)
         'UniformOutput', false);
     [init, step, tick, axis_of, rate, arm] = functions{:};
     file = fopen([folder '/records.bin'], 'r');
-    records = fread(file, [count + (latches * n) + 1 + n, Inf], [real '=>' real]);
+    records = fread(file, [count + (latches * n) + 1 + n + references, Inf], [real '=>' real]);
     fclose(file);
     file = fopen([folder '/outcomes.bin'], 'w');
     for record = records
@@ -50,12 +51,16 @@ function drive(line)
         end
         t = record(at + 1);
         x = record(at + 1 + (1:n));
+        given = {x};
+        if references
+            given{2} = record(at + 1 + n + (1:references));
+        end
         status = int32([0 0 0 0]);
         u = cast([12345 12345 12345], real);
         if is_rate
             call = @(self) last(rate, self, t, x, 0.25, laws{:});
         else
-            call = @(self) step(self, t, x, laws{:});
+            call = @(self) step(self, t, given{:}, laws{:});
         end
         [self, status(1)] = started(name, init, params, start{:});
         if status(1) == 0
@@ -65,7 +70,7 @@ function drive(line)
             end
             u(1) = u_step;
             if has_axis
-                [u(2), status(3)] = axis_of(tick(self, t), x);
+                [u(2), status(3)] = axis_of(tick(self, t), given{:});
             end
             again = {t, x};
             [self, status(4)] = started(name, arm, self, again{1:(1 + latches)});

@@ -49,12 +49,15 @@ def calls(controller: manifest.Controller) -> Any:
             outcome["status"][0] = memory["status"]
             if memory["status"] == 0:
                 memory["init"] = False
-                memory["t"], memory["x"] = rest[0], list(rest[1:])
+                n = controller.n
+                memory["t"], memory["x"] = rest[0], list(rest[1 : 1 + n])
+                if controller.references:
+                    memory["r"] = list(rest[1 + n :])
                 block.execute(memory)
                 outcome["status"][1], outcome["u"][0] = memory["status"], memory["u"]
                 memory["arm"], memory["start_time"] = True, rest[0]
                 if controller.latches:
-                    memory["x0"] = list(rest[1:])
+                    memory["x0"] = list(rest[1 : 1 + n])
                 block.execute(memory)
                 outcome["status"][3] = memory["status"]
                 if memory["status"] == 0:

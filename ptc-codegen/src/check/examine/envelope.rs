@@ -21,6 +21,9 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
     if spec.what == What::Associated {
         return lacks("the infinite-time system has no deadline".to_owned());
     }
+    if spec.reference.is_some() {
+        return lacks("it does not examine a reference".to_owned());
+    }
     if spec.feedback == Feedback::Extern {
         return lacks("the law is user-defined, and its range is unknown".to_owned());
     }
@@ -53,7 +56,9 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time | Input::Gain(_) | Input::Drift | Input::Control => Interval::ANY,
+        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
+            Interval::ANY
+        }
     };
     let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);

@@ -11,7 +11,7 @@ use crate::check::sampling::sampling;
 use crate::check::{Outcome, Verdict};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{PlantBounds, Spec};
+use crate::request::{PlantBounds, Reference, Spec};
 
 /// Where eps is open and something disturbs the loop, the eps whose worst final error is least.
 pub(super) fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
@@ -46,14 +46,20 @@ pub(super) fn superseded(outcome: Outcome, decided: bool) -> Outcome {
     Outcome { verdict: Verdict::NotChecked, summary, fix: None, ..outcome }
 }
 
-/// A period that is judged for a chain with f = 0 says nothing sound of a law whose f moves between
-/// the samples at which it is cancelled.
+/// A period that is judged for a chain with f = 0 says nothing sound of a law whose f, or reference,
+/// moves between the samples at which it is known.
 fn of_chain_alone(spec: &Spec, outcome: Outcome) -> Outcome {
     let moves = spec.model.is_some() || spec.drift.as_ref().is_some_and(|f| f.number().is_none());
-    if !moves || outcome.verdict != Verdict::Sound {
+    let follows = spec.reference.as_ref().is_some_and(Reference::moves);
+    if !(moves || follows) || outcome.verdict != Verdict::Sound {
         return outcome;
     }
-    let summary = format!("f is cancelled at the samples alone; with f = 0: {}", outcome.summary);
+    let (what, still) = match (moves, follows) {
+        (true, false) => ("f is cancelled", "f = 0"),
+        (false, _) => ("r is known", "a constant r"),
+        (true, true) => ("f and r are known", "f = 0 and a constant r"),
+    };
+    let summary = format!("{what} at the samples alone; with {still}: {}", outcome.summary);
     Outcome { verdict: Verdict::Undecided, summary, ..outcome }
 }
 

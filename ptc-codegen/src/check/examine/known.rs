@@ -184,8 +184,8 @@ pub(super) fn lacking(spec: &Spec) -> Option<String> {
     let needed = |p: &Parameter| {
         !matches!(p, Parameter::StartTime | Parameter::Eps | Parameter::UMax) && !is_known(spec, *p)
     };
-    let of_plant: BTreeSet<_> =
-        spec.drift.iter().chain(&spec.input_gain).flat_map(Expression::parameters).collect();
+    let of_plant = spec.drift.iter().chain(&spec.input_gain).chain(spec.derivative(0));
+    let of_plant: BTreeSet<_> = of_plant.flat_map(Expression::parameters).collect();
     let open = spec.parameters().into_iter().filter(|p| !of_plant.contains(p)).find(needed)?;
     Some(match open {
         Parameter::Gain(_) => "gains or poles".to_owned(),

@@ -61,11 +61,12 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     }
     let decided = matches!(looped.verdict, Verdict::Sound | Verdict::Refuted | Verdict::Unsound);
     let deadline = superseded(deadline, decided);
+    let deadline = of_error(&spec, deadline);
     let envelope = envelope::outcome(&spec, forms);
     let allowed = spec.promises.allow.iter().any(|name| name == growth.name);
     let greatest = greatest.filter(|_| !allowed);
-    let mut outcomes =
-        vec![membership, of_chain(&spec, growth), sampling, deadline, looped, envelope];
+    let growth = of_error(&spec, of_chain(&spec, growth));
+    let mut outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
     Report { spec, expanded, outcomes, greatest, worst }
 }
@@ -84,6 +85,18 @@ fn of_chain(spec: &Spec, mut outcome: Outcome) -> Outcome {
         let of_model =
             if spec.model.is_some() { "x is the output with its derivatives; " } else { "" };
         outcome.details.push(format!("{of_model}u stands for f + g u, which moves x{}", spec.n));
+    }
+    outcome
+}
+
+/// What is said of x, where the law sees the tracking error in its place.
+fn of_error(spec: &Spec, mut outcome: Outcome) -> Outcome {
+    if spec.reference.is_some() && outcome.verdict != Verdict::NotChecked {
+        let start = if outcome.name == "deadline" { "; x0_max bounds it at the start" } else { "" };
+        let n = spec.n;
+        outcome.details.push(format!(
+            "x is the tracking error, x_i - r^(i-1){start}; u stands for what the law adds to r^({n})"
+        ));
     }
     outcome
 }

@@ -29,6 +29,7 @@ impl<'a> Numbers<'a> {
             what: What::Controller,
             drift: None,
             input_gain: None,
+            reference: None,
             model: None,
             after: After::Hold,
             ..spec.clone()
@@ -50,7 +51,7 @@ impl<'a> Numbers<'a> {
             Input::StartTime => -self.tau,
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
-            Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
         }
     }
 

@@ -56,6 +56,10 @@ impl<'a> Loop<'a> {
             let why = "it does not know the model: the plant moves between the samples at which its f and g are known";
             return Err(why.to_owned());
         }
+        if spec.reference.is_some() {
+            let why = "the plant follows a reference that moves between the samples at which it is known, and what that leaves is not examined";
+            return Err(why.to_owned());
+        }
         if spec.drift.is_some() {
             let why = "the law cancels f at the samples, and what that leaves is not examined";
             return Err(why.to_owned());

@@ -2,7 +2,7 @@
 
 use ptc_codegen::parameter::Fixed;
 use ptc_codegen::plant::Plant;
-use ptc_codegen::request::{After, Feedback, Guard, Spec};
+use ptc_codegen::request::{After, Feedback, Guard, Reference, Spec};
 
 use crate::cli::source::Source;
 
@@ -51,6 +51,13 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("input gain g", gain),
     ];
     facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", f.to_string())));
+    facts.extend(match &spec.reference {
+        Some(Reference::Known(derivatives)) => {
+            Some(fact("reference", format!("r = {}", derivatives[0])))
+        }
+        Some(Reference::Input) => Some(fact("reference", "given with each call".to_owned())),
+        None => None,
+    });
     if !spec.poles.is_empty() {
         facts.push(fact("poles", spec.written_poles()));
     }

@@ -175,6 +175,11 @@ fn law(spec: &Spec) -> Result<Group, Failure> {
         ]),
     ];
     let mut told = "Theorem 1, [th:1-1].".to_owned();
+    if spec.reference.is_some() {
+        told.push_str(
+            " Here x stands for the tracking error, x_i - r^(i-1), and r^(n) is added to g u.",
+        );
+    }
     match &spec.feedback {
         Feedback::Linear => {
             let term = product(sub(name("k"), name("i")), sub(named("xi"), name("i")));

@@ -27,6 +27,10 @@ pub(super) fn write(
         }
         None => sheet.heading.push(format!("{pi0}, g = 1")),
     }
+    if spec.is_some_and(|spec| spec.reference.is_some()) {
+        let error = "x stands for the tracking error, x_j - r^(j-1); r^(n) is added to u";
+        sheet.heading.push(error.to_owned());
+    }
     match &law.form {
         Form::Rows { base_inverse, rows } => {
             let rows: Vec<Poly> = rows.iter().map(&fix).collect();

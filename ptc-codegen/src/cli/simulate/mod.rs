@@ -34,7 +34,10 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows = spec.needs_law("simulate").and_then(|()| spec.needs_chain("simulate"));
+        let knows = spec
+            .needs_law("simulate")
+            .and_then(|()| spec.needs_chain("simulate"))
+            .and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
@@ -56,6 +59,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
                 format!("tau = {} is given twice", run.tau),
                 "give each tau once: --tau 1,2,5",
             ));
+        }
+        if let Some(told) = run.tracking() {
+            note(&told);
         }
         runs.push(run);
         drawn = Some((spec, plant));

@@ -1,12 +1,13 @@
 //! One run for one tau, kept for the CSV and the picture.
 
 use ptc_codegen::check::examine::{Report, examine};
+use ptc_codegen::diagnostic::digits;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{
-    Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values,
+    Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values, tracking_error,
 };
 
 use super::input::Asked;
@@ -21,13 +22,31 @@ pub(super) struct Run {
     /// What the checks say, where the emitted controller is in the loop.
     pub(super) report: Option<Report>,
     pub(super) rows: Vec<Row>,
+    /// The tracking error in the last row, where there is a reference.
+    error: Option<Vec<f64>>,
 }
 
 impl Run {
-    fn new(n: usize, values: &Values, report: Option<Report>, rows: Vec<Row>) -> Self {
+    /// A run of `spec`; `report` is that of the emitted controller.
+    fn new(
+        spec: &Spec,
+        values: &Values,
+        report: Option<&Report>,
+        rows: Vec<Row>,
+    ) -> Result<Self, Ended> {
         let [tau, t0, u_max] =
             [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
-        Self { tau, n, t0, u_max, report, rows }
+        let last = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
+        let error = last.transpose()?.flatten();
+        Ok(Self { tau, n: spec.n, t0, u_max, report: report.cloned(), rows, error })
+    }
+
+    /// The tracking error in the end, in words.
+    pub(super) fn tracking(&self) -> Option<String> {
+        let (error, last) = (self.error.as_ref()?, self.rows.last()?);
+        let one = |(i, e): (usize, &f64)| format!("e{i} = {e:.3e}");
+        let all: Vec<_> = (1..).zip(error).map(one).collect();
+        Some(format!("tracking error at t = {} s: {}", digits(last.t), all.join(", ")))
     }
 
     /// Whether u is held between the rows.
@@ -99,7 +118,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
             ..Notice::of(title)
         }]));
     }
-    Ok(Run::new(spec.n, &values, None, rows))
+    Run::new(spec, &values, None, rows).map_err(|failure| ended(failure, tau))
 }
 
 /// The emitted controller at each sample.
@@ -139,7 +158,7 @@ pub(super) fn sampled(
             "an actuator would see 0 there: see the checks of `check`, and the range of the states";
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
-    Ok(Run::new(spec.n, &values, Some(report), rows))
+    Run::new(spec, &values, Some(&report), rows).map_err(|failure| ended(failure, tau))
 }
 
 /// What a run needs and lacks, all at once.

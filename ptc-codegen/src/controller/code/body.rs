@@ -163,6 +163,8 @@ impl Writer<'_> {
             Input::Time => Expr::local("t"),
             Input::State(j) if self.local_states => Expr::local(format!("x{j}")),
             Input::State(j) => Expr::Element("x".to_owned(), j - 1),
+            Input::Reference(order) if self.local_states => Expr::local(format!("r{order}")),
+            Input::Reference(order) => Expr::Element("r".to_owned(), order),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Gain(j) => Expr::FieldElement("gain".to_owned(), j - 1),
             Input::Drift => Expr::local("f"),

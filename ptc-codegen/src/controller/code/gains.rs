@@ -15,7 +15,11 @@ impl Builder<'_> {
         if self.controller.program.gains.is_empty() {
             return Vec::new();
         }
-        let about = format!("u = gain[0] x[0] + ... + gain[{}] x[{}]", n - 1, n - 1);
+        let (of, rate) = match self.spec.references() {
+            0 => ("x", String::new()),
+            _ => ("e", format!(" + r[{n}], e[i] = x[i] - r[i]")),
+        };
+        let about = format!("u = gain[0] {of}[0] + ... + gain[{}] {of}[{}]{rate}", n - 1, n - 1);
         let mut gains = vec![Variable::new("gain", Shape::Reals(n), about)];
         if self.run_time_limit() {
             gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
@@ -78,10 +82,16 @@ impl Builder<'_> {
         };
         Function {
             name: "axis",
-            about: "u of one axis from its state x = (x1, x1', ...) and the gains.".to_owned(),
+            about: match self.reference() {
+                None => "u of one axis from its state x = (x1, x1', ...) and the gains.",
+                Some(_) => "u of one axis from its state x = (x1, x1', ...), its reference r = (r, r', ...) and the gains.",
+            }
+            .to_owned(),
             owner: Owner::Gains,
             access: Access::Read,
-            arguments: vec![self.array("x", "state: x1, its rate, ...")],
+            arguments: std::iter::once(self.array("x", "state: x1, its rate, ..."))
+                .chain(self.reference())
+                .collect(),
             callbacks: Vec::new(),
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
             failures: self.failures(),

@@ -87,18 +87,21 @@ impl Builder<'_> {
         self.spec.guard == Guard::Full || self.spec.what == What::Associated
     }
 
-    /// The local values of the states in the array `from`.
+    /// The local values of the states in the array `from`, and of the reference.
     fn states(&self, from: &str) -> Vec<Statement> {
-        let state = |j: usize| {
-            let value = Expr::Element(from.to_owned(), j - 1);
-            Statement::Let(format!("x{j}"), Shape::Real, value)
+        let local = |name: String, array: &str, index: usize| {
+            Statement::Let(name, Shape::Real, Expr::Element(array.to_owned(), index))
         };
-        (1..=self.spec.states()).map(state).collect()
+        let states = (1..=self.spec.states()).map(|j| local(format!("x{j}"), from, j - 1));
+        let reference = (0..self.spec.references()).map(|i| local(format!("r{i}"), "r", i));
+        states.chain(reference).collect()
     }
 
     /// The tests that they are finite.
     fn finite_states(&self) -> impl Iterator<Item = Test> {
-        (1..=self.spec.states()).map(|j| Test::Finite(Expr::local(format!("x{j}"))))
+        let states = (1..=self.spec.states()).map(|j| format!("x{j}"));
+        let reference = (0..self.spec.references()).map(|i| format!("r{i}"));
+        states.chain(reference).map(|name| Test::Finite(Expr::local(name)))
     }
 
     /// That t is finite and not before the start.
@@ -132,6 +135,14 @@ impl Builder<'_> {
         let extern_law = self.spec.feedback == Feedback::Extern;
         let extern_end = self.spec.after == After::Extern && self.spec.what == What::Controller;
         extern_law.then_some(law).into_iter().chain(extern_end.then_some(after)).collect()
+    }
+
+    /// The array of the reference, where each call is given it.
+    fn reference(&self) -> Option<Variable> {
+        let count = self.spec.references();
+        let about =
+            format!("reference of x1 and its derivatives, up to that of order {}", self.spec.n);
+        (count > 0).then(|| Variable::new("r", Shape::Reals(count), about))
     }
 
     /// The array of states of the argument `name`.

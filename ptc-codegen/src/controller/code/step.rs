@@ -76,19 +76,32 @@ impl Builder<'_> {
         };
         Function {
             name: "step",
-            about: match &self.spec.model {
-                None => "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
-                Some(model) => format!("u at time t [s] and state x = ({}).", model.names()),
+            about: match (&self.spec.model, self.reference()) {
+                (None, None) => "u at time t [s] and state x = (x1, x1', ...).".to_owned(),
+                (None, Some(_)) => {
+                    "u at time t [s], state x = (x1, x1', ...) and reference r = (r, r', ...)."
+                        .to_owned()
+                }
+                (Some(model), None) => {
+                    format!("u at time t [s] and state x = ({}).", model.names())
+                }
+                (Some(model), Some(_)) => format!(
+                    "u at time t [s], state x = ({}) and reference r = (r, r', ...) of the output.",
+                    model.names()
+                ),
             },
             owner: Owner::Controller,
             access: Access::Read,
-            arguments: vec![
+            arguments: [
                 Variable::new("t", Shape::Real, "time, s"),
                 match &self.spec.model {
                     None => self.array("x", "state: x1, its rate, ..."),
                     Some(model) => self.array("x", &format!("state: {}", model.names())),
                 },
-            ],
+            ]
+            .into_iter()
+            .chain(self.reference())
+            .collect(),
             callbacks: self.callbacks(),
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
             failures: self.failures(),

@@ -43,7 +43,7 @@ pub(super) fn notes(controller: &Controller<'_>, program: &Code) -> Notes {
         ("arm", comment(&arm_requires, "*self", &built)),
         step,
         ("tick", tick(&name, n, full)),
-        ("axis", axis(n, full, spec.guard, &state("x"))),
+        ("axis", axis(spec, full, &state("x"))),
     ];
     Notes {
         predicates: predicates(controller, program),
@@ -183,21 +183,31 @@ fn step(spec: &Spec, full: bool, x: &Pointer) -> String {
         Pointer { name: x.name.clone(), count: x.count, out: false },
         Pointer { name: "u".to_owned(), count: None, out: true },
     ];
+    let pointers: Vec<_> = pointers.into_iter().chain(reference(spec)).collect();
     let mut conditions = requires(&pointers, full);
     let set = if full { "self == \\null || " } else { "" };
     conditions.push(format!("requires {set}{name}_set(self);"));
-    conditions.extend(trusted(spec.guard, spec.states(), true));
+    conditions.extend(trusted(spec, true));
     comment(&conditions, "*u", OF_U)
 }
 
 /// What a trusting guard trusts beside pointers.
-fn trusted(guard: Guard, n: usize, time: bool) -> Vec<String> {
-    if guard != Guard::None {
+fn trusted(spec: &Spec, time: bool) -> Vec<String> {
+    if spec.guard != Guard::None {
         return Vec::new();
     }
     let time = time.then(|| "requires \\is_finite(t);".to_owned());
-    let states = (0..n).map(|j| format!("requires \\is_finite(x[{j}]);"));
-    time.into_iter().chain(states).collect()
+    let finite = |array: &str, count: usize| -> Vec<_> {
+        (0..count).map(|j| format!("requires \\is_finite({array}[{j}]);")).collect()
+    };
+    let given = [finite("x", spec.states()), finite("r", spec.references())];
+    time.into_iter().chain(given.concat()).collect()
+}
+
+/// The reference, where each call is given it.
+fn reference(spec: &Spec) -> Option<Pointer> {
+    let count = Some(spec.references()).filter(|count| *count > 0);
+    count.map(|_| Pointer { name: "r".to_owned(), count, out: false })
 }
 
 fn rate(name: &str, n: usize, xi: &Pointer) -> String {
@@ -230,14 +240,15 @@ fn tick(name: &str, n: usize, full: bool) -> String {
     comment(&conditions, "*gains", &ensures)
 }
 
-fn axis(n: usize, full: bool, guard: Guard, x: &Pointer) -> String {
+fn axis(spec: &Spec, full: bool, x: &Pointer) -> String {
     let pointers = [
         Pointer { name: "gains".to_owned(), count: None, out: false },
         Pointer { name: x.name.clone(), count: x.count, out: false },
         Pointer { name: "u".to_owned(), count: None, out: true },
     ];
+    let pointers: Vec<_> = pointers.into_iter().chain(reference(spec)).collect();
     let mut conditions = requires(&pointers, full);
-    conditions.extend(trusted(guard, n, false));
+    conditions.extend(trusted(spec, false));
     comment(&conditions, "*u", OF_U)
 }
 

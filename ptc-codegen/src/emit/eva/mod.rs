@@ -96,6 +96,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         drawn,
         x_max: states(&x_max),
         x0_max: states(&x0_max),
+        r_max: vec![text(STATE); spec.references()],
         law: text(LAW),
         externs,
         zero: text(0.0),
@@ -210,6 +211,10 @@ impl Call {
 fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec<Call> {
     let mut arguments = vec!["&self".to_owned(), "t".to_owned(), "x".to_owned()];
     let mut pointers = vec![0, 2];
+    if frame.references > 0 {
+        pointers.push(arguments.len());
+        arguments.push("r".to_owned());
+    }
     if frame.associated {
         arguments.push(frame.zero.to_owned());
     }
@@ -229,8 +234,13 @@ fn calls(name: &str, frame: &Outline, externs: &[(String, &'static str)]) -> Vec
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
         let tick = words(&["&self", "t", "&gains"]);
         calls.push(Call { function: "tick", arguments: tick, pointers: vec![0, 2] });
-        let axis = words(&["&gains", "x", "&u"]);
-        calls.push(Call { function: "axis", arguments: axis, pointers: vec![0, 1, 2] });
+        let given = if frame.references > 0 {
+            &["&gains", "x", "r", "&u"][..]
+        } else {
+            &["&gains", "x", "&u"]
+        };
+        let pointers = (0..given.len()).collect();
+        calls.push(Call { function: "axis", arguments: words(given), pointers });
     }
     calls
 }
@@ -278,6 +288,8 @@ struct Harness<'a> {
     drawn: Vec<(String, String, bool)>,
     x_max: Vec<String>,
     x0_max: Vec<String>,
+    /// Bounds of the reference and its derivatives, where each call is given them.
+    r_max: Vec<String>,
     law: String,
     externs: &'a [(String, &'static str)],
     zero: String,

@@ -70,6 +70,12 @@ pub(super) const TARGET_3: Target = Target {
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     stands_alone(spec, "an FMU", found);
+    let inputs: Vec<_> = (0..spec.references()).map(|order| format!("r{order}")).collect();
+    for parameter in spec.parameters().into_iter().filter(|p| inputs.contains(&p.spelling())) {
+        let message = format!("the FMU has an input {}, the reference", parameter.spelling());
+        let help = "give the parameter another name";
+        found.push("not-alone", format!("params.{}", parameter.spelling()), None, message, help);
+    }
 }
 
 /// The names of outputs, and those of the types in the source of the interface.
@@ -208,7 +214,7 @@ fn with_token(
             .render(),
         ),
         Version::Three => (
-            Fmi3 { name: &name, core: &core, single, inputs, letter }.render(),
+            Fmi3 { name: &name, core: &core, single, inputs, letter, frame: &frame }.render(),
             Model3 {
                 name: &name,
                 token,
@@ -352,6 +358,7 @@ struct Fmi3<'a> {
     single: bool,
     inputs: usize,
     letter: char,
+    frame: &'a Outline,
 }
 
 #[derive(Template)]

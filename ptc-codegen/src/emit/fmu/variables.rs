@@ -143,7 +143,25 @@ pub(super) fn variables(spec: &Spec, example: &Example) -> Vec<Variable> {
             ..blank()
         });
     }
-    let every: Vec<_> = (1..=count).map(|j| j.to_string()).collect();
+    for order in 0..spec.references() {
+        let unit = match order {
+            _ if spec.model.is_some() => String::new(),
+            0 => " [unit]".to_owned(),
+            1 => " [unit/s]".to_owned(),
+            order => format!(" [unit/s^{order}]"),
+        };
+        all.push(Variable {
+            name: format!("r{order}"),
+            description: match order {
+                0 => format!("Reference that the output follows{unit}"),
+                order => format!("Its derivative of order {order}{unit}"),
+            },
+            attributes: vec![("start", "0".to_owned())],
+            place: Some(format!("r[{order}]")),
+            ..blank()
+        });
+    }
+    let every: Vec<_> = (1..=all.len()).map(|j| j.to_string()).collect();
     all.push(Variable {
         name: "u".to_owned(),
         causality: "output",

@@ -80,6 +80,11 @@ impl Project {
                 found.push("not-alone", key, None, message, help);
             }
         }
+        if spec.reference.is_some() {
+            let message = "the run of a project brings the plant to rest";
+            let help = "leave `reference` out, or emit the controller alone";
+            found.push("not-alone", "reference", None, message, help);
+        }
         if let Some(gain) = &spec.input_gain
             && constant(gain).is_none()
         {

@@ -61,7 +61,10 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         has_gains,
         tau_is_kept: test.tau_is_kept,
         sessions: &sessions,
-        calls: &calls.iter().map(|call| numbers.call(call, has_gains)).collect::<Vec<_>>(),
+        calls: &calls
+            .iter()
+            .map(|call| numbers.call(call, spec.references(), has_gains))
+            .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         states: &test
             .refused_states
@@ -109,14 +112,18 @@ impl Numbers<'_> {
         fields.join(", ")
     }
 
-    fn call(&self, call: &Call, has_gains: bool) -> String {
+    fn call(&self, call: &Call, references: usize, has_gains: bool) -> String {
+        let (x, reference) = call.x.split_at(call.x.len() - references);
         let mut fields = vec![
             format!(".t = {}", self.number(call.t)),
-            format!(".x = {{ {} }}", self.list(&call.x)),
+            format!(".x = {{ {} }}", self.list(x)),
             format!(".u = {}", self.number(call.u)),
             format!(".tolerance = {}", self.number(call.tolerance)),
             format!(".status = {}", call.status.c_name()),
         ];
+        if !reference.is_empty() {
+            fields.push(format!(".r = {{ {} }}", self.list(reference)));
+        }
         if has_gains {
             fields.push(format!(".axis = {}", call.axis.unwrap_or(call.status).c_name()));
             fields.push(format!(".has_axis = {}U", u8::from(call.axis.is_some())));

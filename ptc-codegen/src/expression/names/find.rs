@@ -124,7 +124,7 @@ fn legal(subject: Subject) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::PLACES;
-    use super::super::Subject::{Drift, InputGain};
+    use super::super::Subject::{Drift, InputGain, Reference};
     use super::*;
     use crate::diagnostic::{Diagnostics, Place};
     use crate::expression::{Scope, resolve};
@@ -132,31 +132,31 @@ mod tests {
     use crate::syntax::parse;
 
     /// V where a name has its meaning, P where it names a parameter, E where it is an error: in mu,
-    /// kappa, pi0, f, g, plant.f, plant.g, h and the bounds, at order 3.
+    /// kappa, pi0, f, g, reference, plant.f, plant.g, h and the bounds, at order 3.
     const VERDICTS: [(&str, &[&str]); 17] = [
-        ("VVVVVVVVV", &["tau", "pi"]),
-        ("VEVVVVVVV", &["t"]),
-        ("EVVVVVVVV", &["dt"]),
-        ("EEVVVVVVV", &["t0", "eps", "u_max"]),
-        ("EEVEEEEVV", &["T"]),
-        ("EEVVVEEEE", &["t_kappa"]),
-        ("EEEEEVEVE", &["u"]),
-        ("EEEVVVVVE", &["x1", "x3"]),
-        ("EEVVVVVVE", &["x1_0", "x3_0"]),
-        ("EEVEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
-        ("EEPEEEEEE", &["k1", "k3"]),
-        ("VVEEEEEEE", &["rational"]),
-        ("EEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
-        ("EEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
+        ("VVVVVVVVVV", &["tau", "pi"]),
+        ("VEVVVVVVVV", &["t"]),
+        ("EVVVVVVVVV", &["dt"]),
+        ("EEVVVVVVVV", &["t0", "eps", "u_max"]),
+        ("EEVEEEEEVV", &["T"]),
+        ("EEVVVEEEEE", &["t_kappa"]),
+        ("EEEEEEVEVE", &["u"]),
+        ("EEEVVEVVVE", &["x1", "x3"]),
+        ("EEVVVEVVVE", &["x1_0", "x3_0"]),
+        ("EEVEEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
+        ("EEPEEEEEEE", &["k1", "k3"]),
+        ("VVEEEEEEEE", &["rational"]),
+        ("EEEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
+        ("EEEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
         (
-            "EEEEEEEEE",
+            "EEEEEEEEEE",
             &[
                 "Tau", "TAU", "Dt", "DT", "d_t", "T0", "t_0", "Eps", "umax", "U", "Pi", "T_kappa",
                 "T_",
             ],
         ),
         (
-            "EEEEEEEEE",
+            "EEEEEEEEEE",
             &[
                 "mu",
                 "kappa",
@@ -174,7 +174,7 @@ mod tests {
             ],
         ),
         (
-            "PPPPPPPPP",
+            "PPPPPPPPPP",
             &["psi", "a", "m", "w", "h", "rho", "e", "k0", "k4", "k", "x1y", "tau2", "K1"],
         ),
     ];
@@ -212,6 +212,8 @@ mod tests {
                 InputGain,
                 ["`T` is not known where g", "write `tau - dt`; `T` is the time-to-go"],
             ),
+            ("T", Reference, ["`T` is not known where reference", "write `tau - dt`"]),
+            ("x1", Reference, ["`x1` is not known where reference", "state of the plant"]),
             ("u", Law, ["`u` is not known where pi0", "input of the plant (in plant.f, h)"]),
             ("x2", Law, ["`x2` is not known", "write `xi2`"]),
             ("xi2_0", Drift, ["`xi2_0` is not known", "write `x2_0`"]),

@@ -20,6 +20,8 @@ pub enum Subject {
     Force,
     /// g(x, t), t the time.
     InputGain,
+    /// r(t), which the output follows, t the time.
+    Reference,
     /// The dynamics and the output of a model of the plant.
     Model,
     /// A family's own kappa, in time-to-go T.
@@ -34,7 +36,9 @@ pub enum Subject {
     Objective,
 }
 
-use Subject::{Bound, Drift, Family, Force, InputGain, Kappa, Law, Mu, Objective, PlantGain};
+use Subject::{
+    Bound, Drift, Family, Force, InputGain, Kappa, Law, Mu, Objective, PlantGain, Reference,
+};
 
 impl Subject {
     /// Key of the spec.
@@ -45,6 +49,7 @@ impl Subject {
             Law => "pi0",
             Force => "f",
             InputGain => "g",
+            Reference => "reference",
             Subject::Model => "model",
             Drift => "plant.f",
             PlantGain => "plant.g",
@@ -54,12 +59,13 @@ impl Subject {
 }
 
 /// Where users write expressions, in the order of the documentation.
-const PLACES: [(Subject, &str); 9] = [
+const PLACES: [(Subject, &str); 10] = [
     (Mu, "mu"),
     (Kappa, "kappa"),
     (Law, "pi0"),
     (Force, "f"),
     (InputGain, "g"),
+    (Reference, "reference"),
     (Drift, "plant.f"),
     (PlantGain, "plant.g"),
     (Objective, "h"),
@@ -102,13 +108,26 @@ const fn info(
 /// Places that look at the state of the plant.
 const OF_STATE: &[Subject] = &[Force, InputGain, Drift, PlantGain, Objective];
 /// All places outside the mapping, which is fixed before the controller has a start or a bound.
-const OUTSIDE_MAPPING: &[Subject] = &[Law, Force, InputGain, Drift, PlantGain, Objective, Bound];
+const OUTSIDE_MAPPING: &[Subject] =
+    &[Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound];
 const EVERYWHERE: &[Subject] =
-    &[Mu, Kappa, Family, Law, Force, InputGain, Drift, PlantGain, Objective, Bound];
+    &[Mu, Kappa, Family, Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound];
 
 /// The same with the model of a plant, which has names of its own.
-const WITH_MODEL: &[Subject] =
-    &[Mu, Kappa, Family, Law, Force, InputGain, Subject::Model, Drift, PlantGain, Objective, Bound];
+const WITH_MODEL: &[Subject] = &[
+    Mu,
+    Kappa,
+    Family,
+    Law,
+    Force,
+    InputGain,
+    Reference,
+    Subject::Model,
+    Drift,
+    PlantGain,
+    Objective,
+    Bound,
+];
 
 /// The table. A name with several meanings has a row for each.
 #[rustfmt::skip]
@@ -118,9 +137,9 @@ static NAMES: [NameInfo; 17] = [
     info("u", "input of the plant", "", Sense::Variable(Variable::Control), &[Drift, Objective]),
     info("t", "stretched time since the start", "stretched time since the start", Sense::Variable(Variable::SinceStart), &[Mu]),
     info("t", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law]),
-    info("t", "time", "time", Sense::Variable(Variable::Time), &[Force, InputGain, Drift, PlantGain, Objective, Bound]),
+    info("t", "time", "time", Sense::Variable(Variable::Time), &[Force, InputGain, Reference, Drift, PlantGain, Objective, Bound]),
     info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, Force, InputGain]),
-    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Drift, PlantGain, Objective, Bound]),
+    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
@@ -176,10 +195,12 @@ impl NameInfo {
     fn instead(&self, subject: Subject, index: usize) -> Option<String> {
         let of_state = OF_STATE.contains(&subject);
         let text = match (self.name, subject) {
-            ("T", Kappa | Force | InputGain | Drift | PlantGain) => "tau - dt".to_owned(),
+            ("T", Kappa | Force | InputGain | Reference | Drift | PlantGain) => {
+                "tau - dt".to_owned()
+            }
             ("t", Kappa) => "dt".to_owned(),
             ("dt" | "t_kappa", Mu) => "t".to_owned(),
-            ("t_kappa", Drift | PlantGain | Objective | Bound) => return None,
+            ("t_kappa", Reference | Drift | PlantGain | Objective | Bound) => return None,
             ("x1", Law) => format!("xi{index}"),
             ("xi1", _) if of_state => format!("x{index}"),
             ("xi1_0", _) if of_state => format!("x{index}_0"),

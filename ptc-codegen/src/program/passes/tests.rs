@@ -21,6 +21,7 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
             Input::Parameter(p) => (1, p.index().unwrap_or(20) as u64 + p.key().len() as u64 * 40),
             Input::StateAtStart(j) => (9, j as u64),
             Input::Drift => (10, 0),
+            Input::Reference(order) => (12, order as u64),
             Input::Control => (11, 0),
             Input::StartTime => return 0.75,
             Input::Time => (2, 0),

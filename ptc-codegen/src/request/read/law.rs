@@ -8,7 +8,7 @@ use super::{FixedValues, Reader, items, shown};
 use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
+use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, Pole, gains};
 use crate::syntax::{Node, Value, constant};
@@ -23,13 +23,9 @@ pub(super) struct Law {
 /// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt, as
 /// far as that is found within the effort.
 fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
-    let kink = |e: &Expression| {
-        use Expression::{Call, Max, Min};
-        matches!(e, Min(..) | Max(..) | Call(Function::Abs | Function::Sign, _))
-    };
     let other =
         |e: &Expression| matches!(e, Expression::Variable(v) if !matches!(v, Variable::Xi(_)));
-    if law.any(&kink) || law.any(&other) {
+    if law.any(&Expression::is_kink) || law.any(&other) {
         return None;
     }
     bounded(|| {

@@ -7,6 +7,7 @@ mod mapping;
 mod model;
 mod parameters;
 mod promises;
+mod reference;
 mod sampled;
 
 use std::collections::BTreeMap;
@@ -167,6 +168,7 @@ impl<'a> Reader<'a> {
                 (drift, self.input_gain(order, &known))
             }
         };
+        let reference = self.reference(n, &known);
         let mut spec = Spec {
             n: order,
             time_mapping: mapping.as_ref().map_or(UNREAD, |(mapping, _)| mapping.clone()),
@@ -178,6 +180,7 @@ impl<'a> Reader<'a> {
             feedback: law.feedback,
             drift,
             input_gain,
+            reference,
             model: model.map(|read| Box::new(read.model)),
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
@@ -190,9 +193,11 @@ impl<'a> Reader<'a> {
             self.associated(&mut spec);
         }
         self.fits_model(&spec, samples);
+        self.fits_reference(&spec, samples);
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
+        self.reference_exists(&spec);
         match samples {
             true if spec.model.is_some() => {}
             true => self.sampled(&mut spec),

@@ -129,6 +129,7 @@ impl Reader<'_> {
                 _ if of(law) => "pi0",
                 _ if spec.model.is_some() => "dynamics",
                 _ if of(spec.drift.as_ref()) => "f",
+                _ if of(spec.derivative(0)) => "reference",
                 _ => "g",
             };
             let place = self.keys.get(key).map(|node| node.place);

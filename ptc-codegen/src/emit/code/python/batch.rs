@@ -45,10 +45,11 @@ impl Python<'_> {
             let name = &argument.name;
             match argument.shape {
                 Shape::Reals(n) => {
-                    let states: Vec<_> = (1..=n).map(|j| format!("x{j}")).collect();
+                    let states: Vec<_> = (0..n).map(|j| self.element(name, j)).collect();
                     let comma = if n == 1 { "," } else { "" };
                     let states = states.join(", ");
-                    self.out.line(format!("{states}{comma} = _states({name}, \"{name}\")"));
+                    let read = if name == "r" { "_reference" } else { "_states" };
+                    self.out.line(format!("{states}{comma} = {read}({name}, \"{name}\")"));
                 }
                 _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),
             }

@@ -60,11 +60,12 @@ impl Text for Python<'_> {
         format!("given_{name}")
     }
 
-    /// The states of a batch are taken out one by one.
+    /// The states of a batch, and its reference, are taken out one by one.
     fn element(&self, array: &str, index: usize) -> String {
-        match self.batch && matches!(array, "x" | "xi") {
-            true => format!("x{}", index + 1),
-            false => format!("{array}[{index}]"),
+        match (self.batch, array) {
+            (true, "x" | "xi") => format!("x{}", index + 1),
+            (true, "r") => format!("r{index}"),
+            _ => format!("{array}[{index}]"),
         }
     }
 

@@ -74,10 +74,21 @@ impl Python<'_> {
         if given || latched || code.start.is_none() {
             self.out.line(format!("{NUMBERS}\n"));
         }
-        let states = code.functions.iter().flat_map(|function| &function.arguments);
-        let n = states.filter_map(|argument| argument.shape.length()).max().unwrap_or(1);
         if code.start.is_some() {
-            self.out.line(format!("{}\n", STATES.replace("LENGTH", &n.to_string())));
+            let given = |of_states: bool| {
+                let all = code.functions.iter().flat_map(|function| &function.arguments);
+                let own = all.filter(|argument| (argument.name != "r") == of_states);
+                own.filter_map(|argument| argument.shape.length()).max()
+            };
+            let states = STATES.replace("LENGTH", &given(true).unwrap_or(1).to_string());
+            self.out.line(format!("{states}\n"));
+            if let Some(count) = given(false) {
+                let reference = STATES.replace("LENGTH", &count.to_string());
+                let reference = reference.replace("_states", "_reference");
+                let reference =
+                    reference.replace("The states", "The reference and its derivatives");
+                self.out.line(format!("{}\n", reference.replace("the states", "r, r', ...")));
+            }
         }
         let formed = code.functions.iter().flat_map(|function| &function.body);
         let weights = formed.filter_map(|statement| match statement {

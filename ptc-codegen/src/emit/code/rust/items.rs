@@ -215,7 +215,7 @@ impl Rust<'_> {
         else {
             return;
         };
-        if arm.arguments.len() > 1 || !step.callbacks.is_empty() {
+        if arm.arguments.len() > 1 || step.arguments.len() > 2 || !step.callbacks.is_empty() {
             return;
         }
         let (real, array) = (self.type_of(Shape::Real), self.states());

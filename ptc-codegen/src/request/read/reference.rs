@@ -1,0 +1,185 @@
+//! What the output follows: an expression in time with its derivatives, or an input of each call.
+
+use super::Reader;
+use crate::algebra::integer;
+use crate::diagnostic::Place;
+use crate::expression::effort::bounded;
+use crate::expression::enclosure::{Evaluator, Names};
+use crate::expression::existence::{Condition, needs};
+use crate::expression::interval::Interval;
+use crate::expression::normal::normal;
+use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::limits::SIZE;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
+use crate::syntax::{Value, parse};
+
+impl Reader<'_> {
+    /// The reference of a chain of order `n`; 0 is none at all.
+    pub(super) fn reference(&mut self, n: Option<usize>, known: &[Parameter]) -> Option<Reference> {
+        let node = self.keys.get("reference").copied()?;
+        if matches!(&node.value, Value::Word(word) if word == "input") {
+            return Some(Reference::Input);
+        }
+        let scope =
+            Scope { subject: Subject::Reference, n: n.unwrap_or(MAX_ORDER), known, own: &[] };
+        let given = resolve(node, scope, &mut self.found)?;
+        let (message, help) = if let Some(kink) = kink(&given) {
+            (
+                format!("{kink} has a kink, and the reference is differentiated"),
+                "take a smooth function in its place: tanh(w/small) for sign(w); or give the derivatives with each call, `reference` = input",
+            )
+        } else {
+            match derivatives(&given, n?) {
+                Ok(all) => {
+                    let rests = given == Expression::integer(0);
+                    return (!rests).then_some(Reference::Known(all));
+                }
+                Err(order) => (
+                    format!(
+                        "derivative {order} of the reference is larger than an expression may be"
+                    ),
+                    "take a simpler reference, or give the derivatives with each call, `reference` = input",
+                ),
+            }
+        };
+        self.wrong("reference", Some(node.place), message, help.to_owned());
+        None
+    }
+
+    /// Refuses what has no meaning beside a reference.
+    pub(super) fn fits_reference(&mut self, spec: &Spec, samples: bool) {
+        if spec.reference.is_none() {
+            return;
+        }
+        let latches = |v: &Expression| {
+            matches!(v, Expression::Variable(Variable::StateAtStart(_) | Variable::XiAtStart(_)))
+        };
+        let of_start = matches!(&spec.feedback, Feedback::Expression(law) if law.any(&latches));
+        let beside = [
+            (
+                "clock",
+                samples,
+                "a reference needs a clock in time: it moves between the samples, so that rest is not exact at them",
+                "leave `clock` out; a constant set point is subtracted from x1 before the call",
+            ),
+            (
+                "what",
+                spec.what != What::Controller,
+                "a reference belongs to a controller: the infinite-time system is that of the error, whatever it is",
+                "leave `reference` out",
+            ),
+            (
+                "pi0",
+                of_start,
+                "beside a reference pi0 is an expression in xi1..xin and t",
+                "leave states at the start out",
+            ),
+        ];
+        for (key, wrong, message, help) in beside {
+            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+    }
+
+    /// Refuses a reference whose derivatives are not shown to exist from the start on: they do where each
+    /// of its operations is analytic. What depends on parameters alone is left to run time, as far as
+    /// they are.
+    pub(super) fn reference_exists(&mut self, spec: &Spec) {
+        let Some(Reference::Known(derivatives)) = &spec.reference else { return };
+        let known = |p: &Parameter| spec.fixed.contains_key(p) || spec.bounds.contains_key(p);
+        let decided = |part: &Expression| moves(part) || part.parameters().iter().all(known);
+        // A root has a value at 0, and no derivative there.
+        let analytic = |(part, condition): (Expression, Condition)| match condition {
+            Condition::NotNegative => (part, Condition::Positive),
+            condition => (part, condition),
+        };
+        let names = names(spec);
+        let mut evaluator = Evaluator::new();
+        let mut met = |part: &Expression, condition: Condition| {
+            let value = evaluator.value(part, &names);
+            value.is_some_and(|value| condition.is_met(&value.interval))
+        };
+        let mut wanted = needs(&derivatives[0]).into_iter().map(analytic);
+        let open = wanted.find(|(part, condition)| decided(part) && !met(part, *condition));
+        let Some((part, condition)) = open else { return };
+        let place = self.keys.get("reference").map(|node| node.place);
+        let message = format!(
+            "the reference is not shown to have derivatives at all t >= t0: {part} has to be {}",
+            condition.words()
+        );
+        let help = "give t0, and values or bounds of the parameters under [params]; write a sum of squares as one; or give the derivatives with each call, `reference` = input";
+        self.wrong("reference", place, message, help.to_owned());
+    }
+}
+
+/// Whether an expression changes with time.
+fn moves(e: &Expression) -> bool {
+    e.contains(Variable::Time) || e.contains(Variable::Elapsed)
+}
+
+/// The first part that has a kink in time.
+fn kink(e: &Expression) -> Option<&Expression> {
+    if e.is_kink() && moves(e) { Some(e) } else { e.operands().find_map(kink) }
+}
+
+/// r and its derivatives up to that of order `n`, or the order of the first that is too large.
+fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
+    bounded(|| {
+        let parts: Vec<_> = needs(r).into_iter().map(|(part, _)| part).collect();
+        let mut all = vec![r.clone()];
+        for order in 1..=n {
+            let last = &all[order - 1];
+            last.differentiable().ok_or(order)?;
+            // t and dt pass alike.
+            let rate = last.derivative(Variable::Time).add(last.derivative(Variable::Elapsed));
+            let rate = tidied(rate, &parts);
+            if !SIZE.admits(rate.size()) {
+                return Err(order);
+            }
+            // What walks an expression recurses as deep as one that a user may write.
+            parse("reference", &rate.to_string(), &mut |_| Place(0)).map_err(|_| order)?;
+            all.push(rate);
+        }
+        Ok(all)
+    })
+}
+
+/// The shorter one of a derivative and its normal form, in which the `parts` that the reference divides by,
+/// or takes a root or a logarithm of, stay as they are: multiplied out they are long, and lose digits
+/// where they are small.
+fn tidied(rate: Expression, parts: &[Expression]) -> Expression {
+    // States of the infinite-time system stand for them, which no reference knows.
+    let stand_in = |index: usize| Expression::from(Variable::Xi(index + 1));
+    let kept = rate.substitute(&|e| parts.iter().position(|part| part == e).map(stand_in));
+    let form = normal(&kept).substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(index)) => parts.get(index - 1).cloned(),
+        _ => None,
+    });
+    if form.size() <= rate.size() { form } else { rate }
+}
+
+/// What is known of time and the parameters.
+fn names(spec: &Spec) -> Names {
+    let exact = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+    let start = exact(Parameter::StartTime);
+    let from =
+        |low: Option<_>| low.map_or_else(Interval::whole, |low| Interval::between(low, None));
+    let mut names = Names::from([
+        (Variable::Time.into(), from(start)),
+        (Variable::Elapsed.into(), from(Some(&integer(0)))),
+    ]);
+    for parameter in spec.parameters() {
+        let bounds = spec.bounds.get(&parameter);
+        let bounds = bounds.and_then(|(least, most)| Some((least.number()?, most.number()?)));
+        let range = match (exact(parameter), bounds, spec.ends(parameter)) {
+            (Some(value), ..) => Interval::exact(value),
+            (None, Some((least, most)), _) => Interval::between(least, Some(most)),
+            (None, None, Some((least, most))) => Interval::of_doubles(least, most),
+            (None, None, None) => Interval::whole(),
+        };
+        names.insert(parameter.into(), range);
+    }
+    names
+}
