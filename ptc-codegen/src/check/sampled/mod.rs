@@ -17,6 +17,7 @@ mod gains;
 mod judge;
 mod margins;
 mod outcome;
+#[cfg(feature = "lab")]
 mod proved;
 mod reach;
 mod relative;
@@ -33,6 +34,7 @@ pub(crate) use judge::Loop;
 pub use margins::{Margins, margins};
 pub use outcome::causes;
 pub(crate) use outcome::{NAME, outcome};
+#[cfg(feature = "lab")]
 pub(crate) use proved::proved;
 pub use trajectory::{Trajectory, trajectory};
 pub use way::{Afterwards, Way};

@@ -31,7 +31,8 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
     spec.needs_chain("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
-    plant::promised(&mut spec, plant.as_ref(), entries)?;
+    let twice = plant::promised(&mut spec, plant.as_ref(), entries);
+    found.extend(twice.err().unwrap_or_default());
     let spec = &spec;
     // What has a sample period runs with a chain, or with the plant that it was designed for.
     let plant = plant.or_else(|| Loop::of(spec).is_some().then(|| Plant::own(spec)));
