@@ -7,12 +7,13 @@
 //! From time-to-go eps on the gains are frozen at T = eps for good, and there the test is exact; for
 //! T > eps they move slowly compared with the loop as long as h is well below T, and it is a guide.
 
+use num_traits::float::FloatCore;
 use num_traits::{One, Zero};
 
 use super::{Outcome, Verdict, middle};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
-use crate::algebra::{BigInt, BigRational, whole};
+use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::digits;
 
 /// The guard to take is this many times the least one: at the least one the loop with held gains
@@ -84,29 +85,38 @@ pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
 /// stable iff all n roots of 1 - sum gain_j (h/2)^m/m! p_m have Re sigma < 0.
 pub fn is_stable(gains: &[f64], period: f64) -> bool {
     let n = gains.len();
-    let (Some(gains), Some(period)) = (exact(gains), BigRational::from_float(period)) else {
-        return false;
-    };
-    let half = period / BigInt::from(2);
-    let mut share = BigRational::one();
-    let mut weights = vec![-BigRational::one()];
+    // Times n!, and in powers of 2: fractions of long numbers would take most of the time.
+    let mut weights = vec![(-factorial(n), 0)];
     for (m, gain) in (1..=n).zip(gains.iter().rev()) {
-        share = share * &half / BigInt::from(m);
-        weights.push(gain * &share);
+        let (Some((gain, own)), Some((period, each))) = (binary(*gain), binary(period / 2.0))
+        else {
+            return false;
+        };
+        let whole = gain * num_traits::pow(period, m) * (factorial(n) / factorial(m));
+        weights.push((whole, own + each * m as i64));
     }
+    let lowest = weights.iter().map(|(_, exponent)| *exponent).min().unwrap_or(0);
     // p_m, from the constant on.
     let mut response = vec![BigInt::one()];
-    let mut loop_polynomial = vec![BigInt::zero(); n + 1];
-    for weight in whole(weights.iter()) {
-        for (sum, coefficient) in loop_polynomial.iter_mut().zip(&response) {
-            *sum += &weight * coefficient;
-        }
+    let mut closed = vec![BigInt::zero(); n + 1];
+    for (weight, exponent) in weights {
+        let weight = weight << (exponent - lowest);
+        closed.iter_mut().zip(&response).for_each(|(sum, own)| *sum += &weight * own);
         response = integrated(&response);
     }
-    let loop_polynomial = loop_polynomial.into_iter().map(BigRational::from).collect();
-    let loop_polynomial = Polynomial::new(loop_polynomial);
+    let closed = Polynomial::new(closed.into_iter().map(BigRational::from).collect());
     // A root at infinity is z = 1.
-    loop_polynomial.degree() == Some(n) && is_hurwitz(&loop_polynomial)
+    closed.degree() == Some(n) && is_hurwitz(&closed)
+}
+
+/// A finite number as a whole one times a power of 2.
+fn binary(number: f64) -> Option<(BigInt, i64)> {
+    let (mantissa, exponent, sign) = number.integer_decode();
+    number.is_finite().then(|| (BigInt::from(mantissa) * sign, exponent.into()))
+}
+
+fn factorial(n: usize) -> BigInt {
+    (1..=n).map(BigInt::from).product()
 }
 
 /// p_(m+1) for p_m.
@@ -120,14 +130,9 @@ fn integrated(p: &[BigInt]) -> Vec<BigInt> {
 
 /// Whether the loop with `gains` is stable without sampling.
 fn is_stable_unsampled(gains: &[f64]) -> bool {
-    let negative =
-        |gains: Vec<BigRational>| gains.into_iter().map(|gain| -gain).collect::<Vec<_>>();
-    exact(gains).is_some_and(|gains| is_hurwitz(&Polynomial::characteristic(&negative(gains))))
-}
-
-/// The numbers, where they are finite.
-fn exact(numbers: &[f64]) -> Option<Vec<BigRational>> {
-    numbers.iter().map(|number| BigRational::from_float(*number)).collect()
+    let negative = |gain: &f64| BigRational::from_float(-gain);
+    let gains: Option<Vec<_>> = gains.iter().map(negative).collect();
+    gains.is_some_and(|gains| is_hurwitz(&Polynomial::characteristic(&gains)))
 }
 
 /// The last point from `good` towards `bad` at which `stable` holds, by bisection.
@@ -266,7 +271,29 @@ mod tests {
         assert_eq!(told.details, ["the threshold of h/T is 2"]);
     }
 
+    #[test]
+    fn the_limit_is_exact() {
+        assert!(!is_stable(&[-2.0], 1.0) && is_stable(&[-2.0f64.next_down()], 1.0));
+        assert!(!is_stable(&[0.0], 1.0) && is_stable(&[-f64::MIN_POSITIVE], 1.0));
+        assert!(!is_stable(&[f64::NAN, -1.0], 1.0) && !is_stable(&[-1.0], f64::INFINITY));
+        // A period so short that M is 1 in doubles: all poles at -1, and two to the right.
+        let binomial = [1.0, 6.0, 15.0, 20.0, 15.0, 6.0];
+        assert!(is_stable(&binomial.map(|c: f64| -c), f64::exp2(-200.0)));
+        assert!(!is_stable(&[-1.0, -6.0, -15.0, -20.0, 15.0, -6.0], f64::exp2(-200.0)));
+    }
+
     proptest! {
+        /// Jury's conditions for z^2 - (2 - b - a/2) z + 1 - b + a/2, a = -gain_1 h^2, b = -gain_2 h,
+        /// on sixteenths, so that many are met with equality.
+        #[test]
+        fn two_integrators(a in -8i32..80, b in -8i32..40) {
+            let (a, b) = (f64::from(a) / 16.0, f64::from(b) / 16.0);
+            for h in [1.0, 0.125, 2f64.powi(-100)] {
+                let jury = a > 0.0 && 2.0 * b > a && b < 2.0;
+                prop_assert_eq!(is_stable(&[-a / h / h, -b / h], h), jury);
+            }
+        }
+
         /// M is 1 to twelve digits, and the sampled loop still is as stable as the continuous one.
         #[test]
         fn short_periods_keep_their_digits(poles in prop::collection::vec(0.2..9.0f64, 1..8)) {
