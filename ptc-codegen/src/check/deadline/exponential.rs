@@ -106,7 +106,7 @@ mod tests {
                 (0..8).map(|j| if i == 7 { -gains[j] } else { shift(j) }).collect()
             })
             .collect();
-        for t in [1e-3, 0.7, 20.0, 60.0] {
+        for t in [1e-3f64, 0.7, 20.0, 60.0] {
             let exact = t.powi(7) / 5040.0 * f64::exp(-t);
             let found = exponential(&companion, t)[0][7];
             assert!((found / exact - 1.0).abs() < 1e-9, "{found:e} for {exact:e} at {t}");
