@@ -11,7 +11,7 @@ pub mod stability;
 mod symbol;
 
 pub use poly::{Monomial, Poly};
-pub(crate) use rational::common_measure;
+pub(crate) use rational::{common_measure, multiple, whole};
 pub use render::{latex, text};
 pub use symbol::{Kind, Symbol};
 

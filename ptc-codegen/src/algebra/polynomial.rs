@@ -125,6 +125,13 @@ impl Polynomial {
         a
     }
 
+    /// The polynomial with the same roots, each of them simple.
+    #[must_use]
+    pub fn radical(&self) -> Self {
+        let repeated = self.gcd(&self.derivative());
+        self.divided(&repeated).map_or_else(|| self.clone(), |(simple, _)| simple)
+    }
+
     /// Whether no root, real or complex, is multiple. 0 is not square-free.
     pub fn is_square_free(&self) -> bool {
         self.gcd(&self.derivative()).degree() == Some(0)
@@ -200,6 +207,7 @@ mod tests {
     fn common_and_multiple_roots() {
         let p = poly(&[2, 1]).times(&poly(&[2, 1])).times(&poly(&[5, 1]));
         assert_eq!(p.gcd(&poly(&[6, 5, 1])), poly(&[2, 1]));
+        assert_eq!(p.radical(), poly(&[10, 7, 1]));
         assert!(!p.is_square_free() && poly(&[6, 5, 1]).is_square_free());
         assert!(poly(&[3]).is_square_free() && !poly(&[]).is_square_free());
         assert_eq!(p.without(&integer(-2)), (2, poly(&[5, 1])));

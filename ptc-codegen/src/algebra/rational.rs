@@ -36,6 +36,26 @@ pub(crate) fn common_measure(a: &BigRational, b: &BigRational) -> BigRational {
     BigRational::new_raw(over, under)
 }
 
+/// The least common multiple of two denominators, where a power of 2 is one at once.
+pub(crate) fn multiple(a: BigInt, b: &BigInt) -> BigInt {
+    let twos = |of: &BigInt| of.trailing_zeros().unwrap_or(0);
+    let (a_twos, b_twos) = (twos(&a), twos(b));
+    let (a, b) = (a >> a_twos, b >> b_twos);
+    let odd = match () {
+        () if a.is_one() => b,
+        () if b.is_one() || a == b => a,
+        () => BigRational::new(a, b.clone()).numer() * b,
+    };
+    odd << a_twos.max(b_twos)
+}
+
+/// The numbers times their common denominator.
+pub(crate) fn whole<'a>(numbers: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigInt> {
+    let denominators = numbers.clone().map(BigRational::denom);
+    let common = denominators.fold(BigInt::one(), multiple);
+    numbers.map(|number| number.numer() * (&common / number.denom())).collect()
+}
+
 /// The greatest common divisor, by Euclid: one division brings a long number down to a short one.
 fn common(a: &BigInt, b: &BigInt) -> BigInt {
     if a.is_one() || b.is_one() {

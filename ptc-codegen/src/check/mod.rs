@@ -10,7 +10,6 @@ pub mod envelope;
 pub mod examine;
 pub mod growth;
 pub mod membership;
-pub mod poles;
 pub mod sampled;
 pub mod sampling;
 mod zeros;
@@ -87,11 +86,6 @@ fn middle(low: f64, high: f64) -> f64 {
 #[allow(clippy::cast_precision_loss)]
 fn to_f64(count: usize) -> f64 {
     count as f64
-}
-
-/// A count as an exponent.
-fn exponent(count: usize) -> i32 {
-    i32::try_from(count).unwrap_or(i32::MAX)
 }
 
 #[cfg(test)]

@@ -2,16 +2,19 @@
 //!
 //! With gains frozen at time-to-go T and a zero-order hold of period h the chain of integrators goes
 //! x(t + h) = M(h, T) x(t), M = exp(A h) + B(h) gain(T)^T, which is stable iff the spectral radius of
-//! M is below 1. A is nilpotent, so exp(A h) holds h^(j-i)/(j-i)! and B(h) holds h^(n+1-i)/(n+1-i)!.
+//! M is below 1. By the bilinear map sigma = (z + 1)/(z - 1) that is a Hurwitz test, which is exact.
 //!
 //! From time-to-go eps on the gains are frozen at T = eps for good, and there the test is exact; for
 //! T > eps they move slowly compared with the loop as long as h is well below T, and it is a guide.
 
-use nalgebra::DMatrix;
+use num_traits::float::FloatCore;
+use num_traits::{One, Zero};
 
-use super::{Outcome, Verdict, exponent, middle, to_f64};
+use super::{Outcome, Verdict, middle};
+use crate::algebra::polynomial::Polynomial;
+use crate::algebra::stability::is_hurwitz;
+use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::digits;
-use crate::linear::eigenvalues;
 
 /// The guard to take is this many times the least one: at the least one the loop with held gains
 /// neither decays nor grows, and twice as far the period may be late by as much as itself.
@@ -45,7 +48,7 @@ pub struct Sampling {
 /// Scans T from tau down, on a logarithmic grid, to where gains frozen at T are unstable at `period`.
 /// `gains` gives the n feedback gains of u = sum gain_j x_j at time-to-go T.
 pub fn sampling(gains: &dyn Fn(f64) -> Vec<f64>, period: f64, tau: f64) -> Sampling {
-    let stable = |time_to_go: f64| is_stable(&gains(time_to_go), period, time_to_go);
+    let stable = |time_to_go: f64| is_stable(&gains(time_to_go), period);
     let floor = FLOOR * period.min(tau);
     let least_eps = stable(tau).then(|| {
         let mut high = tau;
@@ -55,14 +58,14 @@ pub fn sampling(gains: &dyn Fn(f64) -> Vec<f64>, period: f64, tau: f64) -> Sampl
         if high <= floor { high } else { bisect(high, high / STEP, stable) }
     });
     let default_eps = least_eps.map(|eps| MARGIN * eps).filter(|eps| *eps < tau);
-    let continuous = is_stable(&gains(tau), 0.0, tau);
+    let continuous = is_stable_unsampled(&gains(tau));
     Sampling { period, tau, least_eps, default_eps, continuous }
 }
 
 /// The first sample period at which the loop with `gains` held at time-to-go `eps` is not stable,
 /// searched between 1e-3 and 1e3 eps; `None` if it is unstable at the lower end already.
 pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
-    let stable = |period: f64| is_stable(gains, period, eps);
+    let stable = |period: f64| is_stable(gains, period);
     let (mut low, last) = (1e-3 * eps, 1e3 * eps);
     if !stable(low) {
         return None;
@@ -73,29 +76,63 @@ pub fn longest_period(gains: &[f64], eps: f64) -> Option<f64> {
     Some(if low >= last { low } else { bisect(low, low * STEP, stable) })
 }
 
-/// Whether the loop with `gains` and a zero-order hold of `period` is stable; for a period of 0,
-/// the loop without sampling. `unit` is the time unit of the computation, best the time-to-go.
+/// Whether the loop with `gains` and a zero-order hold of `period` > 0 is stable: exact for these
+/// doubles. Gains that are not finite are not stable.
 ///
-/// With x_i in units of unit^(1-i), d = h/unit and M = 1 + d K, K stays of the size of the gains
-/// where h is short and M next to 1: its eigenvalues c keep their digits, and |1 + d c| < 1 iff
-/// 2 Re c + d |c|^2 < 0.
-pub fn is_stable(gains: &[f64], period: f64, unit: f64) -> bool {
-    let (n, d) = (gains.len(), period / unit);
-    // d^k/(k+1)!
-    let shares: Vec<f64> = (0..n)
-        .scan(1.0, |share, k| {
-            let this = *share;
-            *share *= d / to_f64(k + 2);
-            Some(this)
-        })
-        .collect();
-    let powers: Vec<f64> = (0..n).map(|j| unit.powi(exponent(n - j))).collect();
-    let loop_matrix = DMatrix::from_fn(n, n, |i, j| {
-        let chain = if j > i { shares[j - i - 1] } else { 0.0 };
-        chain + shares[n - 1 - i] * gains[j] * powers[j]
-    });
-    eigenvalues(loop_matrix)
-        .is_some_and(|found| found.iter().all(|c| 2.0 * c.re + d * c.norm_sqr() < 0.0))
+/// x_j follows u through m = n+1-j integrators: x_j = (h/2)^m/m! p_m(sigma) u with p_0 = 1 and
+/// p_(m+1) = (sigma - 1)(p_m + (sigma + 1) p_m'), since m integrators give k^m - (k-1)^m at sample k
+/// and a factor k is -z d/dz = (sigma^2 - 1)/2 d/dsigma. With u = sum gain_j x_j the loop is
+/// stable iff all n roots of 1 - sum gain_j (h/2)^m/m! p_m have Re sigma < 0.
+pub fn is_stable(gains: &[f64], period: f64) -> bool {
+    let n = gains.len();
+    // Times n!, and in powers of 2: fractions of long numbers would take most of the time.
+    let mut weights = vec![(-factorial(n), 0)];
+    for (m, gain) in (1..=n).zip(gains.iter().rev()) {
+        let (Some((gain, own)), Some((period, each))) = (binary(*gain), binary(period / 2.0))
+        else {
+            return false;
+        };
+        let whole = gain * num_traits::pow(period, m) * (factorial(n) / factorial(m));
+        weights.push((whole, own + each * m as i64));
+    }
+    let lowest = weights.iter().map(|(_, exponent)| *exponent).min().unwrap_or(0);
+    // p_m, from the constant on.
+    let mut response = vec![BigInt::one()];
+    let mut closed = vec![BigInt::zero(); n + 1];
+    for (weight, exponent) in weights {
+        let weight = weight << (exponent - lowest);
+        closed.iter_mut().zip(&response).for_each(|(sum, own)| *sum += &weight * own);
+        response = integrated(&response);
+    }
+    let closed = Polynomial::new(closed.into_iter().map(BigRational::from).collect());
+    // A root at infinity is z = 1.
+    closed.degree() == Some(n) && is_hurwitz(&closed)
+}
+
+/// A finite number as a whole one times a power of 2.
+fn binary(number: f64) -> Option<(BigInt, i64)> {
+    let (mantissa, exponent, sign) = number.integer_decode();
+    number.is_finite().then(|| (BigInt::from(mantissa) * sign, exponent.into()))
+}
+
+fn factorial(n: usize) -> BigInt {
+    (1..=n).map(BigInt::from).product()
+}
+
+/// p_(m+1) for p_m.
+fn integrated(p: &[BigInt]) -> Vec<BigInt> {
+    let at = |k: usize| p.get(k).cloned().unwrap_or_default();
+    // p + (sigma + 1) p'.
+    let inner = |k: usize| at(k) * (k + 1) + at(k + 1) * (k + 1);
+    let outer = |k: usize| k.checked_sub(1).map(inner).unwrap_or_default() - inner(k);
+    (0..=p.len()).map(outer).collect()
+}
+
+/// Whether the loop with `gains` is stable without sampling.
+fn is_stable_unsampled(gains: &[f64]) -> bool {
+    let negative = |gain: &f64| BigRational::from_float(-gain);
+    let gains: Option<Vec<_>> = gains.iter().map(negative).collect();
+    gains.is_some_and(|gains| is_hurwitz(&Polynomial::characteristic(&gains)))
 }
 
 /// The last point from `good` towards `bad` at which `stable` holds, by bisection.
@@ -181,7 +218,8 @@ mod tests {
 
     /// Feedback gains -c_j/T^(n+1-j), the form of exp with a = 1.
     fn held(c: &[f64]) -> impl Fn(f64) -> Vec<f64> {
-        move |t| c.iter().zip((1..=c.len()).rev()).map(|(c, k)| -c / t.powi(exponent(k))).collect()
+        let n = i32::try_from(c.len()).expect("few");
+        move |t| c.iter().zip((1..=n).rev()).map(|(c, k)| -c / t.powi(k)).collect()
     }
 
     /// The coefficients of exp with a = 1: c_j = sum_i k_(i+1) (-1)^(i-j) S2(i, j), k_(n+1) = 1.
@@ -233,7 +271,29 @@ mod tests {
         assert_eq!(told.details, ["the threshold of h/T is 2"]);
     }
 
+    #[test]
+    fn the_limit_is_exact() {
+        assert!(!is_stable(&[-2.0], 1.0) && is_stable(&[-2.0f64.next_down()], 1.0));
+        assert!(!is_stable(&[0.0], 1.0) && is_stable(&[-f64::MIN_POSITIVE], 1.0));
+        assert!(!is_stable(&[f64::NAN, -1.0], 1.0) && !is_stable(&[-1.0], f64::INFINITY));
+        // A period so short that M is 1 in doubles: all poles at -1, and two to the right.
+        let binomial = [1.0, 6.0, 15.0, 20.0, 15.0, 6.0];
+        assert!(is_stable(&binomial.map(|c: f64| -c), f64::exp2(-200.0)));
+        assert!(!is_stable(&[-1.0, -6.0, -15.0, -20.0, 15.0, -6.0], f64::exp2(-200.0)));
+    }
+
     proptest! {
+        /// Jury's conditions for z^2 - (2 - b - a/2) z + 1 - b + a/2, a = -gain_1 h^2, b = -gain_2 h,
+        /// on sixteenths, so that many are met with equality.
+        #[test]
+        fn two_integrators(a in -8i32..80, b in -8i32..40) {
+            let (a, b) = (f64::from(a) / 16.0, f64::from(b) / 16.0);
+            for h in [1.0, 0.125, 2f64.powi(-100)] {
+                let jury = a > 0.0 && 2.0 * b > a && b < 2.0;
+                prop_assert_eq!(is_stable(&[-a / h / h, -b / h], h), jury);
+            }
+        }
+
         /// M is 1 to twelve digits, and the sampled loop still is as stable as the continuous one.
         #[test]
         fn short_periods_keep_their_digits(poles in prop::collection::vec(0.2..9.0f64, 1..8)) {
@@ -244,9 +304,9 @@ mod tests {
                 c = lower.zip(upper).map(|(a, b)| a + b).collect();
             }
             c.pop();
-            prop_assert!(is_stable(&held(&c)(1e-3), 1e-15, 1e-3));
+            prop_assert!(is_stable(&held(&c)(1e-3), 1e-15));
             c[0] = -c[0];
-            prop_assert!(!is_stable(&held(&c)(1e-3), 1e-15, 1e-3));
+            prop_assert!(!is_stable(&held(&c)(1e-3), 1e-15));
         }
     }
 }

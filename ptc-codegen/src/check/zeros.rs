@@ -1,13 +1,9 @@
 //! The zero dynamics of a model: what its other states do while the output is at rest.
 
-use nalgebra::DMatrix;
-use num_traits::ToPrimitive;
-
 use super::{Outcome, Verdict};
 use crate::algebra::polynomial::Polynomial;
-use crate::diagnostic::digits;
 use crate::expression::Expression;
-use crate::linear::eigenvalues;
+use crate::linear::roots;
 use crate::model::zeros::{Zeros, zeros};
 use crate::parameter::Fixed;
 use crate::request::{Reference, Spec};
@@ -27,6 +23,8 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
     let degree = format!("the relative degree is {r} of {states} states");
     let at = |p: &Polynomial| match roots(p) {
         Some(roots) => {
+            let roots: Vec<_> = roots.iter().map(ToString::to_string).collect();
+            let roots = roots.join(", ");
             format!("{degree}; at the origin the zero dynamics have the roots {roots} 1/s")
         }
         None => format!("{degree}; the zero dynamics are of order {order}"),
@@ -74,25 +72,4 @@ pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
         details.push(driven.to_owned());
     }
     Some(Outcome { name: NAME, verdict, summary, details, fix })
-}
-
-/// The roots of a polynomial, rounded; `None` if they are not found.
-fn roots(p: &Polynomial) -> Option<String> {
-    let n = p.degree()?;
-    let leading = p.coefficients().last()?;
-    let last = p.coefficients()[..n].iter().map(|c| (-c / leading).to_f64());
-    let last: Vec<f64> = last.collect::<Option<_>>()?;
-    let companion = DMatrix::from_fn(n, n, |i, j| match (i + 1 == n, i + 1 == j) {
-        (true, _) => last[j],
-        (false, true) => 1.0,
-        (false, false) => 0.0,
-    });
-    let mut roots = eigenvalues(companion)?;
-    roots.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
-    let text = |re: f64, im: f64| match im.abs() > 1e-9 * (re.abs() + im.abs()) {
-        true if im > 0.0 => format!("{}+{}i", digits(re), digits(im)),
-        true => format!("{}{}i", digits(re), digits(im)),
-        false => digits(re),
-    };
-    Some(roots.iter().map(|root| text(root.re, root.im)).collect::<Vec<_>>().join(", "))
 }

@@ -9,15 +9,15 @@
 // Numbers of states become small numbers here.
 #![allow(clippy::cast_precision_loss)]
 
-use nalgebra::{Complex, DMatrix};
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::eigenvalues::eigenvalues;
 use super::exponential::{balanced, power};
 use super::matrix::Matrix;
 use super::outputs::Outputs;
 use super::pair::Pair;
-use super::{Delay, Linear};
+use super::singular::{least, norm};
+use super::{Complex, Delay, Linear, roots};
+use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigInt, BigRational};
 use crate::parameter::Precision;
 
@@ -35,9 +35,9 @@ pub(crate) enum Ill {
     /// Rows of C depend on each other.
     Dependent,
     /// The input does not reach a mode, or hardly.
-    Uncontrollable { condition: f64, mode: Option<Complex<f64>> },
+    Uncontrollable { condition: f64, mode: Option<Complex> },
     /// What is measured does not show a mode, or hardly.
-    Unobservable { condition: f64, mode: Option<Complex<f64>> },
+    Unobservable { condition: f64, mode: Option<Complex> },
 }
 
 /// Examines a plant sampled with period `h`, whose input is late by `delay`, none where it does
@@ -70,7 +70,7 @@ pub(crate) fn examine(
         // A constant beside the input is one more mode, at 0.
         let alone = || examine(plant, h, delay, false, precision).is_ok();
         let mode = match disturbed && alone() {
-            true => Some(Complex::from(0.0)),
+            true => Some(Complex::default()),
             false => mode(plant, h, &pair, &plant.c, true),
         };
         Err(Ill::Unobservable { condition, mode })
@@ -182,29 +182,26 @@ fn condition(rows: Vec<Vec<BigRational>>, coupled: &Coupled) -> f64 {
     }
     let rows = Matrix::new(n, n, |i, j| rows.at(i, j) / &sizes[i]);
     let Some(inverse) = rows.inverse() else { return f64::INFINITY };
-    let doubles = |m: &Matrix| {
-        DMatrix::from_fn(n, n, |i, j| m.at(i, j).to_f64().map_or(f64::INFINITY, f64::abs))
-    };
-    let (own, inverse) = (doubles(&rows), doubles(&inverse));
-    let near = |i: usize, j: usize| own[(i, j)];
-    let back = |i: usize, j: usize| inverse[(i, j)];
+    let double = |m: &Matrix, i, j| m.at(i, j).to_f64().map_or(f64::INFINITY, f64::abs);
     let group = |g: usize| (0..n).filter(move |i| coupled.groups[*i] == g);
     let entry = |i: usize, j: usize| {
         let parts = (0..n).map(|g| {
-            let most = group(g).map(|state| near(i, state)).fold(0.0, f64::max);
-            most * group(g).map(|state| back(state, j)).sum::<f64>()
+            let most = group(g).map(|state| double(&rows, i, state)).fold(0.0, f64::max);
+            most * group(g).map(|state| double(&inverse, state, j)).sum::<f64>()
         });
         parts.sum()
     };
-    let product = DMatrix::from_fn(n, n, entry);
-    let mut vector = DMatrix::from_element(n, 1, 1.0);
+    let row = |i| (0..n).map(|j| entry(i, j)).collect();
+    let product: Vec<Vec<f64>> = (0..n).map(row).collect();
+    let mut vector = vec![1.0; n];
     let mut radius = 0.0;
     for _ in 0..SWEEPS {
-        let next = &product * &vector;
-        radius = next.max();
-        vector = next / radius;
+        let after = |row: &Vec<f64>| row.iter().zip(&vector).map(|(a, x)| a * x).sum();
+        vector = product.iter().map(after).collect();
+        radius = vector.iter().copied().fold(0.0, f64::max);
+        vector.iter_mut().for_each(|x| *x /= radius);
     }
-    radius
+    if vector.iter().all(|x| x.is_finite()) { radius } else { f64::INFINITY }
 }
 
 fn rank(rows: &[Vec<BigRational>]) -> usize {
@@ -233,40 +230,45 @@ fn mode(
     pair: &Pair,
     ports: &[Vec<BigRational>],
     measured: bool,
-) -> Option<Complex<f64>> {
+) -> Option<Complex> {
     let n = pair.order();
     let a = Matrix::new(n, n, |i, j| &plant.a[i][j] * h);
     let units = balanced(&a);
-    let double = |value: BigRational| value.to_f64().unwrap_or(f64::NAN);
-    let scaled = |m: &Matrix, i: usize, j: usize| {
-        let value = double(m.at(i, j) * power(units[j] - units[i]));
-        Complex::from(value)
-    };
-    let own = eigenvalues(DMatrix::from_fn(n, n, |i, j| scaled(&a, i, j).re))?;
+    let own = roots(&Polynomial::new(a.characteristic()))?;
     let step = pair.step();
-    let step = DMatrix::from_fn(n, n, |i, j| match measured {
-        true => scaled(&step, j, i),
-        false => scaled(&step, i, j),
-    });
-    let mut ports = DMatrix::from_fn(n, ports.len(), |i, l| {
-        let unit = power(if measured { units[i] } else { -units[i] });
-        Complex::from(double(&ports[l][i] * unit))
-    });
-    for mut port in ports.column_iter_mut() {
-        let size = port.norm();
-        port /= Complex::from(if size > 0.0 { size } else { 1.0 });
-    }
-    let distance = |value: &Complex<f64>| {
-        let z = value.exp() - 1.0;
-        // All in the size of what the mode itself does in a sample.
-        let size = step.norm().max(f64::MIN_POSITIVE);
-        let whole = DMatrix::from_fn(n, n + ports.ncols(), |i, j| match j < n {
-            true => (step[(i, j)] - if i == j { z } else { Complex::from(0.0) }) / size,
-            false => ports[(i, j - n)],
-        });
-        whole.singular_values().min()
+    let rows = |m: &Matrix| -> Option<Vec<Vec<f64>>> {
+        let entry = |i, j| (m.at(i, j) * power(units[j] - units[i])).to_f64();
+        (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
+    };
+    let step = rows(&step)?;
+    let step = |i: usize, j: usize| if measured { step[j][i] } else { step[i][j] };
+    let column = |port: &Vec<BigRational>| -> Option<Vec<f64>> {
+        let unit = |i: usize| power(if measured { units[i] } else { -units[i] });
+        let column: Option<Vec<_>> = (0..n).map(|i| (&port[i] * unit(i)).to_f64()).collect();
+        let size = column.as_deref().map(norm).filter(|size| *size > 0.0).unwrap_or(1.0);
+        column.map(|column| column.iter().map(|x| x / size).collect())
+    };
+    let ports: Vec<_> = ports.iter().map(column).collect::<Option<_>>()?;
+    // All in the size of what the modes themselves do in a sample.
+    let all: Vec<_> = (0..n * n).map(|at| step(at / n, at % n)).collect();
+    let size = norm(&all).max(f64::MIN_POSITIVE);
+    // A complex row u + v i as the two real rows (u, -v) and (v, u): all singular values twice.
+    let distance = |value: &Complex| {
+        let z = value.exp_m1();
+        let row = |i: usize, imaginary: bool| {
+            let diagonal = |j: usize, entry: f64| if i == j { entry / size } else { 0.0 };
+            let real = (0..n).map(|j| step(i, j) / size - diagonal(j, z.re));
+            let turned = (0..n).map(|j| -diagonal(j, z.im));
+            let shown = ports.iter().map(|port| port[i]);
+            let none = ports.iter().map(|_| 0.0);
+            match imaginary {
+                false => real.chain(shown).chain(turned.map(|x| -x)).chain(none).collect(),
+                true => turned.chain(none).chain(real).chain(shown).collect::<Vec<f64>>(),
+            }
+        };
+        least((0..n).flat_map(|i| [row(i, false), row(i, true)]).collect())
     };
     let period = h.to_f64()?;
-    let least = own.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-    Some(Complex::new(least.re / period, least.im.abs() / period))
+    let nearest = own.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    Some(Complex::new(nearest.re / period, nearest.im.abs() / period))
 }

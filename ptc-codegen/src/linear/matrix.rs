@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, Zero};
 
-use crate::algebra::{BigInt, BigRational, integer};
+use crate::algebra::{BigInt, BigRational, integer, multiple, whole};
 
 /// Bits up to which a number stays exact, numerator and denominator together: those of a chain do.
 const EXACT: u64 = 1 << 14;
@@ -184,24 +184,4 @@ fn quotient(a: &BigInt, b: &BigInt) -> BigRational {
     let whole = (a << up) / (b << down);
     let twos = whole.trailing_zeros().unwrap_or(0).min(up);
     BigRational::new_raw((whole >> twos) << down, BigInt::one() << (up - twos))
-}
-
-/// The least common multiple of two denominators, where a power of 2 is one at once.
-fn multiple(a: BigInt, b: &BigInt) -> BigInt {
-    let twos = |of: &BigInt| of.trailing_zeros().unwrap_or(0);
-    let (a_twos, b_twos) = (twos(&a), twos(b));
-    let (a, b) = (a >> a_twos, b >> b_twos);
-    let odd = match () {
-        () if a.is_one() => b,
-        () if b.is_one() || a == b => a,
-        () => BigRational::new(a, b.clone()).numer() * b,
-    };
-    odd << a_twos.max(b_twos)
-}
-
-/// The numbers times their common denominator.
-fn whole<'a>(numbers: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigInt> {
-    let denominators = numbers.clone().map(BigRational::denom);
-    let common = denominators.fold(BigInt::one(), multiple);
-    numbers.map(|number| number.numer() * (&common / number.denom())).collect()
 }

@@ -2,23 +2,26 @@
 //! observed in samples.
 
 mod between;
+mod complex;
 mod condition;
 mod delay;
-mod eigenvalues;
 mod exponential;
 mod matrix;
 mod outputs;
 mod pair;
 mod poles;
+mod roots;
+mod singular;
 
 pub(crate) use between::{Between, Part, drift};
+pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
-pub(crate) use eigenvalues::eigenvalues;
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};
 pub(crate) use poles::sampled_poles;
+pub use roots::roots;
 
 use crate::algebra::{BigRational, integer};
 

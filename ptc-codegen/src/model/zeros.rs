@@ -52,8 +52,7 @@ pub(crate) fn zeros(model: &Model, gain: &Expression, values: &Values) -> Zeros 
 
 /// Whether a root has a positive real part: repeated ones on the axis are counted once.
 fn is_unstable(p: &Polynomial) -> bool {
-    let simple = p.divided(&p.gcd(&p.derivative())).map_or_else(|| p.clone(), |(simple, _)| simple);
-    !is_bounded(&simple)
+    !is_bounded(&p.radical())
 }
 
 /// The origin.

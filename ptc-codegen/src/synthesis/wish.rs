@@ -4,10 +4,11 @@ use num_traits::ToPrimitive;
 
 use super::candidate::Candidate;
 use super::probe::Refused;
+use crate::algebra::polynomial::Polynomial;
 use crate::check::examine::{decay, examine};
-use crate::check::poles;
 use crate::diagnostic::digits;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::linear::roots;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant;
 use crate::request::{self, Entry, Feedback, Spec};
@@ -110,7 +111,8 @@ impl<'a> Wish<'a> {
         let gain = |i| self.spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
         let gains: Option<Vec<_>> = (1..=self.spec.n).map(gain).collect();
         let gains = gains.filter(|_| self.spec.feedback == Feedback::Linear);
-        let poles = gains.map(|gains| poles::numeric(&gains)).unwrap_or_default();
+        let poles = gains.and_then(|gains| roots(&Polynomial::characteristic(&gains)));
+        let poles = poles.unwrap_or_default();
         let slowest = poles.iter().map(|pole| -pole.re).fold(f64::INFINITY, f64::min);
         if slowest > 0.0 && slowest.is_finite() { slowest } else { 1.0 }
     }

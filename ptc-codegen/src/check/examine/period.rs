@@ -38,7 +38,7 @@ fn first_unstable(gains: &[f64]) -> Option<f64> {
     if !scale.is_finite() || scale == 0.0 {
         return None;
     }
-    let stable = |period: f64| is_stable(gains, period, scale);
+    let stable = |period: f64| is_stable(gains, period);
     let (mut good, last) = (BELOW * scale, ABOVE * scale);
     if !stable(good) {
         return None;

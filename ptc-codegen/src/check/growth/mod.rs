@@ -29,13 +29,12 @@ mod report;
 
 pub use self::report::{open, too_fast, without_rate};
 
-use nalgebra::Complex;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::poles;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::{is_bounded, is_hurwitz};
 use crate::algebra::{BigInt, BigRational};
+use crate::linear::{Complex, roots};
 
 /// What the mode of a simple pole at -m rho is as a function of time-to-go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,8 +72,8 @@ pub struct Growth {
     pub u_to_zero: Option<bool>,
     /// The m < n for which a pole lies at -m rho and is simple.
     pub excepted: Vec<usize>,
-    /// The poles as numbers, rightmost first.
-    pub poles: Vec<Complex<f64>>,
+    /// The poles as numbers, rightmost first; empty where they are not found.
+    pub poles: Vec<Complex>,
     /// The largest decay rate, to three digits from below, at which x -> 0 and u -> 0 with these
     /// gains; none if there is none.
     pub largest_rho: Option<f64>,
@@ -126,7 +125,7 @@ pub fn growth(gains: &[BigRational], rho: &BigRational, modes: Modes) -> Growth 
         u_bounded: open_or(if rest_bounded { excepted_bounded } else { Some(false) }),
         u_to_zero: open_or(if rest_to_zero { excepted_to_zero } else { Some(false) }),
         excepted,
-        poles: poles::numeric(gains),
+        poles: roots(&p).unwrap_or_default(),
         largest_rho: largest_rho(gains, &p),
     }
 }

@@ -1,6 +1,6 @@
 //! The report of [`Growth`].
 
-use super::super::{Outcome, Verdict, poles, to_f64};
+use super::super::{Outcome, Verdict, to_f64};
 use super::Growth;
 use crate::diagnostic::digits;
 
@@ -17,10 +17,10 @@ impl Growth {
         let slack = 1e-6 * self.poles.iter().map(|pole| pole.norm()).fold(line.abs(), f64::max);
         let right = self.poles.iter().filter(|pole| pole.re > line + slack).map(|pole| {
             let by = digits(pole.re - line);
-            format!("the pole {} lies {by} right of {}", poles::text(*pole), digits(line))
+            format!("the pole {} lies {by} right of {}", pole, digits(line))
         });
         let on = self.poles.iter().filter(|pole| (pole.re - line).abs() <= slack);
-        (right.collect(), on.map(|pole| poles::text(*pole)).collect())
+        (right.collect(), on.map(ToString::to_string).collect())
     }
 
     /// What keeps x from 0: no pole may lie on the line.
@@ -139,7 +139,7 @@ impl From<&Growth> for Outcome {
             let u = if bounded { "u stays bounded" } else { "it is open whether u stays bounded" };
             details.push(u.to_owned());
         }
-        let poles: Vec<_> = growth.poles.iter().map(|pole| poles::text(*pole)).collect();
+        let poles: Vec<_> = growth.poles.iter().map(ToString::to_string).collect();
         let spelling = growth.spelling.as_ref().map(|text| format!("{text} = "));
         let rho = spelling.unwrap_or_default() + &digits(growth.rho);
         details.push(format!("poles {}; rho = {rho}", poles.join(", ")));

@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::{Reader, items, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::digits;
-use crate::linear::{self, Delay, Ill, Linear};
+use crate::linear::{self, Complex, Delay, Ill, Linear};
 use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
 use crate::syntax::{Node, Value, real};
@@ -97,8 +97,8 @@ impl Reader<'_> {
 
     fn ill(&mut self, ill: &Ill, disturbance: bool) {
         let place = |key: &str| self.keys.get(key).map(|node| node.place);
-        let eigenvalue = |mode: &Option<nalgebra::Complex<f64>>| match mode {
-            Some(mode) if mode.im > 1e-9 * mode.norm() => {
+        let eigenvalue = |mode: &Option<Complex>| match mode {
+            Some(mode) if mode.is_complex() => {
                 format!("s = {} +- {}i", digits(mode.re), digits(mode.im))
             }
             Some(mode) => format!("s = {}", digits(mode.re)),
