@@ -62,3 +62,14 @@ fn an_envelope_needs_no_gains() {
     let law = "--n 1 --mu \"exp(a=1)\" --pi0=\"-exp(xi1)\" --tau=2 --eps=0.1 --x-max=1000";
     assert_eq!(verdict(law, "envelope"), Verdict::Refuted);
 }
+
+/// The eps that `error` allows for short periods is 0.036 s, at which the loop is not stable.
+#[test]
+fn an_eps_that_fails_in_the_loop_gives_way() {
+    let line = "--n 2 --mu \"exp(a=1)\" --poles=-4,-5 --tau=1 --sample-time=0.02 --error=1e-3,1e-2 \
+                --x0-max=1,0.5";
+    for check in ["sampling", "loop"] {
+        assert_eq!(verdict(line, check), Verdict::Sound, "{check}");
+        assert_eq!(verdict(&format!("{line} --eps=0.036"), "sampling"), Verdict::Unsound);
+    }
+}
