@@ -3,7 +3,7 @@
 
 mod support;
 
-use support::{folder_with, run_in};
+use support::{example, folder_with, run_in};
 
 /// A chain of two integrators under noise, with a force that is not known.
 const NOISY: &str = "n = 2
@@ -110,7 +110,7 @@ fn a_clock_in_samples_is_verified() {
     assert!(exit == 0 && told.contains("proved by the worst case"), "{told}{stderr}");
     let (exit, told, _) = verify("running_time", &text.replace("poles", "eps = 0.2\npoles"), &[]);
     assert_eq!(exit, 1, "{told}");
-    let stage = std::fs::read_to_string("../examples/encoder.toml").expect("the example");
+    let stage = example("encoder.toml");
     let stage = stage
         + "[verify]\nx1 = [-0.1, 0.1]\nx2 = 0\nscenarios = 20\nsearch = 20\n"
         + &attractive(1e-3);

@@ -1,7 +1,7 @@
 //! One scenario: on both sides of Theorem 1, or in the loop that runs.
 
 use super::objective::Observer;
-use super::{Campaign, Level, Setting};
+use super::{Campaign, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
@@ -22,106 +22,6 @@ enum Closed {
     Theorem(Box<(Run<Continuous>, Run<Direct>)>),
     /// The loop that runs.
     Running(Box<Sampled>),
-}
-
-/// How far a run came.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// To its end, on both sides.
-    Finished,
-    /// Until x or u left the range of numbers: each objective fails.
-    OutOfRange,
-    /// Until the integration had to stop: what comes after that is not known.
-    Unfinished,
-}
-
-/// What a scenario says of an objective.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judgement {
-    /// It holds as far as the run came.
-    Holds,
-    /// It holds on one side of Theorem 1 and fails on the other: the bound is met within rounding.
-    Open,
-    /// It fails.
-    Fails,
-}
-
-impl Status {
-    /// As it is written to a row.
-    pub fn code(self) -> f64 {
-        match self {
-            Self::Finished => 0.0,
-            Self::OutOfRange => 1.0,
-            Self::Unfinished => 2.0,
-        }
-    }
-}
-
-impl Judgement {
-    /// Of the excess on both sides, as far as each came: where rounding takes one of them away, it
-    /// may exceed anything before its integration stops, and only what both exceed fails.
-    pub(super) fn of(sides: [f64; 2]) -> Self {
-        let [low, high] = [sides[0].min(sides[1]), sides[0].max(sides[1])];
-        match () {
-            () if high <= 0.0 => Self::Holds,
-            () if low > 0.0 => Self::Fails,
-            () => Self::Open,
-        }
-    }
-}
-
-/// What a scenario gave.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// By how much each objective is exceeded at its worst instant, in the loop that runs or on the side
-    /// of the infinite-time system; above 0 it fails. Infinite where x or u leaves the range of numbers.
-    pub excess: Vec<f64>,
-    /// What the other side of Theorem 1 says; `None` for the loop that runs.
-    pub direct: Option<Other>,
-    /// Why a run ended early.
-    pub ended: Option<Failure>,
-}
-
-/// The side of the plant with the emitted program, beside that of the infinite-time system.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Other {
-    /// By how much each objective is exceeded at its worst instant.
-    pub excess: Vec<f64>,
-    /// Largest difference of the sides in x_i and u, as a part of their largest value in the run.
-    pub difference: f64,
-}
-
-impl Outcome {
-    /// How far it came.
-    pub fn status(&self) -> Status {
-        match &self.ended {
-            None => Status::Finished,
-            Some(ended) if ended.cause == Cause::Range => Status::OutOfRange,
-            Some(_) => Status::Unfinished,
-        }
-    }
-
-    /// By how much an objective is exceeded on the side on which it comes off worse.
-    pub fn worst(&self, objective: usize) -> f64 {
-        let [one, other] = self.sides(objective);
-        one.max(other)
-    }
-
-    /// The difference of the sides; 0 where there is one alone.
-    pub fn difference(&self) -> f64 {
-        self.direct.as_ref().map_or(0.0, |direct| direct.difference)
-    }
-
-    /// The excess of an objective on each side; of one alone twice.
-    fn sides(&self, objective: usize) -> [f64; 2] {
-        let own = self.excess[objective];
-        [own, self.direct.as_ref().map_or(own, |direct| direct.excess[objective])]
-    }
-
-    /// What it says of an objective.
-    pub fn judgement(&self, objective: usize) -> Judgement {
-        Judgement::of(self.sides(objective))
-    }
 }
 
 /// One instant of a run, to be shown.

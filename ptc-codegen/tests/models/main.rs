@@ -10,20 +10,7 @@ mod mistakes;
 mod support;
 mod zeros;
 
-use std::fs;
-use std::path::Path;
-
-use ptc_codegen::request::Spec;
-
-/// The text of a design in examples/.
-fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
-    fs::read_to_string(path).expect("an example")
-}
-
-fn spec(text: &str) -> Spec {
-    support::design(text).0
-}
+use support::{example, spec};
 
 /// The magnet of examples/levitation.toml at numbers that hold it at z0.
 const LEVITATION: &str = "static const levitation_params params = { .tau = 0.5, .t0 = 0.0, .u_max = INFINITY, \

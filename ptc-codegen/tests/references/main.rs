@@ -10,20 +10,7 @@ mod mistakes;
 mod support;
 mod told;
 
-use std::fs;
-use std::path::Path;
-
-use ptc_codegen::request::Spec;
-
-/// The text of a design in examples/.
-fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
-    fs::read_to_string(path).expect("an example")
-}
-
-fn spec(text: &str) -> Spec {
-    support::design(text).0
-}
+use support::{example, spec};
 
 /// x^(n) that the law of the mapping exp with a = 1 wants of x, x', ... at the time-to-go `to_go`, under
 /// which the pole -p leaves x = T^p: the product of T d/dT - p over all poles is 0 on x.

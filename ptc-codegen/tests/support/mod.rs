@@ -21,6 +21,17 @@ pub(crate) fn entries(text: &str) -> Vec<Entry> {
     entries
 }
 
+/// The text of a design in examples/.
+pub(crate) fn example(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
+    fs::read_to_string(path).expect("an example")
+}
+
+/// The controller of a design file's text.
+pub(crate) fn spec(text: &str) -> Spec {
+    design(text).0
+}
+
 /// The controller and the plant of a design file's text.
 pub(crate) fn design(text: &str) -> (Spec, Plant) {
     let entries = entries(text);
