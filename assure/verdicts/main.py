@@ -71,6 +71,7 @@ def loops(pool, arguments):
     return {
         "designs": len(results), "verdicts": Counter(r["verdict"] for r in results),
         "after": sum(r.get("held") is not None for r in results),
+        "verify": Counter(r["verify"] for r in results if r.get("verify")),
         "close": {kind: middle(near("near", kind)) for kind in KINDS},
         "close_after": {kind: middle(near("held", kind)) for kind in KINDS},
         "false": [r for r in results if r["false"]],

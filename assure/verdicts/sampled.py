@@ -215,6 +215,37 @@ class Design:
         return final, way, most, u_most
 
 
+def verified(command, design, path, truth, later, source, seconds):
+    """What `verify` says of |x| from the deadline on, and why that is false, if it is.
+
+    `truth` and `later` are the largest |x_i| at the deadline and from there on that are known to be reached.
+    """
+    beyond = source.random() < 0.5
+    reached = np.maximum(truth, later) if beyond else truth
+    most, size = float(np.max(reached)), float(np.linalg.norm(reached))
+    wide = source.random() < 0.5
+    error = size * 1.02 if wide else most * 0.98
+    lines = ["[verify]", f"until = {-0.3 if beyond else 0}", "scenarios = 20", "search = 20"]
+    lines += [f"x{i + 1} = [{-x!r}, {x!r}]" for i, x in enumerate(design.x0)]
+    lines += ["[[objective]]", 'bound = "attractive"', f"error = {error!r}"]
+    path.write_text("\n".join(design.lines + design.tables + lines) + "\n")
+    try:
+        done = subprocess.run([command, "verify", str(path)], capture_output=True, text=True, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        return "late", None
+    said = next((line for line in done.stdout.splitlines() if line.startswith("objective 1")), "")
+    word = next((word for word in ("holds, proved", "holds, by sampling", "fails", "undecided") if word in said), None)
+    side = "above" if wide else "below"
+    if word is None:
+        return "no answer", (done.stdout + done.stderr)[:1500]
+    # What is reached later is known from below alone.
+    if word == "fails" and wide and not beyond and not design.gain and not design.jitter:
+        return f"{word}, {side}", f"fails, and |x| reaches {size} of {error}"
+    if word == "holds, proved" and not wide:
+        return f"{word}, {side}", f"proved, and |x| reaches {most} of {error}"
+    return f"{word}, {side}", None
+
+
 def trial(job):
     """One design, checked: whether its verdict is false, and how close its bound is."""
     command, folder, seed, index, linear, scale, seconds = job
@@ -281,5 +312,8 @@ def trial(job):
         result["near"] = float(np.max(bound / truth))
         result["between"] = worst.get("between")
         result["held"] = float(np.max(np.array(after["x"]) / later)) if after else None
+    result["verify"], wrong = verified(command, design, path, truth, later * scale, source, seconds)
+    if wrong:
+        why.append(f"verify: {wrong}")
     kind = ("linear " if linear else "") + ("uncertain" if uncertain else "known")
     return result | {"verdict": f"{word}, {kind}, {'true' if holds else 'false'}", "false": bool(why), "why": why}

@@ -118,6 +118,22 @@ fn a_clock_in_samples_is_verified() {
     assert!(exit == 0 && told.contains("proved by the worst case"), "{told}{stderr}");
 }
 
+/// With a clock in samples the mapping is `exp`, and poles are placed for what is under way too.
+#[test]
+fn a_wish_in_samples_is_met() {
+    let wish = NOISY
+        .replace("mu = \"exp(a=1)\"\npoles = [-4, -5]\n", "clock = \"samples\"\ndelay = 1\n")
+        .replace("eps = 0.1\n", "");
+    let folder = folder_with("running_wish", "wish.toml", wish + &attractive(0.3));
+    let (exit, design, told) = run_in(&folder, &["design", "wish.toml"]);
+    assert_eq!(exit, Some(0), "{design}{told}");
+    assert!(design.contains("mu = \"exp(a=1)\""), "{design}");
+    let poles = design.lines().find(|line| line.starts_with("poles")).expect("poles");
+    assert_eq!(poles.split(',').count(), 3, "{poles}");
+    assert!(design.contains("holds, proved by the worst case"), "{design}");
+    assert!(design.contains("of the worst |x2| at the deadline"), "{design}");
+}
+
 /// What is printed of a scenario runs it again, with what its sensors drew.
 #[test]
 fn a_scenario_is_replayed() {

@@ -91,7 +91,12 @@ pub(super) struct Candidate {
 /// All candidates of a wish, in their order.
 pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
     let plans: Vec<_> = match wish.leaves_mapping() {
-        true => MAPPINGS.iter().map(Some).collect(),
+        // In samples the law is that of `exp`.
+        true => MAPPINGS
+            .iter()
+            .take(if wish.is_in_samples() { 1 } else { MAPPINGS.len() })
+            .map(Some)
+            .collect(),
         false => vec![None],
     };
     let spacings: &[Option<f64>] = match wish.leaves_law() {

@@ -69,12 +69,19 @@ impl<'a> Wish<'a> {
     /// # Errors
     /// Every mistake in the entries.
     pub fn read(entries: &'a [Entry]) -> Result<Self, Vec<Diagnostic>> {
-        let order = entries.iter().find(|entry| entry.key == "n");
-        let order = order.and_then(|entry| match &entry.value.value {
-            Value::Number(value) => value.number()?.to_usize(),
-            _ => None,
-        });
-        let order = order.unwrap_or(1).clamp(1, request::MAX_ORDER);
+        let count = |key: &str| {
+            let entry = entries.iter().find(|entry| entry.key == key)?;
+            match &entry.value.value {
+                Value::Number(value) => value.number()?.ceil().to_usize(),
+                _ => None,
+            }
+        };
+        let clock =
+            entries.iter().find(|entry| entry.key == "clock").map(|entry| &entry.value.value);
+        let in_samples = matches!(clock, Some(Value::Word(word)) if word == "samples");
+        // A law in samples places a pole for each input under way too.
+        let late = if in_samples { count("delay").unwrap_or(0).min(request::MAX_ORDER) } else { 0 };
+        let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
         let law = !gives(entries, &["gains", "poles", "pi0"]);
         let stand_in = Choice {
             mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
@@ -91,9 +98,14 @@ impl<'a> Wish<'a> {
         &self.campaign
     }
 
-    /// Order n.
+    /// Number of poles: the order n, and in samples the inputs that are under way.
     pub fn order(&self) -> usize {
-        self.spec.n
+        self.spec.loop_order()
+    }
+
+    /// Whether the clock is in samples.
+    pub fn is_in_samples(&self) -> bool {
+        self.spec.sampled().is_some()
     }
 
     /// Whether the mapping is to be chosen.
@@ -109,7 +121,7 @@ impl<'a> Wish<'a> {
     /// The distance of the slowest pole of the given law from 0; 1 where that is not known.
     pub(super) fn slowest_pole(&self) -> f64 {
         let gain = |i| self.spec.fixed.get(&Parameter::Gain(i)).and_then(Fixed::number).cloned();
-        let gains: Option<Vec<_>> = (1..=self.spec.n).map(gain).collect();
+        let gains: Option<Vec<_>> = (1..=self.order()).map(gain).collect();
         let gains = gains.filter(|_| self.spec.feedback == Feedback::Linear);
         let poles = gains.and_then(|gains| roots(&Polynomial::characteristic(&gains)));
         let poles = poles.unwrap_or_default();
@@ -130,7 +142,7 @@ impl<'a> Wish<'a> {
 
     /// A candidate at a speed, with the guard that goes with it.
     pub(super) fn choice(&self, candidate: &Candidate, speed: f64) -> Choice {
-        let mut choice = candidate.at(self.spec.n, speed);
+        let mut choice = candidate.at(self.order(), speed);
         let promises = &self.spec.promises;
         let asked = promises.sample_time.is_some() || !promises.error.is_empty();
         if asked && !self.spec.fixed.contains_key(&Parameter::Eps) {

@@ -145,7 +145,7 @@ fn what_needs_a_law_is_refused() {
             "simulate needs a law, and an observer alone has none",
         ),
         (&["show", "law", "encoder.toml"], "does not know a clock in samples"),
-        (&["verify", "encoder.toml"], "does not know a clock in samples"),
+        (&["verify", "encoder.toml"], "a campaign needs a law, and an observer alone has none"),
     ] {
         let (code, out, told) = run_in(&folder, arguments);
         assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments:?}: {told}");
