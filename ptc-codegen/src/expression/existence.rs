@@ -129,6 +129,7 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "lab")]
     #[test]
     fn no_number_meets_no_condition() {
         for condition in

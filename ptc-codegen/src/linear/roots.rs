@@ -24,9 +24,9 @@ const FINEST: i64 = 960;
 /// Sweeps on a grid; ten or twenty are usual.
 const SWEEPS: usize = 200;
 
-/// All roots, a multiple one as often as it is one, rightmost first, conjugates in turn: to the last digit of a double in
-/// their modulus, with an imaginary part of 0 where they are real. `None` for 0, and where the roots
-/// are too close together or differ too much in size.
+/// All roots, each as often as its multiplicity, rightmost first, conjugates in turn: to the last digit
+/// of a double in their modulus, with an imaginary part of 0 where they are real. `None` for 0, and
+/// where the roots are too close together or differ too much in size.
 pub fn roots(p: &Polynomial) -> Option<Vec<Complex>> {
     p.degree()?;
     let (at_zero, mut rest) = p.without(&BigRational::zero());

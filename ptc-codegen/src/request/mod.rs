@@ -1,6 +1,7 @@
 //! The user's request. Every front end ends in a [`Spec`].
 
 mod command;
+mod needs;
 mod poles;
 mod promises;
 mod read;
@@ -15,7 +16,6 @@ pub use sampled::{Observer, Sampled};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::BigRational;
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
@@ -381,76 +381,6 @@ impl Spec {
             Clock::Time => None,
             Clock::Samples(sampled) => Some(sampled),
         }
-    }
-
-    /// Refuses a clock in samples for what knows time alone.
-    ///
-    /// # Errors
-    /// That `what` does not know it.
-    pub fn needs_time(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        if self.sampled().is_some() {
-            let message = format!("{what} does not know a clock in samples yet");
-            let help = "leave `clock` out, or emit and simulate it alone";
-            found.push("clock", "clock", None, message, help);
-        }
-        found.finish(Some(()))
-    }
-
-    /// Refuses a model for what knows a chain of integrators alone.
-    ///
-    /// # Errors
-    /// That `what` does not know it.
-    pub fn needs_chain(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        if self.model.is_some() {
-            let message = format!("{what} does not know the model of a plant yet");
-            let help = "leave [model] out, or emit the controller and run it with the plant in your own simulation";
-            found.push("model", "dynamics", None, message, help);
-        }
-        found.finish(Some(()))
-    }
-
-    /// Refuses a reference that each call is given for what makes the calls itself.
-    ///
-    /// # Errors
-    /// That `what` has none to give.
-    pub fn needs_known_reference(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        if self.reference == Some(Reference::Input) {
-            let message = format!("{what} has no reference to give to each call");
-            let help = "give `reference` as an expression in t: the same law follows it";
-            found.push("reference", "reference", None, message, help);
-        }
-        found.finish(Some(()))
-    }
-
-    /// Refuses a reference for what knows a law that brings the state to 0 alone.
-    ///
-    /// # Errors
-    /// That `what` does not know it.
-    pub fn needs_rest(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        if self.reference.is_some() {
-            let message = format!("{what} does not know a reference yet");
-            let help = "leave `reference` out: its states are then those of the tracking error";
-            found.push("reference", "reference", None, message, help);
-        }
-        found.finish(Some(()))
-    }
-
-    /// Refuses an observer alone for what runs a law.
-    ///
-    /// # Errors
-    /// That `what` needs a law.
-    pub fn needs_law(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
-        let mut found = Diagnostics::default();
-        if self.what == What::Observer {
-            let message = format!("{what} needs a law, and an observer alone has none");
-            let help = "leave `what` out for the controller of the design, or emit the observer and call it from your own program";
-            found.push("not-alone", "what", None, message, help);
-        }
-        found.finish(Some(()))
     }
 
     /// The parameters that are left to run time.

@@ -6,6 +6,9 @@ use crate::linear::Delay;
 use crate::parameter::Fixed;
 use crate::request::{Spec, one_or_each};
 
+/// Relative tolerance within which two times count as the same.
+pub(crate) const SAME: f64 = 1e-12;
+
 /// Sample times, sensors and actuator of a sampled loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {

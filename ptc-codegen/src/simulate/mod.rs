@@ -30,6 +30,7 @@ mod values;
 
 pub(crate) use along::Along;
 pub use around::Loop;
+pub(crate) use around::SAME;
 pub use continuous::Continuous;
 pub use controller::Controller;
 pub use direct::Direct;

@@ -6,6 +6,7 @@ use num_traits::ToPrimitive;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
+use super::around::SAME;
 use super::linear::Linear;
 use super::mode::Mode;
 use super::plant::Motion;
@@ -73,9 +74,6 @@ impl Running<'_> {
         }
     }
 }
-
-/// Relative tolerance within which two times count as the same.
-const SAME: f64 = 1e-12;
 
 /// Accuracy of the motion between two samples, where u is constant.
 const BETWEEN: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-12, steps: 10_000 };

@@ -5,7 +5,9 @@ use super::{Campaign, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sample, Sampled, Side};
+use crate::simulate::{
+    Accuracy, Cause, Continuous, Direct, Failure, Run, SAME, Sample, Sampled, Side,
+};
 
 /// The closed loops of a campaign, to be run with many scenarios.
 #[derive(Clone, Debug)]
@@ -257,9 +259,6 @@ fn running(
         visit(watch.instant(Sample { time_to_go, ..sample }, time_to_go <= 0.0));
     })
 }
-
-/// Part of tau within which a sample is that of the deadline.
-const SAME: f64 = 1e-12;
 
 /// The objectives along one run.
 struct Watch<'a> {

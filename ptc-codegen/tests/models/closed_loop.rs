@@ -7,27 +7,20 @@ use super::{LEVITATION, example, fixed, in_c, spec, support};
 /// prints its state.
 fn main(name: &str, params: &str, (rate, start): (&str, &[f64]), [tau, eps]: [f64; 2]) -> String {
     let n = start.len();
+    let advance = in_c::advance(n);
     let start: Vec<_> = start.iter().map(|x| format!("{x:e}")).collect();
     format!(
         "{params}\nstatic {name} control;\n\
          static int rates(double t, const double *x, double *dx)\n{{\n    double u;\n\
-         \x20   const int wrong = {name}_step(&control, t, x, &u) != PTC_OK;\n{rate}\n    return wrong;\n}}\n\
+         \x20   const int wrong = {name}_step(&control, t, x, &u) != PTC_OK;\n{rate}\n    return wrong;\n}}\n{advance}\
          int main(void)\n{{\n\
-         \x20   double x[{n}] = {{ {} }}, k[4][{n}], y[{n}];\n\
-         \x20   const double part[4] = {{ 0.0, 0.5, 0.5, 1.0 }}, weight[4] = {{ 1.0, 2.0, 2.0, 1.0 }};\n\
+         \x20   double x[{n}] = {{ {} }};\n\
          \x20   const double to = 1.0000001 * {eps:e};\n\
          \x20   const int steps = 200000;\n    double t = 0.0;\n\
          \x20   if ({name}_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
          \x20   for (int i = 0; i < steps; i++) {{\n\
          \x20       const double next = {tau:e} - {tau:e} * pow(to / {tau:e}, (i + 1.0) / steps);\n\
-         \x20       const double h = next - t;\n\
-         \x20       for (int s = 0; s < 4; s++) {{\n\
-         \x20           for (int j = 0; j < {n}; j++) {{ y[j] = x[j] + (s > 0 ? part[s] * h * k[s - 1][j] : 0.0); }}\n\
-         \x20           if (rates(t + part[s] * h, y, k[s])) {{ return 2; }}\n\
-         \x20       }}\n\
-         \x20       for (int j = 0; j < {n}; j++) {{\n\
-         \x20           for (int s = 0; s < 4; s++) {{ x[j] += h / 6.0 * weight[s] * k[s][j]; }}\n\
-         \x20       }}\n\
+         \x20       if (advance(t, next - t, x)) {{ return 2; }}\n\
          \x20       t = next;\n    }}\n\
          \x20   for (int j = 0; j < {n}; j++) {{ printf(\"%.17g \", x[j]); }}\n    printf(\"\\n\");\n    return 0;\n}}\n",
         start.join(", ")

@@ -36,6 +36,21 @@ fn run_in(folder: PathBuf, spec: &Spec, main: &str) -> Vec<Vec<f64>> {
     text.lines().map(|line| line.split_whitespace().map(number).collect()).collect()
 }
 
+/// A function that advances `x`, of order `n`, from t over a time h by the method of Runge and Kutta of order
+/// four, with the rates of the function `rates`; whether these were refused.
+pub(super) fn advance(n: usize) -> String {
+    format!(
+        "static int advance(double t, double h, double *x)\n{{\n    double k[4][{n}], y[{n}];\n\
+         \x20   const double part[4] = {{ 0.0, 0.5, 0.5, 1.0 }}, weight[4] = {{ 1.0, 2.0, 2.0, 1.0 }};\n\
+         \x20   for (int s = 0; s < 4; s++) {{\n\
+         \x20       for (int j = 0; j < {n}; j++) {{ y[j] = x[j] + (s > 0 ? part[s] * h * k[s - 1][j] : 0.0); }}\n\
+         \x20       if (rates(t + part[s] * h, y, k[s])) {{ return 1; }}\n    }}\n\
+         \x20   for (int j = 0; j < {n}; j++) {{\n\
+         \x20       for (int s = 0; s < 4; s++) {{ x[j] += h / 6.0 * weight[s] * k[s][j]; }}\n    }}\n\
+         \x20   return 0;\n}}\n"
+    )
+}
+
 /// What the self-test of the controller of `spec` finds wrong: it compares the emitted C with the
 /// definition in long arithmetic.
 pub(super) fn selftest(test: &str, spec: &Spec) -> f64 {

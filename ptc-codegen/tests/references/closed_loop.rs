@@ -13,31 +13,24 @@ fn main(
     [tau, eps, until]: [f64; 3],
 ) -> String {
     let n = start.len();
+    let advance = in_c::advance(n);
     let start: Vec<_> = start.iter().map(|x| format!("{x:e}")).collect();
     let pass = if given.is_empty() { "" } else { "r, " };
     format!(
         "static {name} control;\n\
          static int rates(double t, const double *x, double *dx)\n{{\n    double u;\n{given}\
-         \x20   const int wrong = {name}_step(&control, t, x, {pass}&u) < 0;\n{rate}\n    return wrong;\n}}\n\
+         \x20   const int wrong = {name}_step(&control, t, x, {pass}&u) < 0;\n{rate}\n    return wrong;\n}}\n{advance}\
          static void show(double t, const double *x)\n{{\n    double e[2];\n{of}\n\
          \x20   printf(\"%.17g %.17g\\n\", e[0], e[1]);\n}}\n\
          int main(void)\n{{\n    {name}_params params = {{ 0 }};\n\
-         \x20   double x[{n}] = {{ {} }}, k[4][{n}], y[{n}];\n\
-         \x20   const double part[4] = {{ 0.0, 0.5, 0.5, 1.0 }}, weight[4] = {{ 1.0, 2.0, 2.0, 1.0 }};\n\
+         \x20   double x[{n}] = {{ {} }};\n\
          \x20   const int steps = 100000;\n    double t = 0.0;\n\
          \x20   if ({name}_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
          \x20   for (int i = 0; i < 2 * steps; i++) {{\n\
          \x20       const double shrunk = {tau:e} - {tau:e} * pow({eps:e} / {tau:e}, (i + 1.0) / steps);\n\
          \x20       const double even = {tau:e} - {eps:e} + ({until:e} - ({tau:e} - {eps:e})) * (i + 1.0 - steps) / steps;\n\
          \x20       const double next = (i < steps) ? shrunk : even;\n\
-         \x20       const double h = next - t;\n\
-         \x20       for (int s = 0; s < 4; s++) {{\n\
-         \x20           for (int j = 0; j < {n}; j++) {{ y[j] = x[j] + (s > 0 ? part[s] * h * k[s - 1][j] : 0.0); }}\n\
-         \x20           if (rates(t + part[s] * h, y, k[s])) {{ return 2; }}\n\
-         \x20       }}\n\
-         \x20       for (int j = 0; j < {n}; j++) {{\n\
-         \x20           for (int s = 0; s < 4; s++) {{ x[j] += h / 6.0 * weight[s] * k[s][j]; }}\n\
-         \x20       }}\n\
+         \x20       if (advance(t, next - t, x)) {{ return 2; }}\n\
          \x20       t = next;\n\
          \x20       if (i >= steps - 1 && (i + 1) % (steps / 10) == 0) {{ show(t, x); }}\n    }}\n\
          \x20   return 0;\n}}\n",

@@ -6,6 +6,7 @@ mod page;
 mod parts;
 mod progress;
 mod report;
+mod trajectory;
 
 use std::ops::Range;
 
@@ -74,7 +75,7 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let summary = report::summary(&campaign, &mut trial, &all)?;
     let mut files = Vec::new();
     if let (Some(place), Some(worst)) = (worst_to, report::foremost(&found)) {
-        let (csv, _) = report::csv(&campaign, &mut trial, &worst.scenario);
+        let (csv, _) = trajectory::csv(&campaign, &mut trial, &worst.scenario);
         files.push((place, csv));
     }
     if let Some(place) = report {
@@ -100,7 +101,7 @@ fn replay(campaign: &Campaign, trial: &mut Trial, text: &str) -> Result<(), Fail
             campaign.replayed(text).map_err(|(message, help)| Failure::because(message, &help))?
         }
     };
-    let (csv, ended) = report::csv(campaign, trial, &scenario);
+    let (csv, ended) = trajectory::csv(campaign, trial, &scenario);
     write::to_stdout(&csv)?;
     ended.map_or(Ok(()), |ended| Err(ended.into()))
 }

@@ -6,7 +6,8 @@ use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
 use super::args::Verify;
-use super::report::{APART, End, Judged, Sides, Summary, Trajectory, shown};
+use super::report::{APART, End, Judged, Sides, Summary};
+use super::trajectory::{Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
 };

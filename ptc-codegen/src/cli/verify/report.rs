@@ -4,10 +4,11 @@ use ptc_codegen::simulate;
 use ptc_codegen::verify::bound::Proof;
 use ptc_codegen::verify::search::Found;
 use ptc_codegen::verify::{
-    Campaign, Corners, Doubt, Evidence, Instant, Kind, Scenario, Signal, Tally, Trial, Verdict,
-    Worst, confidence,
+    Campaign, Corners, Doubt, Evidence, Kind, Scenario, Signal, Tally, Trial, Verdict, Worst,
+    confidence,
 };
 
+use super::trajectory::{Trajectory, table, trajectory};
 use crate::cli::report::Failure;
 
 /// All that is known in the end.
@@ -59,21 +60,9 @@ pub(super) enum End {
     Undecided,
 }
 
-/// A run, and the words of its scenario.
-pub(super) struct Trajectory {
-    pub(super) scenario: Scenario,
-    pub(super) told: String,
-    pub(super) instants: Vec<Instant>,
-    /// Why it is not whole, if it is not.
-    pub(super) ended: Option<String>,
-}
-
 /// What is to be done where the sides differ.
 pub(super) const APART: &str =
     "a larger `until` under [verify] keeps away from where rounding is all that is left";
-
-/// Rows of the worst trajectory that are shown.
-const SHOWN: usize = 8;
 
 /// The worst that was found of all objectives.
 pub(super) fn foremost(found: &[Found]) -> Option<&Found> {
@@ -341,62 +330,4 @@ pub(crate) fn against(kind: &Kind, excess: f64) -> String {
         Kind::Within { .. } => format!("inside by {:.6}", -excess),
         _ => format!("at {:.4} of the bound", 1.0 + excess),
     }
-}
-
-fn trajectory(
-    campaign: &Campaign,
-    trial: &mut Trial,
-    scenario: &Scenario,
-) -> (Vec<Instant>, Option<simulate::Failure>) {
-    let mut instants = Vec::new();
-    let ended = trial.instants(&campaign.closely(scenario), &mut |instant| instants.push(instant));
-    // How far it came is what is to be seen.
-    (instants, ended.err())
-}
-
-/// A few instants, one of them the worst.
-pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
-    let excess =
-        |instant: &Instant| instant.excess.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let worst = (0..instants.len())
-        .reduce(|a, b| if excess(&instants[b]) > excess(&instants[a]) { b } else { a });
-    let last = instants.len().saturating_sub(1);
-    let even = |i: usize| (0..SHOWN).any(|row| row * last / (SHOWN - 1) == i);
-    let all = instants.iter().enumerate().map(|(i, instant)| (i, instant, worst == Some(i)));
-    let shown = all.filter(|(i, _, worst)| *worst || even(*i));
-    shown.map(|(_, instant, worst)| (instant, worst)).collect()
-}
-
-fn table(instants: &[Instant]) -> String {
-    let n = instants.first().map_or(0, |instant| instant.x.len());
-    let heads = (1..=n).map(|j| format!("x{j}")).chain(["u".to_owned()]);
-    let mut text = format!("  {:>11}", "t");
-    heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
-    text.push('\n');
-    for (instant, worst) in shown(instants) {
-        text.push_str(&format!("  {:>11.6}", instant.t));
-        let numbers = instant.x.iter().chain([&instant.u]);
-        numbers.for_each(|number| text.push_str(&format!(" {number:>12.4e}")));
-        text.push_str(if worst { "  <- worst\n" } else { "\n" });
-    }
-    text
-}
-
-/// A trajectory as CSV, and why it is not whole, if it is not.
-pub(super) fn csv(
-    campaign: &Campaign,
-    trial: &mut Trial,
-    scenario: &Scenario,
-) -> (String, Option<simulate::Failure>) {
-    let states: String = (1..=campaign.spec.n).map(|j| format!(",x{j}")).collect();
-    let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
-    let mut text = format!("t,time_to_go{states},u{excess}\n");
-    let (instants, ended) = trajectory(campaign, trial, scenario);
-    for instant in instants {
-        text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));
-        let numbers = instant.x.iter().chain([&instant.u]).chain(&instant.excess);
-        numbers.for_each(|number| text.push_str(&format!(",{number:?}")));
-        text.push('\n');
-    }
-    (text, ended)
 }

@@ -2,12 +2,13 @@
 //!
 //! What is text is made here, by the paths in the archive; the command line compiles and packs it.
 
+mod template;
 mod variables;
 
 use askama::Template;
 
 use super::apart::apart;
-use super::code::{Condition, Notes, c, domain};
+use super::code::{Notes, c, domain};
 use super::example::Example;
 use super::outline::Outline;
 use super::{File, Language, Print, Target, literal, stands_alone, text_of, tidy};
@@ -17,6 +18,7 @@ use crate::diagnostic::Diagnostics;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::program::{Program, number};
 use crate::request::Spec;
+use template::{Build, Constant, Core, Fmi2, Fmi3, Judged, Kept, Model2, Model3, Samples, Start};
 use variables::{Inputs, Unit, Variable};
 
 /// A version of the interface.
@@ -259,144 +261,4 @@ fn token<'a>(texts: impl Iterator<Item = &'a str>) -> String {
         &digits[c..d],
         &digits[d..]
     )
-}
-
-/// The start value of a run-time parameter.
-struct Start {
-    place: String,
-    value: String,
-}
-
-/// An input or a parameter by its value reference.
-struct Kept {
-    reference: usize,
-    place: String,
-}
-
-/// A fixed parameter by its value reference.
-struct Constant {
-    reference: usize,
-    literal: String,
-}
-
-/// A condition on a parameter, and the message if it is not met.
-struct Judged {
-    name: String,
-    place: String,
-    test: String,
-    legal: String,
-}
-
-impl Judged {
-    fn of(condition: &Condition, variables: &[Variable], n: usize) -> Option<Self> {
-        let Condition { test, parameter, legal } = condition;
-        let place = format!("params.{parameter}");
-        let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
-        let about = variable.parameter?;
-        Some(Self {
-            name: variable.name.clone(),
-            place,
-            test: test.clone(),
-            legal: format!("{} [{}], {legal}", about.meaning(), about.unit_for(n)),
-        })
-    }
-}
-
-#[derive(Template)]
-#[template(path = "fmu/core.c.txt", escape = "none")]
-struct Core<'a> {
-    name: &'a str,
-    /// Values that are measured, and the letter of their names.
-    inputs: usize,
-    letter: char,
-    version: u8,
-    /// `s` or `S`, as the interface spells `GetFMUstate`.
-    state_letter: char,
-    logger: &'static str,
-    token: &'a str,
-    /// The start time, as an expression.
-    start: String,
-    time_to_go: &'static str,
-    starts: Vec<Start>,
-    conditions: Vec<Judged>,
-    kept: Vec<Kept>,
-    constants: Vec<Constant>,
-    start_reference: Option<usize>,
-    /// Where the number of samples is set, or its value where it is fixed.
-    samples_reference: Option<usize>,
-    samples_fixed: Option<(usize, String)>,
-    samples: Option<Samples>,
-    /// Whether the last estimate is that of the disturbance.
-    disturbance: bool,
-    frame: &'a Outline,
-}
-
-/// A clock in samples: N and the period, as expressions.
-struct Samples {
-    count: String,
-    period: String,
-    /// Values that an observer estimates, that of the disturbance last.
-    estimates: usize,
-}
-
-#[derive(Template)]
-#[template(path = "fmu/fmi2.c.txt", escape = "none")]
-struct Fmi2<'a> {
-    name: &'a str,
-    core: &'a str,
-    single: bool,
-    inputs: usize,
-    letter: char,
-    frame: &'a Outline,
-}
-
-#[derive(Template)]
-#[template(path = "fmu/fmi3.c.txt", escape = "none")]
-struct Fmi3<'a> {
-    name: &'a str,
-    core: &'a str,
-    single: bool,
-    inputs: usize,
-    letter: char,
-    frame: &'a Outline,
-}
-
-#[derive(Template)]
-#[template(path = "fmu/modelDescription2.xml", escape = "html")]
-struct Model2<'a> {
-    name: &'a str,
-    token: &'a str,
-    description: &'a str,
-    version: &'a str,
-    units: &'a [Unit],
-    start_time: f64,
-    stop_time: f64,
-    period: f64,
-    variable_step: bool,
-    variables: &'a [Variable],
-    outputs: &'a [&'a Variable],
-}
-
-#[derive(Template)]
-#[template(path = "fmu/modelDescription3.xml", escape = "html")]
-struct Model3<'a> {
-    name: &'a str,
-    token: &'a str,
-    description: &'a str,
-    version: &'a str,
-    units: &'a [Unit],
-    start_time: f64,
-    stop_time: f64,
-    period: f64,
-    variable_step: bool,
-    /// The sample period of a clock in samples, where it is fixed.
-    fixed_step: Option<f64>,
-    variables: &'a [Variable],
-    outputs: &'a [&'a Variable],
-}
-
-#[derive(Template)]
-#[template(path = "fmu/buildDescription.xml", escape = "html")]
-struct Build<'a> {
-    name: &'a str,
 }

@@ -1,0 +1,147 @@
+//! What each file of an FMU is filled in with.
+
+use askama::Template;
+
+use super::super::code::Condition;
+use super::super::outline::Outline;
+use super::variables::{Unit, Variable};
+
+/// The start value of a run-time parameter.
+pub(super) struct Start {
+    pub(super) place: String,
+    pub(super) value: String,
+}
+
+/// An input or a parameter by its value reference.
+pub(super) struct Kept {
+    pub(super) reference: usize,
+    pub(super) place: String,
+}
+
+/// A fixed parameter by its value reference.
+pub(super) struct Constant {
+    pub(super) reference: usize,
+    pub(super) literal: String,
+}
+
+/// A condition on a parameter, and the message if it is not met.
+pub(super) struct Judged {
+    pub(super) name: String,
+    pub(super) place: String,
+    pub(super) test: String,
+    pub(super) legal: String,
+}
+
+impl Judged {
+    pub(super) fn of(condition: &Condition, variables: &[Variable], n: usize) -> Option<Self> {
+        let Condition { test, parameter, legal } = condition;
+        let place = format!("params.{parameter}");
+        let variable = variables.iter().find(|v| v.place.as_ref() == Some(&place))?;
+        let about = variable.parameter?;
+        Some(Self {
+            name: variable.name.clone(),
+            place,
+            test: test.clone(),
+            legal: format!("{} [{}], {legal}", about.meaning(), about.unit_for(n)),
+        })
+    }
+}
+
+#[derive(Template)]
+#[template(path = "fmu/core.c.txt", escape = "none")]
+pub(super) struct Core<'a> {
+    pub(super) name: &'a str,
+    /// Values that are measured, and the letter of their names.
+    pub(super) inputs: usize,
+    pub(super) letter: char,
+    pub(super) version: u8,
+    /// `s` or `S`, as the interface spells `GetFMUstate`.
+    pub(super) state_letter: char,
+    pub(super) logger: &'static str,
+    pub(super) token: &'a str,
+    /// The start time, as an expression.
+    pub(super) start: String,
+    pub(super) time_to_go: &'static str,
+    pub(super) starts: Vec<Start>,
+    pub(super) conditions: Vec<Judged>,
+    pub(super) kept: Vec<Kept>,
+    pub(super) constants: Vec<Constant>,
+    pub(super) start_reference: Option<usize>,
+    /// Where the number of samples is set, or its value where it is fixed.
+    pub(super) samples_reference: Option<usize>,
+    pub(super) samples_fixed: Option<(usize, String)>,
+    pub(super) samples: Option<Samples>,
+    /// Whether the last estimate is that of the disturbance.
+    pub(super) disturbance: bool,
+    pub(super) frame: &'a Outline,
+}
+
+/// A clock in samples: N and the period, as expressions.
+pub(super) struct Samples {
+    pub(super) count: String,
+    pub(super) period: String,
+    /// Values that an observer estimates, that of the disturbance last.
+    pub(super) estimates: usize,
+}
+
+#[derive(Template)]
+#[template(path = "fmu/fmi2.c.txt", escape = "none")]
+pub(super) struct Fmi2<'a> {
+    pub(super) name: &'a str,
+    pub(super) core: &'a str,
+    pub(super) single: bool,
+    pub(super) inputs: usize,
+    pub(super) letter: char,
+    pub(super) frame: &'a Outline,
+}
+
+#[derive(Template)]
+#[template(path = "fmu/fmi3.c.txt", escape = "none")]
+pub(super) struct Fmi3<'a> {
+    pub(super) name: &'a str,
+    pub(super) core: &'a str,
+    pub(super) single: bool,
+    pub(super) inputs: usize,
+    pub(super) letter: char,
+    pub(super) frame: &'a Outline,
+}
+
+#[derive(Template)]
+#[template(path = "fmu/modelDescription2.xml", escape = "html")]
+pub(super) struct Model2<'a> {
+    pub(super) name: &'a str,
+    pub(super) token: &'a str,
+    pub(super) description: &'a str,
+    pub(super) version: &'a str,
+    pub(super) units: &'a [Unit],
+    pub(super) start_time: f64,
+    pub(super) stop_time: f64,
+    pub(super) period: f64,
+    pub(super) variable_step: bool,
+    pub(super) variables: &'a [Variable],
+    pub(super) outputs: &'a [&'a Variable],
+}
+
+#[derive(Template)]
+#[template(path = "fmu/modelDescription3.xml", escape = "html")]
+pub(super) struct Model3<'a> {
+    pub(super) name: &'a str,
+    pub(super) token: &'a str,
+    pub(super) description: &'a str,
+    pub(super) version: &'a str,
+    pub(super) units: &'a [Unit],
+    pub(super) start_time: f64,
+    pub(super) stop_time: f64,
+    pub(super) period: f64,
+    pub(super) variable_step: bool,
+    /// The sample period of a clock in samples, where it is fixed.
+    pub(super) fixed_step: Option<f64>,
+    pub(super) variables: &'a [Variable],
+    pub(super) outputs: &'a [&'a Variable],
+}
+
+#[derive(Template)]
+#[template(path = "fmu/buildDescription.xml", escape = "html")]
+pub(super) struct Build<'a> {
+    pub(super) name: &'a str,
+}

@@ -1,0 +1,71 @@
+//! What a request has to be for those who do not know every kind of it.
+
+use super::{Reference, Spec, What};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+
+impl Spec {
+    /// Refuses a clock in samples for what knows time alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_time(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} does not know a clock in samples yet");
+        let help = "leave `clock` out, or emit and simulate it alone";
+        unless(self.sampled().is_some(), ("clock", "clock"), message, help)
+    }
+
+    /// Refuses a model for what knows a chain of integrators alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_chain(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} does not know the model of a plant yet");
+        let help = "leave [model] out, or emit the controller and run it with the plant in your own simulation";
+        unless(self.model.is_some(), ("model", "dynamics"), message, help)
+    }
+
+    /// Refuses a reference that each call is given for what makes the calls itself.
+    ///
+    /// # Errors
+    /// That `what` has none to give.
+    pub fn needs_known_reference(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} has no reference to give to each call");
+        let help = "give `reference` as an expression in t: the same law follows it";
+        let given = self.reference == Some(Reference::Input);
+        unless(given, ("reference", "reference"), message, help)
+    }
+
+    /// Refuses a reference for what knows a law that brings the state to 0 alone.
+    ///
+    /// # Errors
+    /// That `what` does not know it.
+    pub fn needs_rest(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} does not know a reference yet");
+        let help = "leave `reference` out: its states are then those of the tracking error";
+        unless(self.reference.is_some(), ("reference", "reference"), message, help)
+    }
+
+    /// Refuses an observer alone for what runs a law.
+    ///
+    /// # Errors
+    /// That `what` needs a law.
+    pub fn needs_law(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} needs a law, and an observer alone has none");
+        let help = "leave `what` out for the controller of the design, or emit the observer and call it from your own program";
+        unless(self.what == What::Observer, ("not-alone", "what"), message, help)
+    }
+}
+
+/// A mistake of this code at this key, if it is one.
+fn unless(
+    wrong: bool,
+    (code, key): (&'static str, &'static str),
+    message: String,
+    help: &str,
+) -> Result<(), Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    if wrong {
+        found.push(code, key, None, message, help);
+    }
+    found.finish(Some(()))
+}
