@@ -96,7 +96,7 @@ class Design:
         self.lines = [f"n = {n}", made.spellings[0], f"poles = [{', '.join(pole_text(*p) for p in poles)}]",
                       f"sample_time = {period}", f"x0_max = [{', '.join(x0)}]", f"noise = [{', '.join(noise)}]",
                       f"sensor_step = [{', '.join(steps)}]", f"u_step = {u_step}"]
-        self.lines += [f"eps = {self.eps}"] if self.eps else ['clock = "samples"']
+        self.lines += [f"eps = {self.eps}"] if self.eps else ['clock = "samples"', "eps = 0"]
         self.lines += [f"delay = {self.delay}"] if self.delay else []
         self.lines += [f"g_error = {self.gain}"] if self.gain else []
         self.lines += [f"jitter = {self.jitter}"] if self.jitter else []

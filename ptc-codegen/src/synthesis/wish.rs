@@ -145,7 +145,7 @@ impl<'a> Wish<'a> {
         let mut choice = candidate.at(self.order(), speed);
         let promises = &self.spec.promises;
         let asked = promises.sample_time.is_some() || !promises.error.is_empty();
-        if asked && !self.spec.fixed.contains_key(&Parameter::Eps) {
+        if asked && self.spec.leaves_eps() {
             let set = self.examined(&choice).map(|report| report.spec.fixed);
             let eps = set.as_ref().and_then(|fixed| fixed.get(&Parameter::Eps)?.number()?.to_f64());
             choice.eps = eps.map(digits);
