@@ -40,7 +40,7 @@ fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
         Some(plant) if !plant.measures_states() => format!("{late}, y = C x"),
         _ => late,
     };
-    let plant = plant::in_samples(n, sampled);
+    let plant = plant::in_samples(spec, sampled);
     let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
     rest.push(format!("Plant: {plant}{disturbance}{given}; {late}."));

@@ -108,9 +108,6 @@ impl Spec {
                 words.push(format!("--C=\"{}\"", rows(&plant.c)));
             }
         }
-        if sampled.force != BigRational::default() {
-            words.push(format!("--f={}", sampled.force));
-        }
         let deadbeat = self.fixed.get(&Parameter::Deadbeat);
         words.extend(deadbeat.map(|count| format!("--deadbeat={count}")));
         if sampled.linear.is_none() && sampled.measured < self.n {

@@ -350,7 +350,10 @@ impl Spec {
         if let Clock::Samples(sampled) = &self.clock {
             return match self.what {
                 What::Observer => vec![Parameter::SampleTime, Parameter::A],
-                What::Controller | What::Associated => sampled.parameters(self.n),
+                What::Controller | What::Associated => {
+                    let force = self.drift.iter().flat_map(Expression::parameters);
+                    sampled.parameters(self.n).into_iter().chain(force).collect()
+                }
             };
         }
         let mut all = vec![Parameter::Tau, Parameter::StartTime];

@@ -13,8 +13,6 @@ pub struct Sampled {
     pub linear: Option<Linear>,
     /// Constant input gain g of a chain.
     pub gain: BigRational,
-    /// Constant f of a chain.
-    pub force: BigRational,
     /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
     pub measured: usize,
     /// Whether a constant that is added to u is estimated and cancelled.

@@ -69,7 +69,8 @@ impl<'a> Builder<'a> {
                     self.keep(&name, "prediction from a state", value).mul(state)
                 })
                 .collect();
-            let input = self.moved(&pair, i, &self.force());
+            let force = self.force();
+            let input = self.moved(&pair, i, &force);
             body.push(Statement::Let(format!("p{}", i + 1), real, Expr::sum(terms).add(input)));
         }
         body.push(Statement::Note("Correct by what is measured.".to_owned()));

@@ -8,6 +8,7 @@ use super::controller::Builder;
 use super::rows::{deadbeat, deadbeat_from, rows};
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
+use crate::expression::Expression;
 use crate::internal::fault;
 use crate::linear::{Linear, Pair, dot};
 use crate::parameter::Parameter;
@@ -155,13 +156,21 @@ impl Builder<'_> {
         }
     }
 
-    /// f in units of u.
-    pub(super) fn force(&self) -> Expr {
-        Expr::Number(&self.sampled.force / &self.sampled.gain)
+    /// f in units of u. It is divided in the call, where its field may have changed.
+    pub(super) fn force(&mut self) -> Expr {
+        let over_gain = integer(1) / &self.sampled.gain;
+        match &self.spec.drift {
+            Some(Expression::Number(force)) => Expr::Number(force * over_gain),
+            Some(Expression::Parameter(parameter)) => {
+                let force = self.parameter(*parameter);
+                self.keep(parameter.key(), "known f", force).mul(Expr::Number(over_gain))
+            }
+            _ => Expr::integer(0),
+        }
     }
 
     /// What is added to u in the plant, known or estimated.
-    fn offset(&self) -> Expr {
+    fn offset(&mut self) -> Expr {
         let known = self.force();
         match self.sampled.disturbance {
             true => Expr::local("d").add(known),

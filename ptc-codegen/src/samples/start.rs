@@ -53,7 +53,15 @@ impl Builder<'_> {
                     tests.push(Test::Finite(value.clone()));
                     tests.push(Test::AtMost(zero.clone(), value));
                 }
-                _ => tests.push(Test::Finite(value)),
+                parameter => {
+                    match self.spec.bounds.get(&parameter).map(|(l, g)| (l.number(), g.number())) {
+                        Some((Some(least), Some(greatest))) => {
+                            tests.push(Test::AtMost(Expr::Number(least.clone()), value.clone()));
+                            tests.push(Test::AtMost(value, Expr::Number(greatest.clone())));
+                        }
+                        _ => tests.push(Test::Finite(value)),
+                    }
+                }
             }
         }
         let mut body = Vec::new();

@@ -104,7 +104,8 @@ impl Sampled {
             return Ok(Self { n: spec.n, controller, moved });
         }
         // A chain has the f that the controller knows.
-        let own = Plant { f: Expression::Number(sampled.force.clone()), ..Plant::default() };
+        let f = spec.drift.clone().unwrap_or(Expression::integer(0));
+        let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
         let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
         Ok(Self { n: spec.n, controller, moved })

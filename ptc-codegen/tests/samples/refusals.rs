@@ -49,6 +49,8 @@ fn mistakes_are_named() {
         ("deadbeat", "1", "give an integer of at least 2"),
         ("g", "x1", "takes a constant input gain"),
         ("f", "x1", "f is the known constant"),
+        ("f", "x1 + load", "a number or the name of a parameter"),
+        ("f", "t", "f is the known constant"),
         ("t0", "1", "arm the controller at the tick"),
         ("after", "extern", "no user-defined law after the deadline"),
         ("guard", "result", "has the guards full and none"),

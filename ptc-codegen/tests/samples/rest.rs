@@ -146,6 +146,16 @@ fn comes_to_rest_with_an_observer() {
 
 #[test]
 fn an_unknown_force_is_cancelled() {
+    unknown_beside("0.5", &[]);
+}
+
+#[test]
+fn an_unknown_force_is_cancelled_beside_one_at_run_time() {
+    unknown_beside("load", &[("load", &[0.5])]);
+}
+
+/// The loop with x2' = 0.5 + 2 (u + d), the first of them known as `f`.
+fn unknown_beside(f: &str, given: &[(&str, &[f64])]) {
     let code = code(&[
         ("n", "2"),
         ("tau", "0.8"),
@@ -156,10 +166,10 @@ fn an_unknown_force_is_cancelled() {
         ("disturbance", "constant"),
         ("observer_poles", "-4,-5,-6"),
         ("observer_samples", "200"),
-        ("f", "0.5"),
+        ("f", f),
         ("g", "2"),
     ]);
-    let mut controller = Instance::new(&code, &[]).expect("legal parameters");
+    let mut controller = Instance::new(&code, given).expect("legal parameters");
     let (h, mut x, mut acting, mut peak) = (1e-3, [0.1_f64, 0.0_f64], 0.0, 0.0_f64);
     for k in 0..1000_u32 {
         let given = [("k", &[f64::from(k)][..]), ("y", &x[..1])];

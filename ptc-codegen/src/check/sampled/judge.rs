@@ -173,7 +173,7 @@ impl<'a> Loop<'a> {
                 .ok_or("the gains of this mapping are not enclosed")?;
             return Ok(Sampled::new(chain, &rows));
         };
-        if own.force != BigRational::default() {
+        if self.spec.drift.is_some() {
             return Err("a loop with a known f is not examined".to_owned());
         }
         let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, 0..=self.samples)

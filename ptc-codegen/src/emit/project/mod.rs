@@ -73,7 +73,8 @@ impl Project {
     pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         stands_alone(spec, "a project", &mut found);
-        for (key, known) in [("f", spec.drift.is_some()), ("dynamics", spec.model.is_some())] {
+        let moves = spec.sampled().is_none() && spec.drift.is_some();
+        for (key, known) in [("f", moves), ("dynamics", spec.model.is_some())] {
             if known {
                 let message = "the plant of a project is x_n' = g u";
                 let help = "leave f and [model] out, or emit the controller alone";

@@ -5,6 +5,7 @@ use super::super::plant;
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
+use crate::expression::Expression;
 use crate::internal::fault;
 use crate::linear::{Delay, Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
@@ -59,7 +60,13 @@ impl Samples {
             Some(plant) => linear(spec, plant, &sampled.delay, &text),
             None => Plant::Chain {
                 gain: (sampled.gain != integer(1)).then(|| text(&sampled.gain)),
-                force: (sampled.force != integer(0)).then(|| text(&sampled.force)),
+                force: match &spec.drift {
+                    Some(Expression::Number(force)) => Some(text(force)),
+                    Some(Expression::Parameter(parameter)) => {
+                        Some(words.parameter(spec, example, *parameter).0)
+                    }
+                    _ => None,
+                },
             },
         };
         let force = if sampled.disturbance { FORCE } else { 0.0 };
@@ -100,7 +107,7 @@ fn linear(
 }
 
 fn about(spec: &Spec, sampled: &Sampled) -> String {
-    let plant = plant::in_samples(spec.n, sampled);
+    let plant = plant::in_samples(spec, sampled);
     match &sampled.linear {
         Some(_) if !sampled.measures_states() => format!("{plant}, y = C x"),
         _ => plant,

@@ -5,6 +5,7 @@ use num_traits::ToPrimitive;
 use super::super::example::Example;
 use crate::algebra::BigRational;
 use crate::code::{Code, Instance};
+use crate::expression::Expression;
 use crate::linear::{Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Sampled, Spec};
@@ -74,7 +75,13 @@ impl Run {
             older: row(&held.older)?,
             newer: row(&held.newer)?,
             c: rows(&plant.c)?,
-            known: (&sampled.force / &sampled.gain).to_f64()?,
+            known: match &spec.drift {
+                Some(Expression::Number(force)) => (force / &sampled.gain).to_f64()?,
+                Some(Expression::Parameter(parameter)) => {
+                    example.value(*parameter) / sampled.gain.to_f64()?
+                }
+                _ => 0.0,
+            },
             delay: sampled.delay.inputs(),
             samples: example.value(Parameter::Samples).to_u32()?.min(TRIED),
         })

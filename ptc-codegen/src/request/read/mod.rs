@@ -156,17 +156,13 @@ impl<'a> Reader<'a> {
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
-        // A clock in samples takes a number, and reads it with the rest of its plant.
         let (drift, input_gain) = match &model {
             Some(read) => {
                 let unless =
                     |e: &Expression, value| (*e != Expression::integer(value)).then(|| e.clone());
                 (unless(&read.drift, 0), unless(&read.gain, 1))
             }
-            None => {
-                let drift = if samples { None } else { self.drift(order, &known) };
-                (drift, self.input_gain(order, &known))
-            }
+            None => (self.drift(order, &known), self.input_gain(order, &known)),
         };
         let reference = self.reference(n, &known);
         let mut spec = Spec {

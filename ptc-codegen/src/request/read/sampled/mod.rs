@@ -8,6 +8,8 @@ use super::{Reader, items, shown, whole};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigRational, integer};
+use crate::expression::Expression;
+use crate::expression::normal::normal;
 use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Sampled, Spec, What};
@@ -84,10 +86,11 @@ impl Reader<'_> {
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
-        let (gain, force) = match linear.is_some() {
-            true => (integer(1), BigRational::zero()),
-            false => (self.gain(spec), self.force()),
+        let gain = match linear.is_some() {
+            true => integer(1),
+            false => self.gain(spec),
         };
+        self.force_is_constant(spec);
         let (measured, estimates, blocks) = match linear {
             Some((ref plant, ref blocks)) => {
                 let estimates: usize = blocks.iter().sum();
@@ -104,7 +107,6 @@ impl Reader<'_> {
             delay: late,
             linear: linear.map(|(plant, _)| plant),
             gain,
-            force,
             measured,
             disturbance,
             greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
@@ -260,17 +262,22 @@ impl Reader<'_> {
         self.choice("disturbance", &[("none", false), ("constant", true)]).unwrap_or(false)
     }
 
-    fn force(&mut self) -> BigRational {
-        let Some(node) = self.keys.get("f").copied() else { return BigRational::zero() };
-        match real(node).as_ref().and_then(Fixed::number) {
-            Some(force) => force.clone(),
-            None => {
-                let message = format!("f = {} is not a finite number", shown(&node.value));
-                let help = "f is the known constant of xn' = f + g*u".to_owned();
-                self.wrong("f", Some(node.place), message, help);
-                BigRational::zero()
+    /// Between samples f must not move, so it is a number or a parameter.
+    fn force_is_constant(&mut self, spec: &mut Spec) {
+        let Some(force) = spec.drift.take() else { return };
+        spec.drift = match normal(&force) {
+            known @ (Expression::Number(_) | Expression::Parameter(Parameter::Named(_))) => {
+                Some(known)
             }
-        }
+            _ => {
+                let place = self.keys.get("f").map(|node| node.place);
+                let message = format!("f = {force} is not a number or a parameter");
+                let help =
+                    "f is the known constant of xn' = f + g*u, a number or the name of a parameter";
+                self.wrong("f", place, message, help.to_owned());
+                None
+            }
+        };
     }
 
     fn deadbeat(&mut self, spec: &mut Spec, order: usize) {
