@@ -220,6 +220,19 @@ impl Spec {
         model.map_or(self.n, |model| model.states.len())
     }
 
+    /// The names of the states that a call is given: those of the model, else x1..xn.
+    pub fn state_names(&self) -> Vec<String> {
+        match &self.model {
+            Some(model) => model.states.iter().map(ToString::to_string).collect(),
+            None => (1..=self.states()).map(|j| format!("x{j}")).collect(),
+        }
+    }
+
+    /// The name of the input of the plant.
+    pub fn input_name(&self) -> String {
+        self.model.as_ref().map_or("u".to_owned(), |model| model.input.to_string())
+    }
+
     /// How many values of the reference a call is given: r and its derivatives, or none.
     pub fn references(&self) -> usize {
         if self.reference == Some(Reference::Input) { self.n + 1 } else { 0 }

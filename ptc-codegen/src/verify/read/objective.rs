@@ -1,8 +1,10 @@
 //! A table `[[objective]]`.
 
 use super::{Given, Reader, number};
-use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
+use crate::model::Model;
+use crate::parameter::Name;
 use crate::request::known;
 use crate::syntax::Value;
 use crate::verify::{Kind, Objective};
@@ -60,9 +62,12 @@ impl Reader<'_> {
         };
         let known = known(self.spec.time_mapping.parameters());
         let n = self.spec.n;
+        let model = self.spec.model.as_deref();
+        let own = model.map(names).unwrap_or_default();
         let expression = |reader: &mut Self, name: &str, subject: Subject| {
             let (_, node) = given.get(name)?;
-            resolve(node, Scope { subject, n, known: &known, own: &[] }, &mut reader.found)
+            let scope = Scope { subject, n, known: &known, own: &own };
+            Some(of_model(resolve(node, scope, &mut reader.found)?, model))
         };
         let kind = match word {
             "state" => {
@@ -97,4 +102,27 @@ impl Reader<'_> {
         };
         Some(Objective { kind })
     }
+}
+
+/// The names of a model: its input, and its states as what no objective has, since x_1..x_n are the chain's.
+fn names(model: &Model) -> Vec<(Name, Variable)> {
+    let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::Xi(j)));
+    states.chain([(model.input, Variable::Control)]).collect()
+}
+
+/// An expression of the states of a model, in which the chain is what the law takes it to be.
+fn of_model(expression: Expression, model: Option<&Model>) -> Expression {
+    let Some(model) = model else { return expression };
+    let at_start = |e: &Expression| match e {
+        Expression::Variable(Variable::State(j)) => Some(Variable::StateAtStart(*j).into()),
+        _ => None,
+    };
+    expression.substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(j)) => Some(Variable::State(*j).into()),
+        Expression::Variable(Variable::State(j)) => Some(model.coordinates[j - 1].clone()),
+        Expression::Variable(Variable::StateAtStart(j)) => {
+            Some(model.coordinates[j - 1].substitute(&at_start))
+        }
+        _ => None,
+    })
 }
