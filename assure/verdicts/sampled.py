@@ -76,7 +76,10 @@ class Design:
         tau = f"{N * int(period[2:])}e-{len(period) - 2}"
         self.tau = float(tau)
         self.plant = draw_plant(source, n, h) if self.linear else chain(n)
-        self.eps = f"{self.tau * source.uniform(0.03, 0.4):.4g}" if not self.samples_clock else None
+        # In samples the hold is of whole periods; 0 ends in deadbeat.
+        self.held = source.choice([0, source.randint(n, N // 2)]) if self.samples_clock else 0
+        self.eps = f"{self.held * int(period[2:])}e-{len(period) - 2}" if self.samples_clock else \
+            f"{self.tau * source.uniform(0.03, 0.4):.4g}"
         self.delay = 0 if self.samples_clock else source.choice([0, 0, 0, 1, 2])
         each = lambda low, high: [f"{10 ** source.uniform(low, high):.3g}" for _ in range(n)]
         x0 = each(-2, 1)
@@ -96,7 +99,7 @@ class Design:
         self.lines = [f"n = {n}", made.spellings[0], f"poles = [{', '.join(pole_text(*p) for p in poles)}]",
                       f"sample_time = {period}", f"x0_max = [{', '.join(x0)}]", f"noise = [{', '.join(noise)}]",
                       f"sensor_step = [{', '.join(steps)}]", f"u_step = {u_step}"]
-        self.lines += [f"eps = {self.eps}"] if self.eps else ['clock = "samples"']
+        self.lines += [f"eps = {self.eps}"] + (['clock = "samples"'] if self.samples_clock else [])
         self.lines += [f"delay = {self.delay}"] if self.delay else []
         self.lines += [f"g_error = {self.gain}"] if self.gain else []
         self.lines += [f"jitter = {self.jitter}"] if self.jitter else []
@@ -126,10 +129,10 @@ class Design:
         S = np.array([c @ power for power in powers[:n]])
         drift = c @ powers[n]
         row = gains_at(loop, 1.0, [1.0])[0]
-        last = max(n, ceil(max(-float(re) / a for re, _ in poles)) + n - 1)
+        last = 0 if self.held else max(n, ceil(max(-float(re) / a for re, _ in poles)) + n - 1)
         rows = []
         for k in range(N + 1):
-            M = N - k
+            M = max(N - k, self.held)
             if M <= last:
                 over_z = [-comb(n, j) * self.h ** (j - n) for j in range(n)]
             else:

@@ -244,6 +244,33 @@ fn the_sample_period_bounds_the_poles_and_sets_the_guard() {
     assert!(wrong.contains("check `sampling`") && wrong.contains("sample faster"), "{wrong}");
 }
 
+/// A stage whose input comes a sample late: held gains end in time, and leave an error that is theirs.
+const LATE: &str = "n = 2\nsample_time = 0.02\ndelay = 1\n[params]\ntau = 0.4\n[verify]\n\
+                    x1 = [-0.1, 0.1]\nx2 = [-0.1, 0.1]\nscenarios = 20\nsearch = 10\n[[objective]]\n\
+                    bound = \"attractive\"\nerror = 1e-8\n[[objective]]\nbound = \"input\"\nupsilon = 12\n";
+
+#[test]
+fn the_clock_too_is_chosen() {
+    let open = folder("clock", LATE);
+    let (design, told) = designed(&open);
+    assert!(design.contains("\nclock = \"samples\"\n"), "{design}");
+    assert!(told.contains("clock = \"samples\", mu"), "{told}");
+    // A pole for each state and for the input that is under way.
+    assert_eq!(numbers(&design, "poles").len(), 3, "{design}");
+    is_taken(&open);
+
+    // A given clock is kept, and here none of its loops is at rest in time.
+    let kept = folder("clock_given", &format!("clock = \"time\"\n{LATE}"));
+    let (code, told, wrong) = run(&kept, &["design", "wish.toml", "--tries=20"]);
+    assert_eq!((code, told.as_str()), (Some(1), ""), "{wrong}");
+    assert!(!wrong.contains("samples\""), "{wrong}");
+
+    // Nor is it chosen beside a law that is given, or where time does.
+    let loose = folder("clock_time", &LATE.replace("1e-8", "10").replace("12", "60"));
+    let (design, _) = designed(&loose);
+    assert!(!design.contains("clock"), "{design}");
+}
+
 #[test]
 fn the_same_wish_gives_the_same_bytes() {
     let folder = folder("same", DRIVEN);

@@ -4,17 +4,21 @@
 mod command;
 
 use command::spec_of;
+use num_traits::ToPrimitive;
 use ptc_codegen::check::Verdict;
-use ptc_codegen::check::examine::examine;
+use ptc_codegen::check::examine::{Report, examine};
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
+use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::request::Feedback;
+
+fn report(line: &str) -> Report {
+    examine(&spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0])))
+}
 
 /// What the check called `name` says of a design.
 fn verdict(line: &str, name: &str) -> Verdict {
-    let spec = spec_of(line).unwrap_or_else(|found| panic!("{line}: {}", found[0]));
-    let report = examine(&spec);
-    report.outcomes.iter().find(|outcome| outcome.name == name).expect("a check").verdict
+    report(line).outcomes.iter().find(|outcome| outcome.name == name).expect("a check").verdict
 }
 
 #[test]
@@ -72,4 +76,37 @@ fn an_eps_that_fails_in_the_loop_gives_way() {
         assert_eq!(verdict(line, check), Verdict::Sound, "{check}");
         assert_eq!(verdict(&format!("{line} --eps=0.036"), "sampling"), Verdict::Unsound);
     }
+}
+
+/// The eps of a design in samples, in samples.
+fn hold(report: &Report) -> u32 {
+    let eps = report.spec.fixed.get(&Parameter::Eps).and_then(Fixed::number);
+    (eps.and_then(ToPrimitive::to_f64).expect("an eps") / 0.025).round() as u32
+}
+
+/// What |x_i| at the deadline is at worst, in parts of its bound.
+fn share(report: &Report, errors: [f64; 2]) -> f64 {
+    let worst = report.worst.as_ref().expect("a worst case");
+    let shares = worst.states.iter().zip(errors).map(|(state, error)| state.total() / error);
+    shares.fold(0.0, f64::max)
+}
+
+/// Every eps of whole periods is tried.
+#[test]
+fn an_open_eps_in_samples_is_the_best_hold() {
+    let line = "--n 2 --mu \"exp(a=1)\" --poles=-4,-5 --clock samples --tau=1 --sample-time=0.025 \
+                --error=0.01,0.1 --x0-max=1,1";
+    for (noise, quiet) in [("1e-3,1e-2", false), ("1e-9,1e-9", true)] {
+        let line = format!("{line} --noise={noise}");
+        let chosen = report(&line);
+        let tried = (2..40).chain([0]).map(|samples: u32| {
+            let eps = f64::from(samples) * 0.025;
+            share(&report(&format!("{line} --eps={eps:.3}")), [0.01, 0.1])
+        });
+        let best = tried.fold(f64::INFINITY, f64::min);
+        let own = share(&chosen, [0.01, 0.1]);
+        assert!(own <= best * 1.001, "{own} at a hold of {}, best {best}", hold(&chosen));
+        assert_eq!(hold(&chosen) == 0, quiet, "deadbeat is for exact sensors");
+    }
+    assert_eq!(hold(&report(line)), 0, "nothing disturbs this loop");
 }

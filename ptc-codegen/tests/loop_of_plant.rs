@@ -143,7 +143,7 @@ fn alone() -> Vec<String> {
     for poles in ["-3", "-4, -5", "-4, \"-5+2i\", \"-5-2i\""] {
         let n = poles.split(", ").count();
         all.push(format!(
-            "n = {n}\npoles = [{poles}]\nclock = \"samples\"\nsample_time = 2e-3\nx0_max = {:?}\nerror = 10\nu_max = inf\n\
+            "n = {n}\npoles = [{poles}]\nclock = \"samples\"\neps = 0\nsample_time = 2e-3\nx0_max = {:?}\nerror = 10\nu_max = inf\n\
              name = \"stage\"\nmu = \"exp(a=1)\"\n[params]\ntau = 0.4\n",
             vec![1; n]
         ));
@@ -239,7 +239,7 @@ fn what_is_no_gain_or_jitter_is_refused_at_its_place() {
 /// The gain of a linear plant is that of its B.
 #[test]
 fn margins_of_a_linear_plant_end() {
-    let text = "n = 2\nname = \"motor\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 2e-3\npoles = [-4, -5]\n\
+    let text = "n = 2\nname = \"motor\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\neps = 0\nsample_time = 2e-3\npoles = [-4, -5]\n\
         u_max = inf\nx0_max = [1, 1]\nerror = 1e-3\n[params]\ntau = 0.1\n[plant]\nA = [[0, 1], [-3, -0.5]]\nB = [0, 2]\n";
     let (spec, _) = read_design(&entries(text)).expect("a design");
     let found = margins(&spec, None).expect("a sound loop");
@@ -303,7 +303,7 @@ fn the_curve_over_eps_is_what_the_check_finds() {
 /// x2 ends at 0 whatever a constant force is: what doubles leave of it is no verdict.
 #[test]
 fn rounding_alone_refuses_nothing() {
-    let text = "n = 2\nname = \"stage\"\nmu = \"exp(a=1.93)\"\nclock = \"samples\"\nsample_time = 1e-3\npoles = [-6.84, -7.89]\n\
+    let text = "n = 2\nname = \"stage\"\nmu = \"exp(a=1.93)\"\nclock = \"samples\"\neps = 0\nsample_time = 1e-3\npoles = [-6.84, -7.89]\n\
         u_max = inf\nx0_max = [0.0548, 0.0307]\nerror = [1e-6, 2e-23]\n[params]\ntau = 0.158\n[plant]\nf = \"push\"\npush = [-0.348, 0.932]\n";
     let (found, words) = verdict(text);
     assert_eq!(found, Verdict::Undecided, "{words}");
@@ -348,7 +348,7 @@ fn jitter_ends(text: &str, [time, periods]: [f64; 2]) {
 /// The observer estimates a constant force exactly, and u cancels it.
 #[test]
 fn a_controller_in_samples_that_knows_the_force_is_at_rest() {
-    let text = "n = 2\nname = \"stage\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 1e-3\ntau = 0.8\n\
+    let text = "n = 2\nname = \"stage\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\neps = 0\nsample_time = 1e-3\ntau = 0.8\n\
         poles = [-4, -5]\nmeasured = [\"x1\"]\nobserver_poles = [-4, -5, -6]\nobserver_samples = 200\n\
         disturbance = \"constant\"\nu_max = inf\nx0_max = [0.1, 1e-9]\nerror = 1e-6\n\
         [plant]\nf = \"push\"\npush = [-0.3, 0.3]\n";

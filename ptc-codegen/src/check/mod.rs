@@ -70,6 +70,11 @@ impl Outcome {
             fix: None,
         }
     }
+
+    /// Whether the design is not as it should be.
+    pub(crate) fn fails(&self) -> bool {
+        matches!(self.verdict, Verdict::Unsound | Verdict::Refuted)
+    }
 }
 
 /// Numbers to four significant digits, with commas between them.

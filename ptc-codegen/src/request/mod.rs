@@ -396,6 +396,22 @@ impl Spec {
         }
     }
 
+    /// Whether eps is left to the checks.
+    pub fn leaves_eps(&self) -> bool {
+        match self.sampled() {
+            Some(sampled) => sampled.leaves_eps,
+            None => !self.fixed.contains_key(&Parameter::Eps),
+        }
+    }
+
+    /// Sets the eps that was left open.
+    pub(crate) fn choose_eps(&mut self, eps: Fixed) {
+        self.fixed.insert(Parameter::Eps, eps);
+        if let Clock::Samples(sampled) = &mut self.clock {
+            sampled.leaves_eps = false;
+        }
+    }
+
     /// The parameters that are left to run time.
     pub fn run_time_parameters(&self) -> impl Iterator<Item = Parameter> {
         self.parameters().into_iter().filter(|p| !self.fixed.contains_key(p))

@@ -23,6 +23,8 @@ pub struct Sampled {
     pub greatest: Option<BigRational>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
+    /// Whether eps is 0 because it was left open.
+    pub leaves_eps: bool,
 }
 
 impl Sampled {

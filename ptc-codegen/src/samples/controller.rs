@@ -231,23 +231,27 @@ impl Builder<'_> {
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
         body.extend(self.law(samples));
-        let v = Expr::local("v");
         let mut finish = self.finish(samples);
-        body.push(Statement::Require(Test::Finite(v), Status::Range));
-        let u = match finish.results() {
-            Some([u]) => u.clone(),
-            _ => {
-                body.push(Statement::Variable("u_now".to_owned(), real));
-                body.extend(chosen(&finish));
-                Expr::local("u_now")
+        let (finite, changes) = (Test::Finite(Expr::local("v")), self.remembered() > 0);
+        if changes {
+            // A call that fails changes nothing, so it fails before the inputs are remembered.
+            body.push(Statement::Require(finite, Status::Range));
+            let u = match finish.results() {
+                Some([u]) => u.clone(),
+                _ => {
+                    body.push(Statement::Variable("u_now".to_owned(), real));
+                    body.extend(chosen(&finish));
+                    Expr::local("u_now")
+                }
+            };
+            finish.give_all(std::slice::from_ref(&u));
+            body.extend(self.shift_inputs(&u));
+            if self.sampled.observes() {
+                body.extend(self.keep_estimates());
             }
-        };
-        finish.give_all(std::slice::from_ref(&u));
-        body.extend(self.shift_inputs(&u));
-        if self.sampled.observes() {
-            body.extend(self.keep_estimates());
+        } else {
+            finish = Finish::choose(finite, finish, Finish::Fail(Status::Range));
         }
-        let changes = self.remembered() > 0;
         let about = match changes {
             true => "Call it once for each tick.",
             false => "",

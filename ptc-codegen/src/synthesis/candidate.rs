@@ -1,6 +1,6 @@
 //! The candidates: mappings in the order in which they are tried, poles, and how fast these may be.
 
-use super::wish::{Choice, Wish};
+use super::wish::{Choice, SAMPLES, Wish};
 use crate::diagnostic::digits;
 
 /// A mapping that is tried.
@@ -73,9 +73,13 @@ pub(super) fn reason(mu: &str) -> &'static str {
 /// leave the loop to a proof; far ones act one after the other, close ones together.
 const SPACINGS: [f64; 2] = [0.25, 1.0];
 
-/// A mapping and a pattern of poles, at any speed.
+/// A clock, a mapping and a pattern of poles, at any speed.
 #[derive(Debug)]
 pub(super) struct Candidate {
+    /// The clock, where it is not the one that the wish has.
+    clock: Option<&'static str>,
+    /// Number of poles.
+    order: usize,
     /// The mapping, where the wish leaves it open.
     plan: Option<&'static Plan>,
     /// The distance of the poles, where the wish leaves the law open.
@@ -99,48 +103,60 @@ pub(super) fn candidates(wish: &Wish<'_>) -> Vec<Candidate> {
             .collect(),
         false => vec![None],
     };
-    let spacings: &[Option<f64>] = match wish.leaves_law() {
-        true if wish.order() == 1 => &[Some(SPACINGS[0])],
-        true => &SPACINGS.map(Some),
-        false => &[None],
+    let given = (None, wish.order());
+    let mut all: Vec<_> = plans.iter().map(|plan| (*plan, given)).collect();
+    // In samples where `exp` does not do in time: its loop ends at rest, whatever the period is.
+    if let Some(order) = wish.order_in_samples() {
+        all.insert(1, (plans[0], (Some(SAMPLES), order)));
+    }
+    let each = |(plan, clock): (_, (_, usize))| {
+        let spacings = match wish.leaves_law() {
+            true if clock.1 == 1 => vec![Some(SPACINGS[0])],
+            true => SPACINGS.map(Some).to_vec(),
+            false => vec![None],
+        };
+        spacings.into_iter().map(move |spacing| Candidate::new(wish, clock, plan, spacing))
     };
-    let each = |plan: Option<&'static Plan>| {
-        spacings.iter().map(move |spacing| Candidate::new(wish, plan, *spacing))
-    };
-    plans.into_iter().flat_map(each).collect()
+    all.into_iter().flat_map(each).collect()
 }
 
 impl Candidate {
-    fn new(wish: &Wish<'_>, plan: Option<&'static Plan>, spacing: Option<f64>) -> Self {
+    fn new(
+        wish: &Wish<'_>,
+        (clock, order): (Option<&'static str>, usize),
+        plan: Option<&'static Plan>,
+        spacing: Option<f64>,
+    ) -> Self {
         let (unit, decay) = match plan {
             Some(plan) if spacing.is_some() => (1.0, plan.decay),
             Some(plan) => (wish.slowest_pole(), plan.decay),
             None => wish.rate(),
         };
         #[allow(clippy::cast_precision_loss)]
-        let order = wish.order() as f64;
+        let poles = order as f64;
         // Left of -n rho u goes to 0, and x with it. Where rho = 0 each stable pole does that.
         let (range, first) = match () {
             () if plan.is_none() && spacing.is_none() => ((1.0, 1.0), 1.0),
             () if decay > 0.0 => {
-                let line = order * decay;
+                let line = poles * decay;
                 ((line, 32.0 * line), 1.5 * line)
             }
-            () => ((order / 16.0, 32.0 * order), order),
+            () => ((poles / 16.0, 32.0 * poles), poles),
         };
-        Self { plan, spacing, unit, range, first }
+        Self { clock, order, plan, spacing, unit, range, first }
     }
 
     /// What it is at a speed, all numbers to four digits.
-    pub(super) fn at(&self, order: usize, speed: f64) -> Choice {
+    pub(super) fn at(&self, speed: f64) -> Choice {
         let pole = |i: usize, spacing: f64| {
             #[allow(clippy::cast_precision_loss)]
             let place = 1.0 + i as f64 * spacing;
             digits(-speed * self.unit * place)
         };
-        let poles = |spacing| (0..order).map(|i| pole(i, spacing)).collect();
+        let poles = |spacing| (0..self.order).map(|i| pole(i, spacing)).collect();
         let rate = if self.spacing.is_some() { 1.0 } else { self.unit / speed };
         Choice {
+            clock: self.clock.map(str::to_owned),
             mu: self.plan.map(|plan| plan.mu(rate)),
             poles: self.spacing.map(poles),
             eps: None,

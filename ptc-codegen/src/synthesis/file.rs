@@ -15,6 +15,10 @@ pub fn complete(text: &str, choice: &Choice, head: &str) -> Result<String, TomlE
         return Ok(text.to_owned());
     }
     let mut document: DocumentMut = text.parse()?;
+    if let Some(clock) = &choice.clock {
+        let why = "exact at the samples, so that the loop ends at rest whatever its period is";
+        insert(&mut document, "clock", Value::from(clock.as_str()), why);
+    }
     if let Some(mu) = &choice.mu {
         insert(&mut document, "mu", Value::from(mu.as_str()), reason(mu));
     }
@@ -24,7 +28,12 @@ pub fn complete(text: &str, choice: &Choice, head: &str) -> Result<String, TomlE
         insert(&mut document, "poles", list, why);
     }
     if let Some(eps) = &choice.eps {
-        let why = "what the sample period needs, or what the wanted error allows; the gains are held from there on";
+        let why = match eps.as_str() {
+            "0" => "the gains run to the deadline; a hold would leave a greater error",
+            _ => {
+                "what the sample period needs, or what the wanted error allows; the gains are held from there on"
+            }
+        };
         insert(&mut document, "eps", eps.parse()?, why);
     }
     let head: String = head.lines().map(|line| format!("# {line}\n")).collect();

@@ -1,7 +1,7 @@
 //! Algorithm 1 of the letter: from n, tau, the objectives and the set F of what may move the plant to
 //! a mapping, its rate and the poles with which the loop is verified.
 //!
-//! A [`Wish`] is a design file that may leave the mapping and the law open. Stretched time has no unit
+//! A [`Wish`] is a design file that may leave the clock, the mapping and the law open. Stretched time has no unit
 //! of its own: with t' = a t the rate is 1 and the poles are lambda_i/a, so rate and poles are one
 //! number, the *speed* -max Re lambda / a. [`design`] takes the mappings in the order of [`MAPPINGS`],
 //! for each the speeds that the conditions at the deadline and the sample period admit, and looks for

@@ -15,18 +15,25 @@ use crate::request::{self, Entry, Feedback, Spec};
 use crate::syntax::{Value, number, parse};
 use crate::verify::{self, Campaign};
 
-/// A design file of which the mapping, the law and eps may be missing.
+/// The clock in samples, as a design spells it.
+pub(super) const SAMPLES: &str = "samples";
+
+/// A design file of which the clock, the mapping, the law and eps may be missing.
 #[derive(Debug)]
 pub struct Wish<'a> {
     entries: &'a [Entry],
     /// The design, with a mapping and poles in place of what is missing.
     spec: Spec,
     campaign: Campaign,
+    /// Number of poles in samples, where the clock is open and that one is legal too.
+    order_in_samples: Option<usize>,
 }
 
 /// What is chosen, as a design file spells it, without what is given there.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Choice {
+    /// The clock, where it is not that of time.
+    pub clock: Option<String>,
     /// The mapping with its rate.
     pub mu: Option<String>,
     /// The poles.
@@ -38,7 +45,8 @@ pub struct Choice {
 impl Choice {
     fn entries(&self) -> Vec<Entry> {
         let poles = self.poles.as_ref().map(|poles| poles.join(","));
-        let given = [("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
+        let given =
+            [("clock", &self.clock), ("mu", &self.mu), ("poles", &poles), ("eps", &self.eps)];
         let entry = |(key, text): (&str, &Option<String>)| {
             // No file holds it.
             let place = Place(usize::MAX);
@@ -51,10 +59,11 @@ impl Choice {
 
 impl std::fmt::Display for Choice {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let clock = self.clock.as_ref().map(|clock| format!("clock = \"{clock}\""));
         let mu = self.mu.as_ref().map(|mu| format!("mu = \"{mu}\""));
         let poles = self.poles.as_ref().map(|poles| format!("poles = [{}]", poles.join(", ")));
         let eps = self.eps.as_ref().map(|eps| format!("eps = {eps}"));
-        let all: Vec<_> = [mu, poles, eps].into_iter().flatten().collect();
+        let all: Vec<_> = [clock, mu, poles, eps].into_iter().flatten().collect();
         f.write_str(&if all.is_empty() { "nothing".to_owned() } else { all.join(", ") })
     }
 }
@@ -69,28 +78,20 @@ impl<'a> Wish<'a> {
     /// # Errors
     /// Every mistake in the entries.
     pub fn read(entries: &'a [Entry]) -> Result<Self, Vec<Diagnostic>> {
-        let count = |key: &str| {
-            let entry = entries.iter().find(|entry| entry.key == key)?;
-            match &entry.value.value {
-                Value::Number(value) => value.number()?.ceil().to_usize(),
-                _ => None,
-            }
-        };
-        let clock =
-            entries.iter().find(|entry| entry.key == "clock").map(|entry| &entry.value.value);
-        let in_samples = matches!(clock, Some(Value::Word(word)) if word == "samples");
-        // A law in samples places a pole for each input under way too.
-        let late = if in_samples { count("delay").unwrap_or(0).min(request::MAX_ORDER) } else { 0 };
-        let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
-        let law = !gives(entries, &["gains", "poles", "pi0"]);
-        let stand_in = Choice {
-            mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
-            poles: law.then(|| (0..order).map(|i| format!("-{}", order + 1 + i)).collect()),
-            eps: None,
-        };
-        let (spec, campaign) = read(entries, &stand_in)?;
+        let clock = entries.iter().find(|entry| entry.key == "clock");
+        let in_samples = clock.is_some_and(
+            |entry| matches!(&entry.value.value, Value::Word(word) if word == SAMPLES),
+        );
+        let (spec, campaign) = read(entries, &stand_in(entries, in_samples))?;
         spec.needs_rest("design")?;
-        Ok(Self { entries, spec, campaign })
+        let mut wish = Self { entries, spec, campaign, order_in_samples: None };
+        // A clock is chosen with its law, for a loop whose samples are known.
+        if clock.is_none() && wish.leaves_law() && wish.campaign.around.is_some() {
+            let choice = Choice { clock: Some(SAMPLES.to_owned()), ..stand_in(entries, true) };
+            let legal = read(entries, &choice).ok();
+            wish.order_in_samples = legal.map(|(spec, _)| spec.loop_order());
+        }
+        Ok(wish)
     }
 
     /// What is to be verified, with a mapping and poles in place of what is missing.
@@ -103,7 +104,12 @@ impl<'a> Wish<'a> {
         self.spec.loop_order()
     }
 
-    /// Whether the clock is in samples.
+    /// Number of poles in samples, where the clock is to be chosen and may be in samples.
+    pub(super) fn order_in_samples(&self) -> Option<usize> {
+        self.order_in_samples
+    }
+
+    /// Whether the given clock is in samples.
     pub fn is_in_samples(&self) -> bool {
         self.spec.sampled().is_some()
     }
@@ -142,10 +148,10 @@ impl<'a> Wish<'a> {
 
     /// A candidate at a speed, with the guard that goes with it.
     pub(super) fn choice(&self, candidate: &Candidate, speed: f64) -> Choice {
-        let mut choice = candidate.at(self.order(), speed);
+        let mut choice = candidate.at(speed);
         let promises = &self.spec.promises;
         let asked = promises.sample_time.is_some() || !promises.error.is_empty();
-        if asked && !self.spec.fixed.contains_key(&Parameter::Eps) {
+        if asked && self.spec.leaves_eps() {
             let set = self.examined(&choice).map(|report| report.spec.fixed);
             let eps = set.as_ref().and_then(|fixed| fixed.get(&Parameter::Eps)?.number()?.to_f64());
             choice.eps = eps.map(digits);
@@ -197,6 +203,26 @@ impl<'a> Wish<'a> {
                 (self.campaign.clone(), Some(Refused::Guard(why)))
             }
         }
+    }
+}
+
+/// A mapping and poles in place of what is missing.
+fn stand_in(entries: &[Entry], in_samples: bool) -> Choice {
+    let count = |key: &str| {
+        let entry = entries.iter().find(|entry| entry.key == key)?;
+        match &entry.value.value {
+            Value::Number(value) => value.number()?.ceil().to_usize(),
+            _ => None,
+        }
+    };
+    // A law in samples places a pole for each input under way too.
+    let late = if in_samples { count("delay").unwrap_or(0).min(request::MAX_ORDER) } else { 0 };
+    let order = count("n").unwrap_or(1).clamp(1, request::MAX_ORDER) + late;
+    let law = !gives(entries, &["gains", "poles", "pi0"]);
+    Choice {
+        mu: (!gives(entries, &["mu", "kappa"])).then(|| "exp(a=1)".to_owned()),
+        poles: law.then(|| (0..order).map(|i| format!("-{}", order + 1 + i)).collect()),
+        ..Choice::default()
     }
 }
 

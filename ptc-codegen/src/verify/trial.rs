@@ -158,7 +158,7 @@ impl Trial {
 
 /// The emitted program needs its eps.
 fn has_eps(spec: &Spec) -> Result<(), Failure> {
-    if spec.sampled().is_some() || spec.fixed.contains_key(&Parameter::Eps) {
+    if spec.fixed.contains_key(&Parameter::Eps) {
         return Ok(());
     }
     let report = examine(spec);

@@ -20,9 +20,11 @@ pub(super) fn choose_eps(spec: &mut Spec, expanded: Option<&Expanded>) {
         || !promises.sensor_step.is_empty()
         || promises.u_step.is_some()
         || matches!(promises.plant, Some(PlantBounds::Bounded { .. }));
-    let open = !spec.fixed.contains_key(&Parameter::Eps);
-    if disturbed && open {
-        spec.fixed.extend(best_eps(spec, expanded).map(|eps| (Parameter::Eps, eps)));
+    if disturbed
+        && spec.leaves_eps()
+        && let Some(eps) = best_eps(spec, expanded)
+    {
+        spec.choose_eps(eps);
     }
 }
 
@@ -32,7 +34,7 @@ pub(super) fn best_eps(spec: &Spec, expanded: Option<&Expanded>) -> Option<Fixed
         return None;
     }
     let closed = Loop::new(spec, expanded).ok()?;
-    closed.best_eps(&Numbers::new(spec, expanded)).and_then(known::rounded_down)
+    closed.best_eps(&Numbers::new(spec, expanded))
 }
 
 /// A statement of the limit for short periods without noise, which decides nothing where the loop

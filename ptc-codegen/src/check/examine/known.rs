@@ -199,7 +199,7 @@ pub(super) fn to_f64(value: &Fixed) -> Option<f64> {
 }
 
 /// `value` to three significant digits from below, as a spec holds it.
-pub(super) fn rounded_down(value: f64) -> Option<Fixed> {
+pub(crate) fn rounded_down(value: f64) -> Option<Fixed> {
     let text = format!("{value:.2e}");
     let near: f64 = text.parse().ok()?;
     let text = if near <= value { text } else { format!("{:.2e}", value * (1.0 - 5e-3)) };

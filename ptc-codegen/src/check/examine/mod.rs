@@ -10,7 +10,7 @@ mod period;
 mod report;
 
 use guard::{choose_eps, guard, superseded};
-pub(crate) use known::decay;
+pub(crate) use known::{decay, rounded_down};
 pub(crate) use numbers::Numbers;
 pub(crate) use period::held_period;
 pub use report::Report;
@@ -20,7 +20,7 @@ use super::sampled::Worst;
 use super::{Outcome, Verdict, sampled, zeros};
 use crate::expansion::Expanded;
 use crate::expression::effort::bounded;
-use crate::parameter::{Fixed, Parameter};
+use crate::parameter::Fixed;
 use crate::request::Spec;
 
 /// The outcomes of `sampling` and `deadline` alone, and the design with the eps that they set.
@@ -45,17 +45,16 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
     let membership = membership(&spec);
     let (growth, greatest) = growth::check_growth(&spec);
     choose_eps(&mut spec, forms);
-    let is_open = !spec.fixed.contains_key(&Parameter::Eps);
+    let is_open = spec.leaves_eps();
     let (mut sampling, mut deadline) = guard(&mut spec, forms);
     let (mut looped, mut worst) = looped(&spec, forms);
-    let fails = |o: &Outcome| matches!(o.verdict, Verdict::Unsound | Verdict::Refuted);
     // What the limit of short periods allows may be too much for the loop itself.
     if is_open
         && worst.is_some()
-        && (fails(&sampling) || fails(&looped))
+        && (sampling.fails() || looped.fails())
         && let Some(eps) = guard::best_eps(&spec, forms)
     {
-        spec.fixed.insert(Parameter::Eps, eps);
+        spec.choose_eps(eps);
         (sampling, deadline) = guard(&mut spec, forms);
         (looped, worst) = self::looped(&spec, forms);
     }

@@ -5,6 +5,7 @@
 //! of finite values, which are taken as passed.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use super::chain::{Chain, Near, Row, Step, Unit, centre};
 use super::rounded::{Rounded, product, quotient, sum, unit_roundoff};
@@ -23,13 +24,13 @@ enum Held {
     Linear(Vec<Rounded>),
 }
 
-/// The samples 0..=`last` of the loop of a controller, where the input that acts is kept, and the
-/// units of what it keeps; `None` if a value is not enclosed.
+/// The `samples` of the loop of a controller, where the input that acts is kept, and the units of
+/// what it keeps; `None` if a value is not enclosed.
 pub(super) fn steps(
     spec: &Spec,
     sampled: &Sampled,
     chain: &Chain,
-    last: usize,
+    samples: RangeInclusive<usize>,
 ) -> Option<(Vec<Step>, Option<usize>, Vec<Unit>)> {
     // What follows the deadline is no part of the law before it.
     let spec = &Spec { after: After::Hold, ..spec.clone() };
@@ -42,10 +43,9 @@ pub(super) fn steps(
         state.map_or(Unit::Power(0), |j: usize| chain.unit(j))
     };
     let units = kept.iter().map(unit).collect();
-    let mut seen = false;
-    let mut steps = Vec::with_capacity(last + 1);
-    for k in 0..=last {
-        let mut sample = Sample::new(&code, &kept, sampled.measured, k, seen)?;
+    let mut steps = Vec::with_capacity(samples.clone().count());
+    for k in samples {
+        let mut sample = Sample::new(&code, &kept, sampled.measured, k, k > 0)?;
         sample.block(&code.init)?;
         sample.block(&code.function("step")?.body)?;
         let u = sample.end(&code.function("step")?.finish)?;
@@ -58,7 +58,6 @@ pub(super) fn steps(
             })
             .collect();
         steps.push(chain.step(&u, &rows?, acting));
-        seen = true;
     }
     Some((steps, acting, units))
 }

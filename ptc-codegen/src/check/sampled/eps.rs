@@ -1,18 +1,23 @@
-//! The eps of a law in continuous time: what it makes of the worst case of its loop, and the one that
-//! leaves the least.
+//! The eps of a law: what it makes of the worst case of its loop, and the one that leaves the least.
 
 // Counts become numbers here.
 #![allow(clippy::cast_precision_loss)]
 
+use std::collections::BTreeMap;
+
 use num_traits::ToPrimitive;
 
-use super::chain::{Chain, Gains};
+use super::chain::{Chain, Gains, Step, Unit};
+use super::emitted;
 use super::gain::{Gain, known_gain};
 use super::judge::Loop;
 use super::worst::Sampled;
-use crate::check::examine::Numbers;
+use crate::algebra::BigRational;
+use crate::check::examine::{Numbers, rounded_down};
 use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
+use crate::syntax::constant;
 
 /// Points at which eps is tried first, on a logarithmic scale.
 const POINTS: u32 = 32;
@@ -34,63 +39,131 @@ pub struct Choice {
     pub u: f64,
 }
 
-/// The worst cases over eps of a law in continuous time; empty where its loop is not known.
+/// The worst cases over eps > 0 of a law; empty where its loop is not known.
 pub fn curve(spec: &Spec, expanded: Option<&Expanded>) -> Vec<Choice> {
-    if spec.sampled().is_some() {
-        return Vec::new();
-    }
     let Ok(closed) = Loop::new(spec, expanded) else { return Vec::new() };
     let numbers = Numbers::new(spec, expanded);
     let trial = Trial::new(&closed, &numbers);
-    let all = trial.points().map(|eps| trial.choice(eps));
+    let mut points: Vec<_> = trial.points().collect();
+    points.dedup();
+    let all = points.into_iter().filter_map(|eps| trial.choice(eps));
     all.filter(|choice| choice.u.is_finite() && choice.x.iter().all(|x| x.is_finite())).collect()
 }
 
 /// A loop whose gains can be held at any eps.
 struct Trial<'a> {
     closed: &'a Loop<'a>,
-    numbers: &'a Numbers<'a>,
+    law: Law<'a>,
+    tau: f64,
     h: f64,
-    /// The gains of each sample without a hold.
-    free: Vec<Vec<f64>>,
     gain: Gain,
     chain: Chain,
 }
+
+/// What gives the gains at a sample.
+enum Law<'a> {
+    /// A law in continuous time, with the gains of each sample without a hold.
+    Time { numbers: &'a Numbers<'a>, free: Vec<Vec<f64>> },
+    /// A program in samples, which is the same before any hold; none where it is not enclosed.
+    Samples { free: Option<Program> },
+}
+
+/// What [`emitted::steps`] makes of a program.
+type Program = (Vec<Step>, Option<usize>, Vec<Unit>);
 
 impl<'a> Trial<'a> {
     fn new(closed: &'a Loop<'a>, numbers: &'a Numbers<'a>) -> Self {
         let h = closed.period.middle();
         let gain = closed.gain();
         let chain = closed.plant.with_gain(gain.value);
-        let mut trial = Self { closed, numbers, h, free: Vec::new(), gain, chain };
-        let free = (0..closed.samples).map(|k| trial.gains((closed.samples - k) as f64 * h));
-        trial.free = free.collect();
+        let tau = closed.samples as f64 * h;
+        let free = Vec::new();
+        let mut trial = Self { closed, law: Law::Time { numbers, free }, tau, h, gain, chain };
+        trial.law = if closed.spec.sampled().is_some() {
+            let least = trial.least() as f64 * h;
+            Law::Samples { free: trial.program(least, 0) }
+        } else {
+            let free = (0..closed.samples).map(|k| trial.gains(numbers, trial.to_go(k)));
+            Law::Time { numbers, free: free.collect() }
+        };
         trial
     }
 
-    /// The gains of u at a time-to-go: those of the chain over the g by which the law divides.
-    fn gains(&self, time_to_go: f64) -> Vec<f64> {
-        let known = known_gain(self.closed.spec).ok().and_then(|g| g.to_f64()).unwrap_or(1.0);
-        self.numbers.gains(time_to_go).iter().map(|gain| gain / known).collect()
+    fn to_go(&self, k: usize) -> f64 {
+        (self.closed.samples - k) as f64 * self.h
     }
 
-    /// From a sample to 0.9 of tau; none for a tau that is shorter.
+    /// The gains of u at a time-to-go: those of the chain over the g by which the law divides.
+    fn gains(&self, numbers: &Numbers<'_>, time_to_go: f64) -> Vec<f64> {
+        let known = known_gain(self.closed.spec).ok().and_then(|g| g.to_f64()).unwrap_or(1.0);
+        numbers.gains(time_to_go).iter().map(|gain| gain / known).collect()
+    }
+
+    /// The samples to go of the shortest hold: with fewer a law in samples does not exist.
+    fn least(&self) -> usize {
+        if self.closed.spec.sampled().is_some() { self.closed.spec.loop_order() } else { 1 }
+    }
+
+    /// From the shortest hold to 0.9 of tau; none for a tau that is shorter.
     fn points(&self) -> impl Iterator<Item = f64> {
-        let (low, high) = (self.h.ln(), (0.9 * self.numbers.tau).ln());
+        let (low, high) = ((self.least() as f64 * self.h).ln(), (0.9 * self.tau).ln());
         let count = if low < high { POINTS + 1 } else { 0 };
-        (0..count).map(move |i| (low + f64::from(i) / f64::from(POINTS) * (high - low)).exp())
+        let point = move |i| (low + f64::from(i) / f64::from(POINTS) * (high - low)).exp();
+        (0..count).map(move |i| self.legal(point(i)))
+    }
+
+    /// The eps itself in time; in samples whole periods of it.
+    fn legal(&self, eps: f64) -> f64 {
+        match self.law {
+            Law::Time { .. } => eps,
+            Law::Samples { .. } => (eps / self.h).round() * self.h,
+        }
+    }
+
+    /// The same, as a design has it.
+    fn exact(&self, eps: f64) -> Option<Fixed> {
+        match self.law {
+            Law::Time { .. } => rounded_down(eps),
+            Law::Samples { .. } => {
+                let h = self.closed.spec.fixed.get(&Parameter::SampleTime)?.number()?;
+                let value = BigRational::from_float((eps / self.h).round())? * h;
+                Some(Fixed::Number { text: constant::text(&value), value })
+            }
+        }
+    }
+
+    /// What the program in samples with an eps makes of the samples from `first` on.
+    fn program(&self, eps: f64, first: usize) -> Option<Program> {
+        let mut spec = self.closed.spec.clone();
+        spec.choose_eps(self.exact(eps)?);
+        let own = spec.sampled()?;
+        emitted::steps(&spec, own, &self.chain, first..=self.closed.samples)
     }
 
     /// The loop held at an eps.
-    fn held(&self, eps: f64) -> Sampled {
-        let held = self.gains(eps);
-        let row = |k: usize| {
-            let go = (self.closed.samples - k) as f64 * self.h;
-            let values = if go > eps { self.free[k].clone() } else { held.clone() };
-            Gains { errors: vec![0.0; values.len()], values }
+    fn held(&self, eps: f64) -> Option<Sampled> {
+        let chain = self.chain.clone();
+        let sampled = match &self.law {
+            Law::Time { numbers, free } => {
+                let held = self.gains(numbers, eps);
+                let row = |k: usize| {
+                    let values = if self.to_go(k) > eps { &free[k] } else { &held }.clone();
+                    Gains { errors: vec![0.0; values.len()], values }
+                };
+                let rows: Vec<_> = (0..self.closed.samples).map(row).collect();
+                Sampled::new(chain, &rows)
+            }
+            Law::Samples { free } => {
+                let (free, ..) = free.as_ref()?;
+                let to_go = (eps / self.h).round().to_usize()?;
+                // Without a hold deadbeat takes over at an end of its own.
+                let first = if to_go == 0 { 0 } else { self.closed.samples.checked_sub(to_go)? };
+                let (steps, acting, kept) = self.program(eps, first)?;
+                let steps = free[..first].iter().cloned().chain(steps).collect();
+                Sampled::of(chain, steps, acting, &kept)
+            }
         };
-        let rows: Vec<_> = (0..self.closed.samples).map(row).collect();
-        self.closed.disturbed(Sampled::new(self.chain.clone(), &rows), &self.gain)
+        Some(self.closed.disturbed(sampled, &self.gain))
     }
 
     /// What |x_i| at the deadline is at worst.
@@ -101,39 +174,45 @@ impl<'a> Trial<'a> {
 
     /// The same in parts of what is wanted, of the state that is farthest from it.
     fn cost(&self, eps: f64) -> f64 {
-        let finals = self.finals(&self.held(eps));
+        let Some(sampled) = self.held(eps) else { return f64::INFINITY };
+        let finals = self.finals(&sampled);
         let shares = finals.iter().zip(self.closed.errors()).map(|(x, error)| x / error);
         shares.fold(0.0, f64::max)
     }
 
-    fn choice(&self, eps: f64) -> Choice {
-        let sampled = self.held(eps);
+    fn choice(&self, eps: f64) -> Option<Choice> {
+        let sampled = self.held(eps)?;
         let count = self.closed.samples;
-        let hold = (0..count).find(|k| (count - k) as f64 * self.h <= eps);
+        let hold = (0..count).find(|k| self.to_go(*k) <= eps);
         let control = sampled.control();
         let looked_at = (0..count).step_by(count.div_ceil(LOOKED_AT)).chain(hold);
         let u = looked_at.map(|k| sampled.bound(&control, k, None).attained());
-        Choice { eps, x: self.finals(&sampled), u: u.fold(0.0, f64::max) }
+        Some(Choice { eps, x: self.finals(&sampled), u: u.fold(0.0, f64::max) })
     }
 }
 
 impl Loop<'_> {
     /// The eps whose worst final error is least, in parts of `error` where that is given.
-    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<f64> {
+    pub(crate) fn best_eps(&self, numbers: &Numbers<'_>) -> Option<Fixed> {
         let trial = Trial::new(self, numbers);
         let points: Vec<_> = trial.points().collect();
-        let costs: Vec<_> = points.iter().map(|eps| trial.cost(*eps)).collect();
+        // Whole periods are tried once.
+        let mut known = BTreeMap::new();
+        let mut cost = |eps: f64| *known.entry(eps.to_bits()).or_insert_with(|| trial.cost(eps));
+        let costs: Vec<_> = points.iter().map(|eps| cost(*eps)).collect();
         let (best, _) = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
         let (mut left, mut right) =
             (points[best.saturating_sub(1)].ln(), points[(best + 1).min(points.len() - 1)].ln());
         for _ in 0..ROUNDS {
             let (a, b) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
-            if trial.cost(a.exp()) <= trial.cost(b.exp()) {
+            if cost(trial.legal(a.exp())) <= cost(trial.legal(b.exp())) {
                 right = b;
             } else {
                 left = a;
             }
         }
-        Some((0.5 * (left + right)).exp())
+        let best = trial.legal((0.5 * (left + right)).exp());
+        let in_samples = matches!(trial.law, Law::Samples { .. });
+        trial.exact(if in_samples && cost(0.0) <= cost(best) { 0.0 } else { best })
     }
 }

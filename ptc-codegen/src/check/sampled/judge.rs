@@ -176,7 +176,7 @@ impl<'a> Loop<'a> {
         if own.force != BigRational::default() {
             return Err("a loop with a known f is not examined".to_owned());
         }
-        let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, self.samples)
+        let (steps, acting, kept) = emitted::steps(self.spec, own, &chain, 0..=self.samples)
             .ok_or("the emitted program is not enclosed")?;
         Ok(Sampled::of(chain, steps, acting, &kept))
     }

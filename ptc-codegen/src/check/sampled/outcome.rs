@@ -293,9 +293,8 @@ fn fix(spec: &Spec, worst: &Worst, closed: &Loop<'_>, state: usize) -> String {
         let percent = digits((100.0 * part / (bound.total() - bound.rounding)).round());
         format!("{cause} accounts for {percent} % of it")
     });
-    // In samples eps is a hold that the design chose.
-    let open = spec.sampled().is_none();
-    let eps = open.then(|| closed.best_eps(&Numbers::new(spec, closed.expanded))).flatten();
-    let eps = eps.map(|eps| format!("the worst case is least with eps near {} s", digits(eps)));
+    let eps = closed.best_eps(&Numbers::new(spec, closed.expanded));
+    let eps = eps.filter(|eps| spec.fixed.get(&Parameter::Eps) != Some(eps));
+    let eps = eps.map(|eps| format!("the worst case is least with eps near {eps} s"));
     largest.into_iter().chain(eps).collect::<Vec<_>>().join("; ")
 }

@@ -24,9 +24,10 @@ const STATE: f64 = 10.0;
 const LAW: f64 = 10.0;
 
 /// How far Eva goes: apart as many states as calls and cases need, the rounds of a loop one after
-/// the other, statuses apart, and expressions in which a variable stands twice in pieces.
+/// the other, statuses apart, expressions in which a variable stands twice in pieces, and what is
+/// known of a value known of its copies.
 const OPTIONS: &str = "-eva -eva-slevel 1000 -eva-slevel-merge-after-loop @all \
-                       -eva-split-return full -eva-subdivide-non-linear 20";
+                       -eva-split-return full -eva-subdivide-non-linear 20 -eva-domains equality";
 
 /// A value that the harness draws, as macros NAME_MIN and NAME_MAX.
 struct Range {

@@ -43,17 +43,14 @@ impl Reader<'_> {
     /// The controller as it runs: with the eps that the checks set where it is left open, for the box
     /// of initial states unless the design has `x0_max`.
     pub(super) fn running(&mut self, mut spec: Spec, x0: &[Interval]) -> Option<Spec> {
-        let is_fixed = |spec: &Spec, p| spec.fixed.contains_key(&p);
-        if spec.sampled().is_some() {
-            if !is_fixed(&spec, Parameter::Tau) {
-                let message = "with a clock in samples tau is no interval".to_owned();
-                let help = "give `tau` under [params], a multiple of `sample_time`, and none under [verify]";
-                self.wrong("verify.tau", None, message, help);
-                return None;
-            }
-            return Some(spec);
+        if spec.sampled().is_some() && !spec.fixed.contains_key(&Parameter::Tau) {
+            let message = "with a clock in samples tau is no interval".to_owned();
+            let help =
+                "give `tau` under [params], a multiple of `sample_time`, and none under [verify]";
+            self.wrong("verify.tau", None, message, help);
+            return None;
         }
-        if is_fixed(&spec, Parameter::Eps) {
+        if !spec.leaves_eps() {
             return Some(spec);
         }
         let mut asked = spec.clone();
@@ -64,8 +61,9 @@ impl Reader<'_> {
                 largest.map(|x| exact(&format!("{x:e}"))).collect::<Option<_>>()?;
         }
         // Where no check sets it there is no trial.
-        let eps = examine(&asked).spec.fixed.remove(&Parameter::Eps);
-        spec.fixed.extend(eps.map(|eps| (Parameter::Eps, eps)));
+        if let Some(eps) = examine(&asked).spec.fixed.remove(&Parameter::Eps) {
+            spec.choose_eps(eps);
+        }
         Some(spec)
     }
 }

@@ -109,6 +109,7 @@ impl Reader<'_> {
             disturbance,
             greatest: a.as_ref().and_then(|a| greatest(spec, spec.n + delay, a)),
             observer: self.observer(spec, estimates, &blocks, a.as_ref()),
+            leaves_eps: !self.keys.contains_key("eps"),
         };
         let least = sampled.least_samples(spec.n);
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
@@ -204,7 +205,7 @@ impl Reader<'_> {
             }
             spec.fixed.insert(Parameter::SampleTime, h);
         }
-        // 0, which a clock in time has no meaning for, is the default.
+        // 0, which a clock in time has no meaning for, is the default where no check chooses.
         spec.fixed.entry(Parameter::Eps).or_insert_with(|| Fixed::from(0));
     }
 
