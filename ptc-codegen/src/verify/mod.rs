@@ -149,7 +149,7 @@ impl Campaign {
         let own = self.spec.input_gain.clone().unwrap_or(Expression::integer(1));
         let true_gain = with(1).sub(with(0)).add(g.unwrap_or(own.clone()));
         let low = Some(Expression::integer(0));
-        Objective { kind: Kind::Within { h: true_gain.div(own), low, high: None } }
+        Kind::Within { h: true_gain.div(own), low, high: None }.into()
     }
 
     /// The names of the columns of a row, after the index.

@@ -13,8 +13,10 @@ use crate::simulate::{Along, Failure, Values};
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Objective {
-    /// What it says.
+    /// What it says of x as the plant has it.
     pub kind: Kind,
+    /// The same in the words of the user: another only for a model, whose states have names.
+    pub written: Kind,
 }
 
 /// The kinds of objectives.
@@ -60,6 +62,21 @@ impl Kind {
         }
     }
 
+    /// The same with other expressions.
+    #[must_use]
+    pub(super) fn map(&self, to: &dyn Fn(&Expression) -> Expression) -> Self {
+        match self {
+            Self::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: to(zeta) },
+            Self::Input { upsilon } => Self::Input { upsilon: to(upsilon) },
+            Self::Attractive { error } => Self::Attractive { error: *error },
+            Self::Within { h, low, high } => Self::Within {
+                h: to(h),
+                low: low.as_ref().map(to),
+                high: high.as_ref().map(to),
+            },
+        }
+    }
+
     /// The parts of its expressions that have to be something for it to have a value.
     fn needs(&self) -> Vec<(Expression, Condition)> {
         self.expressions().into_iter().flat_map(|(_, e)| existence::needs(e)).collect()
@@ -80,6 +97,13 @@ impl Kind {
     }
 }
 
+impl From<Kind> for Objective {
+    /// An objective of a plant whose states have no other names.
+    fn from(kind: Kind) -> Self {
+        Self { written: kind.clone(), kind }
+    }
+}
+
 impl Objective {
     /// Whether it holds or fails at t0 whatever the control does.
     pub fn is_of_state(&self) -> bool {
@@ -94,7 +118,7 @@ impl Objective {
 
 impl fmt::Display for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.kind {
+        match &self.written {
             Kind::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
             Kind::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
             Kind::Attractive { error } => write!(f, "|x| <= {error} at the end"),

@@ -4,7 +4,7 @@ use super::{Given, Reader, number};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
 use crate::model::Model;
-use crate::parameter::Name;
+use crate::parameter::{Name, Parameter};
 use crate::request::known;
 use crate::syntax::Value;
 use crate::verify::{Kind, Objective};
@@ -63,11 +63,12 @@ impl Reader<'_> {
         let known = known(self.spec.time_mapping.parameters());
         let n = self.spec.n;
         let model = self.spec.model.as_deref();
-        let own = model.map(names).unwrap_or_default();
+        let states = model.map(names).unwrap_or_default();
         let expression = |reader: &mut Self, name: &str, subject: Subject| {
             let (_, node) = given.get(name)?;
-            let scope = Scope { subject, n, known: &known, own: &own };
-            Some(of_model(resolve(node, scope, &mut reader.found)?, model))
+            // A bound is of time alone.
+            let own = if subject == Subject::Objective { states.as_slice() } else { &[] };
+            resolve(node, Scope { subject, n, known: &known, own }, &mut reader.found)
         };
         let kind = match word {
             "state" => {
@@ -100,7 +101,13 @@ impl Reader<'_> {
                 Kind::Within { h: h?, low, high }
             }
         };
-        Some(Objective { kind })
+        Some(match model {
+            None => kind.into(),
+            Some(model) => Objective {
+                written: kind.map(&|e| in_names(e, model)),
+                kind: kind.map(&|e| in_states(e, model)),
+            },
+        })
     }
 }
 
@@ -110,9 +117,18 @@ fn names(model: &Model) -> Vec<(Name, Variable)> {
     states.chain([(model.input, Variable::Control)]).collect()
 }
 
-/// An expression of the states of a model, in which the chain is what the law takes it to be.
-fn of_model(expression: Expression, model: Option<&Model>) -> Expression {
-    let Some(model) = model else { return expression };
+/// The same as it was written.
+fn in_names(expression: &Expression, model: &Model) -> Expression {
+    let of = |name: &Name| Parameter::Named(*name).into();
+    expression.substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(j)) => model.states.get(j - 1).map(of),
+        Expression::Variable(Variable::Control) => Some(of(&model.input)),
+        _ => None,
+    })
+}
+
+/// The same in the states of a model, in which the chain is what the law takes it to be.
+fn in_states(expression: &Expression, model: &Model) -> Expression {
     let at_start = |e: &Expression| match e {
         Expression::Variable(Variable::State(j)) => Some(Variable::StateAtStart(*j).into()),
         _ => None,
