@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostics, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::model::Model;
 use crate::parameter::{Name, Parameter};
-use crate::request::{Spec, known};
+use crate::request::{Spec, items, known};
 use crate::syntax::{Argument, Node, Value};
 
 /// The key of the rates that differ from those of the model.
@@ -80,18 +80,38 @@ fn rates(
     found: &mut Diagnostics,
 ) -> (Vec<Expression>, bool) {
     let mut rates = model.dynamics.clone();
-    let key = Subject::PlantRate.key();
-    let Value::Table(given) = &node.value else {
-        let message = format!("{key} is not a table of rates");
-        let help = "give the rates that differ from the model, by their states: dynamics = { w = \"...\" }";
-        found.push("bad-value", key, Some(node.place), message, help);
-        return (rates, false);
-    };
     let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::State(j)));
     let own: Vec<_> = states.chain([(model.input, Variable::Control)]).collect();
     let known = known(spec.time_mapping.parameters());
     let scope = Scope { subject: Subject::PlantRate, n: 0, known: &known, own: &own };
-    let (mut seen, mut whole) = (Vec::new(), true);
+    let (given, mut whole) = of_states(node, model, found);
+    for (state, node) in given {
+        match resolve(node, scope, found) {
+            Some(rate) => rates[state] = rate,
+            None => whole = false,
+        }
+    }
+    (rates, whole)
+}
+
+/// Which rates are given: some, by the names of their states, or all, in their order.
+fn of_states<'a>(
+    node: &'a Node,
+    model: &Model,
+    found: &mut Diagnostics,
+) -> (Vec<(usize, &'a Node)>, bool) {
+    let key = Subject::PlantRate.key();
+    let Value::Table(given) = &node.value else {
+        let all = items(node);
+        let whole = all.len() == model.states.len();
+        if !whole {
+            let message = format!("{} rates for {} states", all.len(), model.states.len());
+            let help = "give those that differ from the model, dynamics = { w = \"...\" }, or a rate for each state, in their order";
+            found.push("bad-value", key, Some(node.place), message, help);
+        }
+        return (all.iter().enumerate().filter(|_| whole).collect(), whole);
+    };
+    let (mut rates, mut whole) = (Vec::with_capacity(given.len()), true);
     for Argument { name, value } in given {
         let (text, place) = match name {
             Some((text, place)) => (text.as_str(), *place),
@@ -106,15 +126,11 @@ fn rates(
             whole = false;
             continue;
         };
-        if seen.contains(&state) {
+        if rates.iter().any(|(other, _)| *other == state) {
             let message = format!("the state `{text}` has two rates");
             found.push("bad-value", key, Some(place), message, "leave one of the two out");
         }
-        seen.push(state);
-        match resolve(value, scope, found) {
-            Some(rate) => rates[state] = rate,
-            None => whole = false,
-        }
+        rates.push((state, value));
     }
     (rates, whole)
 }

@@ -9,8 +9,8 @@ mod sampled;
 
 pub use poles::{Pole, PoleError, gains};
 pub use promises::{PlantBounds, Promises, one_or_each};
-pub(crate) use read::known;
 pub use read::{Entry, read};
+pub(crate) use read::{items, known};
 pub use sampled::{Observer, Sampled};
 
 use std::collections::{BTreeMap, BTreeSet};

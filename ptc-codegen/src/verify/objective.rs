@@ -69,11 +69,9 @@ impl Kind {
             Self::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: to(zeta) },
             Self::Input { upsilon } => Self::Input { upsilon: to(upsilon) },
             Self::Attractive { error } => Self::Attractive { error: *error },
-            Self::Within { h, low, high } => Self::Within {
-                h: to(h),
-                low: low.as_ref().map(to),
-                high: high.as_ref().map(to),
-            },
+            Self::Within { h, low, high } => {
+                Self::Within { h: to(h), low: low.as_ref().map(to), high: high.as_ref().map(to) }
+            }
         }
     }
 

@@ -34,9 +34,8 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows = spec
-            .needs_law("simulate")
-            .and_then(|()| spec.needs_known_reference("simulate"));
+        let knows =
+            spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }

@@ -7,8 +7,8 @@ use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{
-    Accuracy, Cause, Continuous, Direct, Failure as Ended, Loop, Run as Instants, Sample, Sampled, Side,
-    Values, tracking_error,
+    Accuracy, Cause, Continuous, Direct, Failure as Ended, Loop, Run as Instants, Sample, Sampled,
+    Side, Values, tracking_error,
 };
 
 use super::input::Asked;
@@ -222,7 +222,9 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
             Parameter::Gain(_) => "--gains or --poles".to_owned(),
             Parameter::Samples => "--tau VALUE".to_owned(),
             Parameter::SampleTime => "--sample-time VALUE".to_owned(),
-            _ if symbols.contains(&parameter) || plant.gives(parameter) => format!("--plant {name}=VALUE"),
+            _ if symbols.contains(&parameter) || plant.gives(parameter) => {
+                format!("--plant {name}=VALUE")
+            }
             _ => format!("--param {name}=VALUE"),
         };
         names.push(name);

@@ -170,7 +170,9 @@ fn figure(
         deadline: start + tau,
         t: instants.iter().map(|instant| instant.t).collect(),
         stretched: vec![f64::NAN; instants.len()],
-        x: (0..spec.states()).map(|j| instants.iter().map(|instant| instant.x[j]).collect()).collect(),
+        x: (0..spec.states())
+            .map(|j| instants.iter().map(|instant| instant.x[j]).collect())
+            .collect(),
         u: instants.iter().map(|instant| instant.u).collect(),
         held: campaign.around.is_some(),
     };

@@ -309,7 +309,10 @@ impl Summary {
             }
         }
         if let Some(Trajectory { told, instants, ended, .. }) = &self.trajectory {
-            text.push_str(&format!("\nworst trajectory, {told}\n{}", table(&campaign.spec, instants)));
+            text.push_str(&format!(
+                "\nworst trajectory, {told}\n{}",
+                table(&campaign.spec, instants)
+            ));
             text.extend(ended.iter().map(|ended| format!("  it ends early: {ended}\n")));
         }
         text.push_str(match self.end() {
