@@ -119,7 +119,7 @@ fn a_load_that_varies_is_searched() {
         told.contains("not proved: the plant is a model, and proofs are of chains of integrators"),
         "{told}"
     );
-    assert!(told.contains("objective 1, abs(q) <= 1.6: holds, by sampling"), "{told}");
+    assert!(told.contains("objective 1, abs(q) <= 8/5: holds, by sampling"), "{told}");
     // A constant load at its bound ends farther away than the law alone would.
     let tight = "bound = \"within\"\nh = \"abs(q)\"\nhigh = \"2*(4*(1 - dt)^3 - 3*(1 - dt)^4)\"";
     let (code, told) = verify("load_tight", &swinging(plant, "", tight), &[]);
