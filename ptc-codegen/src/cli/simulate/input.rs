@@ -31,7 +31,7 @@ pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
     let states = spec.state_names();
     let x0 = List::new("--x0", &request.x0)?;
     if x0.items.len() != states.len() {
-        let message = format!("--x0 has {} numbers for {} states", x0.items.len(), states.len());
+        let message = format!("--x0 has {} of the {} states", x0.items.len(), states.len());
         let help =
             format!("give one number for each of {}, separated by commas", states.join(", "));
         return Err(x0.wrong(None, message, &help));
