@@ -4,6 +4,7 @@ use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Controller, Failure, Sample, Values};
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -23,8 +24,11 @@ impl Direct {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
-        let controller = Controller::new(spec)?;
-        Ok(Run::of(Self { controller, motion: Motion::new(spec, plant) }))
+        // No run comes near a bound that is infinite.
+        let mut spec = spec.clone();
+        spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        let controller = Controller::new(&spec)?;
+        Ok(Run::of(Self { controller, motion: Motion::new(&spec, plant) }))
     }
 }
 

@@ -85,6 +85,59 @@ fn a_pendulum_moves_as_one_by_hand() {
 }
 
 #[test]
+fn a_bounded_torque_acts_at_every_instant() {
+    let design = PENDULUM.replace("eps", "u_max = 0.3\neps");
+    let (_, rows, _) = run("bounded", &design, &["--x0", "1,0", "--at", "0.2,0.6,0.9"]);
+    let clipped = |t: f64, x: &[f64]| hold_pendulum(t, x).clamp(-0.3, 0.3);
+    let wanted = along(&pendulum(20.0), &clipped, (&[0.0, 0.2, 0.6, 0.9], 20_000), &[1.0, 0.0]);
+    for (row, x) in rows.iter().zip(&wanted[1..]) {
+        near(&row[2..4], x, 1e-8);
+    }
+    assert!(rows.iter().any(|row| row[4].abs() == 0.3), "{rows:?}");
+}
+
+/// Dry friction is a jump of the last rate: where it holds the pendulum, nothing moves.
+#[test]
+fn dry_friction_holds_a_pendulum_and_lets_it_pass() {
+    let dry = |size: f64| {
+        format!(
+            "{PENDULUM}[plant]\ndry = {size}\ndynamics = {{ w = \"M/inertia - stiffness*sin(q) - drag*w - dry*sign(w)\" }}\n"
+        )
+    };
+    let (_, rows, _) = run("passes", &dry(2.0), &["--x0", "1,1", "--at", "0.3,0.6"]);
+    let rates = |t: f64, x: &[f64], u: f64| {
+        let smooth = pendulum(20.0)(t, x, u);
+        vec![smooth[0], smooth[1] - 2.0 * x[1].signum()]
+    };
+    let wanted = along(&rates, &hold_pendulum, (&[0.0, 0.3, 0.6], 100_000), &[1.0, 1.0]);
+    for (row, x) in rows.iter().zip(&wanted[1..]) {
+        near(&row[2..4], x, 1e-5);
+    }
+    // The law wants 12/T^2, which is less than 100 as long as T is above 0.35.
+    let (_, rows, _) = run("holds", &dry(100.0), &["--x0", "1,0", "--at", "0.3,0.6,0.7"]);
+    near(&rows[0][2..4], &[1.0, 0.0], 0.0);
+    near(&rows[1][2..4], &[1.0, 0.0], 0.0);
+    assert!(rows[2][3] < -0.1, "{rows:?}");
+}
+
+/// A jump of a rate in the middle is not followed along its surface, which is no verdict on the design.
+#[test]
+fn a_slide_along_another_rate_is_undecided() {
+    let design = format!(
+        "{}[plant]\ndry = 1e4\ndynamics = {{ w = \"(k*i - b*w)/J - dry*sign(w)\" }}\n",
+        motor()
+    );
+    let folder = folder_with("models_simulated_slide", "plant.toml", &design);
+    let (code, _, stderr) = run_in(&folder, &["simulate", "plant.toml", "--x0", "1,0,0"]);
+    assert_eq!(code, Some(3), "{stderr}");
+    assert!(stderr.contains("slides along a jump of another rate than the last one"), "{stderr}");
+    // With the speed as the last state it is: the drive is held at rest.
+    let last = design.replace("[\"q\", \"w\", \"i\"]", "[\"q\", \"i\", \"w\"]");
+    let (_, rows, _) = run("slides", &last, &["--x0", "1,0,0", "--at", "0.1"]);
+    near(&[rows[0][2], rows[0][4]], &[1.0, 0.0], 0.0);
+}
+
+#[test]
 fn a_sampled_pendulum_saturates_as_one_by_hand() {
     let design = PENDULUM.replace("eps", "u_max = 0.3\neps");
     let (head, rows, _) = run("sampled", &design, &["--x0", "1,0", "--sample-time", "0.01"]);
