@@ -70,6 +70,26 @@ fn the_chain_of_a_motor_is_bounded_at_the_end() {
     });
 }
 
+/// What is set at run time is known to the law: the speed is that of the polynomial, whatever is drawn, and
+/// the voltage the largest of the resistances.
+#[test]
+fn a_parameter_at_run_time_is_drawn_for_plant_and_law() {
+    let design = |h: &str, bound: f64| {
+        let objective = format!("bound = \"within\"\nh = \"abs({h})\"\nhigh = {bound}");
+        drive_within("[0.5, 1]", &objective).replace("R = 1.2 ", "R = [1.0, 2.0] ")
+    };
+    let speed = largest(|s| drive(s).0[1]);
+    is_worst("known_speed", speed, &|bound| design("w", bound));
+    let voltage = |resistance: f64| {
+        largest(|s| {
+            let ([_, _, i], voltage) = drive(s);
+            voltage + (resistance - 1.2) * i
+        })
+    };
+    let voltage = voltage(1.0).max(voltage(2.0));
+    is_worst("known_voltage", voltage, &|bound| design("V", bound));
+}
+
 fn swinging(plant: &str, further: &str, objective: &str) -> String {
     format!(
         "{further}{PENDULUM}[plant]\n{plant}\n[verify]\nq = [0.5, 1.5]\nw = 0\nscenarios = 20\nsearch = 100\nuntil = 0.1\n\
