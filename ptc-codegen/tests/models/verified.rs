@@ -166,7 +166,7 @@ fn parts_of_a_campaign_merge() {
     let csv = String::from_utf8(read("worst.csv")).expect("text");
     assert!(csv.starts_with("t,time_to_go,q,w,M,excess1\n"), "{csv}");
     let page = String::from_utf8(read("page.html")).expect("text");
-    assert!(page.contains(">q</th>") && page.contains("stiffness"), "the page names the states");
+    assert!(page.contains(">q</th>") && page.contains("[16, 24]"), "the page names the states");
     let replayed = run(&["--scenario", "tau = 1, q = 1, w = 0, stiffness = 20"]);
     let last: Vec<f64> = replayed
         .lines()

@@ -91,9 +91,12 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
         unit: parameter.unit_for(spec.n),
     });
-    let symbols = plant.symbols(spec).into_iter().map(|symbol| Known {
+    let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));
+    let others = spec.parameters().into_iter().filter(|parameter| plant.gives(*parameter));
+    let others = others.map(|parameter| (parameter, "what it is of the plant"));
+    let symbols = symbols.chain(others).map(|(symbol, meaning)| Known {
         name: symbol.spelling(),
-        meaning: "symbol of the plant",
+        meaning,
         value: told(plant.fixed.get(&symbol), plant.bounds.get(&symbol)),
         unit: "as in its expression".to_owned(),
     });
