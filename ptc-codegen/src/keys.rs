@@ -285,7 +285,7 @@ pub static KEYS: [KeyInfo; 45] = [
 ];
 
 /// The keys of the table `[plant]` that are no symbols.
-pub static PLANT_KEYS: [KeyInfo; 2] = [
+pub static PLANT_KEYS: [KeyInfo; 3] = [
     KeyInfo {
         key: "f",
         meaning: "what moves the plant xn' = f + g*u beside its input; that of the controller where it is not given",
@@ -297,6 +297,12 @@ pub static PLANT_KEYS: [KeyInfo; 2] = [
         meaning: "true input gain of the plant; that of the controller where it is not given",
         legal: "an expression in x1..xn and t",
         example: "0.8",
+    },
+    KeyInfo {
+        key: "dynamics",
+        meaning: "with a model, the rates of the plant that differ from those of the model",
+        legal: "an expression for each of these states, in the states, the input and t",
+        example: "{ w = \"(k*i - b*w - load)/J\" }",
     },
 ];
 

@@ -42,6 +42,7 @@ fn the_schema_takes_every_example_and_no_other_key() {
     wrong("n = 2\ngain = [1, 2]\n", "gain");
     wrong("n = 2\nclock = \"sample\"\n", "clock");
     wrong("[verify]\ny1 = 2\n", "y1");
+    assert_eq!(fits("[model]\ninput = \"u\"\n[verify]\ny1 = 2\n", &schema), Ok(()));
     wrong("[[objective]]\nbond = \"input\"\n", "bond");
     assert_eq!(fits("[params]\nanything = 2\n[plant]\nf = 0\nq = 1\n", &schema), Ok(()));
     assert_eq!(fits("disturbance = \"constant\"\n", &schema), Ok(()));
@@ -60,7 +61,9 @@ fn fits(text: &str, schema: &Value) -> Result<(), String> {
         }
         if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.split(']').next()) {
             let name = name.trim_start_matches('[');
-            let own = &schema["properties"][name];
+            let strict = if text.contains("[model]") { &Value::Null } else { &schema["else"] };
+            let strict = &strict["properties"][name];
+            let own = if strict.is_object() { strict } else { &schema["properties"][name] };
             let own = if own["anyOf"].is_array() { &own["anyOf"][1] } else { own };
             table = if own["items"].is_object() { own["items"].clone() } else { own.clone() };
             assert!(table.is_object(), "the table {name}");

@@ -206,3 +206,18 @@ fn a_run_that_cannot_be_finished_is_neither_kept_nor_failed() {
         assert_eq!(row.numbers.last(), Some(&Status::Unfinished.code()));
     }
 }
+
+/// Dry friction of 100 holds x1 at 1 as long as the law wants less, 12/T^2: until T = 0.346. The force that the
+/// law cancels makes its u another function on each side of the jump, and no side has a bound of u.
+#[test]
+fn what_dry_friction_holds_is_run_to_its_end() {
+    let text = "f = \"-20*sin(x1) - 0.2*x2\"\ntau = 1\neps = 0.05\n[plant]\n\
+                f = \"-20*sin(x1) - 0.2*x2 - 100*sign(x2)\"\n[verify]\nx1 = 1\nx2 = 0\nscenarios = 1\nuntil = 0.35\n\
+                [[objective]]\nbound = \"within\"\nh = \"x1\"\nlow = 0.999999\nhigh = 1.000001\n";
+    let campaign = design(2, "-3, -4", text);
+    let mut trial = Trial::new(&campaign).expect("a trial");
+    let outcome = trial.run(&campaign.setting(&campaign.scenario(0)));
+    assert_eq!(outcome.ended, None);
+    assert!((outcome.excess[0] + 1e-6).abs() < 1e-12, "{outcome:?}");
+    assert!(outcome.direct.is_some_and(|other| other.difference < 1e-9));
+}

@@ -56,7 +56,7 @@ pub(super) fn value(text: &str) -> String {
     if is_number(text) {
         return text.to_owned();
     }
-    if text.starts_with('[') {
+    if text.starts_with(['[', '{']) {
         return text.to_owned();
     }
     let items: Vec<_> = text.split(',').map(str::trim).collect();

@@ -15,8 +15,8 @@ use crate::syntax::{Argument, Node, Value, number, parse};
 /// The keys whose value may be a list of rows.
 const MATRICES: [&str; 2] = ["A", "C"];
 
-/// The key whose value may be a table in braces.
-const TABLE: &str = "model.dynamics";
+/// The keys whose value may be a table in braces.
+const TABLES: [&str; 2] = ["model.dynamics", "plant.dynamics"];
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {
@@ -58,7 +58,7 @@ impl Toml<'_> {
 impl Reader<'_> {
     /// The value of `key`; on failure, records a diagnostic.
     pub(super) fn value(&mut self, key: &str, toml: Toml<'_>) -> Option<Node> {
-        if key == TABLE {
+        if TABLES.contains(&key) {
             return self.pairs(key, toml);
         }
         self.list(key, toml, MATRICES.contains(&key.rsplit('.').next().unwrap_or(key)))

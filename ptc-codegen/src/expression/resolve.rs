@@ -142,8 +142,9 @@ impl Resolver<'_, '_> {
     /// Whether 0*e and e^0 stay as they are written: where it counts whether e has a value, unless it
     /// always has one. A mapping and a law are what they simplify to, and so is what is emitted.
     fn stays(&self, e: &Expression) -> bool {
-        use Subject::{Bound, Drift, Objective, PlantGain};
-        matches!(self.scope.subject, Drift | PlantGain | Bound | Objective) && !needs(e).is_empty()
+        use Subject::{Bound, Drift, Objective, PlantGain, PlantRate};
+        matches!(self.scope.subject, Drift | PlantGain | PlantRate | Bound | Objective)
+            && !needs(e).is_empty()
     }
 
     fn wrong(&mut self, place: Place, message: String, help: &str) -> Option<Expression> {

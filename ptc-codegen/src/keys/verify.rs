@@ -13,12 +13,12 @@ pub static DISTURBANCE: KeyInfo = KeyInfo {
 /// A key x1..xn of the table `[verify]`.
 pub static INITIAL_STATE: KeyInfo = KeyInfo {
     key: "x1",
-    meaning: "interval of the initial state, one for each of x1..xn",
+    meaning: "interval of the initial state, one for each of x1..xn, or of the states of a model",
     legal: "[least, greatest] in the unit of x1, or a number",
     example: "-1,1",
 };
 
-/// The keys of the table `[verify]` beside x1..xn.
+/// The keys of the table `[verify]` beside the states.
 pub static KEYS: [KeyInfo; 6] = [
     KeyInfo {
         key: "tau",

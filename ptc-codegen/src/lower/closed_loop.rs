@@ -134,22 +134,20 @@ pub fn mapped_back(spec: &Spec) -> Program {
     Program { watched, ..b.finish(step, Vec::new(), None, limits) }
 }
 
-/// The plant by itself: its step is f + g u, of the states, the time and the control.
-pub fn plant(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Program {
+/// The plant by itself: the `rates` of its states, of the states, the time and the control, all watched.
+pub fn plant(spec: &Spec, rates: &[Expression]) -> Program {
     let mut b = Builder::new(spec);
-    let control = b.push(Op::Input(Input::Control));
-    let drift = b.scalar(f);
-    let acceleration = gained(&mut b, g.or(spec.input_gain.as_ref()), control);
-    let sum = b.add(drift, acceleration);
+    let watched = rates.iter().map(|rate| b.scalar(rate)).collect();
     let limits = no_limits(&mut b);
-    b.finish(sum, Vec::new(), None, limits)
+    let step = limits.late;
+    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
 }
 
 /// `expressions` of the plant's time, state and control, all watched: inputs are T as the time, x as
 /// the state, and u.
 pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
     let mut b = Builder::new(spec);
-    let states = (1..=spec.n).map(|j| b.push(Op::Input(Input::State(j)))).collect();
+    let states = (1..=spec.states()).map(|j| b.push(Op::Input(Input::State(j)))).collect();
     b.plant = Some(PlantPoint { states, control: None });
     let watched = expressions.iter().map(|expression| b.scalar(expression)).collect();
     let limits = no_limits(&mut b);

@@ -35,8 +35,13 @@ pub struct Model {
 
 impl Model {
     /// An expression of the plant in the names of its states and its input.
+    pub fn named(&self, expression: &Expression) -> Expression {
+        named(&self.states, self.input, expression)
+    }
+
+    /// The same as text.
     pub fn text(&self, expression: &Expression) -> String {
-        named(&self.states, self.input, expression).to_string()
+        self.named(expression).to_string()
     }
 
     /// Its lines: the rate of each state, and the output.

@@ -59,6 +59,11 @@ pub(crate) fn force(
 impl Plant {
     /// What the sampled loop of `spec` knows of the plant; `entries` hold the table `[disturbance]`.
     pub(super) fn bounds(&self, spec: &Spec, entries: &[Entry]) -> PlantBounds {
+        if !self.dynamics.is_empty() {
+            return PlantBounds::Unknown(
+                "the plant is a model, and proofs are of chains of integrators".to_owned(),
+            );
+        }
         let fixed = spec.fixed.iter().chain(&self.fixed);
         let values: BTreeMap<_, _> =
             fixed.filter_map(|(name, value)| Some((*name, value.number()?.clone()))).collect();

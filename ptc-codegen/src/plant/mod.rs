@@ -10,8 +10,12 @@
 //!
 //! f and g are the controller's own unless they are given; a g that differs is an error of the
 //! gain, and what f is beside the controller's own is not cancelled. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
+//!
+//! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
+//! other numbers for its parameters.
 
 mod force;
+mod model;
 mod read;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,8 +25,8 @@ pub(crate) use force::{Bounded, force};
 pub use read::{read, read_partly};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expression::Expression;
-use crate::parameter::{Fixed, Parameter};
+use crate::expression::{Expression, Variable};
+use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{self, Entry, Spec};
 
 /// The table of a design file that holds the plant.
@@ -66,13 +70,15 @@ pub(crate) fn promised(
     Ok(())
 }
 
-/// What moves the state of a chain of integrators.
+/// What moves the states: f and g those of a chain of integrators, `dynamics` those of a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plant {
     /// f(x, u, t), in units of xn per s.
     pub f: Expression,
     /// The true g(x, t); none for the controller's own.
     pub g: Option<Expression>,
+    /// The rate of each state of a model, in place of f and g; empty for a chain.
+    pub dynamics: Vec<Expression>,
     /// Symbols with a value.
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Symbols that are uncertain, with least and greatest value.
@@ -82,13 +88,16 @@ pub struct Plant {
 impl Default for Plant {
     fn default() -> Self {
         let (fixed, bounds) = (BTreeMap::new(), BTreeMap::new());
-        Self { f: Expression::integer(0), g: None, fixed, bounds }
+        Self { f: Expression::integer(0), g: None, dynamics: Vec::new(), fixed, bounds }
     }
 }
 
 impl Plant {
     /// The plant that the controller of `spec` is made for.
     pub fn own(spec: &Spec) -> Self {
+        if let Some(model) = &spec.model {
+            return Self { dynamics: model.dynamics.clone(), ..Self::default() };
+        }
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
         Self { f, ..Self::default() }
     }
@@ -96,7 +105,53 @@ impl Plant {
     /// The symbols of the plant that are no parameters of its controller.
     pub fn symbols(&self, spec: &Spec) -> BTreeSet<Parameter> {
         let of_controller: BTreeSet<_> = spec.parameters().into_iter().collect();
-        let used = std::iter::once(&self.f).chain(&self.g).flat_map(Expression::parameters);
+        let used = self.expressions().flat_map(Expression::parameters);
         used.filter(|parameter| !of_controller.contains(parameter)).collect()
+    }
+
+    /// What moves it, as it was written.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
+        let chain = self.dynamics.is_empty();
+        let of_chain = std::iter::once(&self.f).chain(&self.g).filter(move |_| chain);
+        of_chain.chain(&self.dynamics)
+    }
+
+    /// The same with `to` in place of the leaves for which it gives something.
+    #[must_use]
+    pub fn substitute(&self, to: &dyn Fn(&Expression) -> Option<Expression>) -> Self {
+        let all = |e: &Expression| e.substitute(to);
+        Self {
+            f: all(&self.f),
+            g: self.g.as_ref().map(all),
+            dynamics: self.dynamics.iter().map(all).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The rate of each state; those of a chain are the next state, and f + g u.
+    pub fn rates(&self, spec: &Spec) -> Vec<Expression> {
+        if !self.dynamics.is_empty() {
+            return self.dynamics.clone();
+        }
+        let own = || spec.input_gain.clone().unwrap_or(Expression::integer(1));
+        let input = self.g.clone().unwrap_or_else(own).mul(Variable::Control.into());
+        let next = (2..=spec.n).map(|j| Variable::State(j).into());
+        next.chain([self.f.clone().add(input)]).collect()
+    }
+
+    /// What moves it, a line each.
+    pub fn lines(&self, spec: &Spec) -> Vec<String> {
+        if let Some(model) = &spec.model {
+            let rate =
+                |(name, rate): (&Name, &Expression)| format!("{name}' = {}", model.text(rate));
+            return model.states.iter().zip(&self.dynamics).map(rate).collect();
+        }
+        let g = self.g.iter().map(|g| format!("g = {g}"));
+        std::iter::once(format!("f = {}", self.f)).chain(g).collect()
+    }
+
+    /// Whether it says itself what this symbol is.
+    pub fn gives(&self, symbol: Parameter) -> bool {
+        self.fixed.contains_key(&symbol) || self.bounds.contains_key(&symbol)
     }
 }

@@ -12,7 +12,7 @@ use crate::request::{Entry, Spec, known};
 use crate::syntax::{Node, Value, real};
 
 /// The value of a key, and where the key is.
-type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
+pub(super) type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 
 /// Reads the plant of the controller of `spec`; `None` if the design has none.
 ///
@@ -54,6 +54,18 @@ pub fn read_partly(entries: &[Entry], spec: &Spec) -> (Option<Plant>, Vec<Diagno
 }
 
 fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
+    match &spec.model {
+        Some(model) => super::model::read(given, (spec, model), found),
+        None => chain(given, spec, found),
+    }
+}
+
+fn chain(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
+    if let Some((place, _)) = given.get("dynamics") {
+        let message = "`dynamics` of the plant without a model";
+        let help = "a chain is moved by f and g; the states of a plant have their names in [model]";
+        found.push("conflict", "plant.dynamics", Some(*place), message, help);
+    }
     let known = known(spec.time_mapping.parameters());
     let mut whole = true;
     let mut expression = |subject: Subject| {
@@ -96,7 +108,13 @@ fn plant(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
 }
 
 /// A number, or `[least, greatest]`, for a symbol.
-fn value(plant: &mut Plant, name: &str, symbol: Parameter, node: &Node, found: &mut Diagnostics) {
+pub(super) fn value(
+    plant: &mut Plant,
+    name: &str,
+    symbol: Parameter,
+    node: &Node,
+    found: &mut Diagnostics,
+) {
     let finite = |node: &Node| real(node).filter(|value| value.number().is_some());
     if let Value::List(items) = &node.value
         && let [least, greatest] = items.as_slice()

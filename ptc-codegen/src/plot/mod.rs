@@ -21,6 +21,10 @@ use panel::Panel;
 pub struct Figure {
     /// A line above all.
     pub title: String,
+    /// The names of the states.
+    pub states: Vec<String>,
+    /// The name of the control.
+    pub input: String,
     /// The runs, one a tau.
     pub traces: Vec<Trace>,
     /// Bound of |u|; `None` if it has none.
@@ -153,6 +157,8 @@ mod tests {
         };
         Figure {
             title: "two runs".to_owned(),
+            states: vec!["x1".to_owned(), "x2".to_owned()],
+            input: "u".to_owned(),
             traces: vec![trace("one", false), trace("two", true)],
             u_max: Some(0.6),
             x_max: vec![1.2],

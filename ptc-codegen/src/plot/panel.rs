@@ -82,9 +82,9 @@ impl Panel {
     fn title(self, figure: &Figure, cut: bool) -> String {
         match self {
             Self::Objective(index) => figure.objectives[index].title.clone(),
-            Self::State(index) => format!("x{}", index + 1),
-            Self::Control if cut => format!("u, to scale from t0 + {OUTSET} tau on"),
-            Self::Control => "u".to_owned(),
+            Self::State(index) => figure.states.get(index).cloned().unwrap_or_default(),
+            Self::Control if cut => format!("{}, to scale from t0 + {OUTSET} tau on", figure.input),
+            Self::Control => figure.input.clone(),
             Self::Stretched => "x1 = xi1 in stretched time".to_owned(),
         }
     }

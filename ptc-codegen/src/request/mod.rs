@@ -9,8 +9,8 @@ mod sampled;
 
 pub use poles::{Pole, PoleError, gains};
 pub use promises::{PlantBounds, Promises, one_or_each};
-pub(crate) use read::known;
 pub use read::{Entry, read};
+pub(crate) use read::{items, known};
 pub use sampled::{Observer, Sampled};
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -218,6 +218,19 @@ impl Spec {
     pub fn states(&self) -> usize {
         let model = self.model.as_ref().filter(|_| self.what == What::Controller);
         model.map_or(self.n, |model| model.states.len())
+    }
+
+    /// The names of the states that a call is given: those of the model, else x1..xn.
+    pub fn state_names(&self) -> Vec<String> {
+        match &self.model {
+            Some(model) => model.states.iter().map(ToString::to_string).collect(),
+            None => (1..=self.states()).map(|j| format!("x{j}")).collect(),
+        }
+    }
+
+    /// The name of the input of the plant.
+    pub fn input_name(&self) -> String {
+        self.model.as_ref().map_or("u".to_owned(), |model| model.input.to_string())
     }
 
     /// How many values of the reference a call is given: r and its derivatives, or none.

@@ -20,7 +20,7 @@ impl Spec {
     /// That `what` does not know it.
     pub fn needs_chain(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
         let message = format!("{what} does not know the model of a plant yet");
-        let help = "leave [model] out, or emit the controller and run it with the plant in your own simulation";
+        let help = "give `mu` and `poles` yourself, and let `verify` judge them";
         unless(self.model.is_some(), ("model", "dynamics"), message, help)
     }
 

@@ -66,7 +66,7 @@ impl Loop {
         let promises = &spec.promises;
         let number = |value: &Option<Fixed>| value.as_ref()?.number()?.to_f64();
         let each = |bounds: &[Fixed]| -> Vec<f64> {
-            (0..spec.n).filter_map(|j| one_or_each(bounds, j)).collect()
+            (0..spec.states()).filter_map(|j| one_or_each(bounds, j)).collect()
         };
         let gains: Vec<_> = (0..2).filter_map(|end| one_or_each(&promises.g_error, end)).collect();
         Some(Self {

@@ -59,7 +59,7 @@ impl Controller {
             checked: Machine::new(&program, &checked),
             checks,
             time: machine.slot(Input::Time),
-            state: (1..=spec.n).map(|j| machine.slot(Input::State(j))).collect(),
+            state: (1..=spec.states()).map(|j| machine.slot(Input::State(j))).collect(),
             smooth: machine.clone(),
             kinks: machine.kinks(),
             within: [true, false],

@@ -4,6 +4,7 @@ use super::plant::Motion;
 use super::side::{At, Run, Side};
 use super::solver::State;
 use super::{Controller, Failure, Sample, Values};
+use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -13,7 +14,6 @@ use crate::request::Spec;
 /// deadline u is a staircase, on which no step is accurate to more than that.
 #[derive(Clone, Debug)]
 pub struct Direct {
-    n: usize,
     controller: Controller,
     motion: Motion,
 }
@@ -24,8 +24,11 @@ impl Direct {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn of(spec: &Spec, plant: &Plant) -> Result<Run<Self>, Failure> {
-        let controller = Controller::new(spec)?;
-        Ok(Run::of(Self { n: spec.n, controller, motion: Motion::new(spec, plant) }))
+        // No run comes near a bound that is infinite.
+        let mut spec = spec.clone();
+        spec.fixed.entry(Parameter::UMax).or_insert(Fixed::Infinite);
+        let controller = Controller::new(&spec)?;
+        Ok(Run::of(Self { controller, motion: Motion::new(&spec, plant) }))
     }
 }
 
@@ -34,7 +37,7 @@ impl Side for Direct {
         self.controller.init(values, x0)?;
         self.motion.init(values, x0)?;
         let mut start = State::zeros();
-        start.as_mut_slice()[..self.n].copy_from_slice(x0);
+        start.as_mut_slice()[..self.order()].copy_from_slice(x0);
         Ok(start)
     }
 
@@ -43,20 +46,17 @@ impl Side for Direct {
     }
 
     fn rates(&mut self, At { t, time_to_go }: At, x: &State, rates: &mut State) {
-        let x = &x.as_slice()[..self.n];
+        let x = &x.as_slice()[..self.order()];
         let u = self.controller.held(t, x);
-        for i in 0..self.n - 1 {
-            rates[i] = time_to_go * x[i + 1];
-        }
-        rates[self.n - 1] = time_to_go * self.motion.last(t, x, u);
+        self.motion.rates((t, time_to_go), x, u, rates);
     }
 
     fn order(&self) -> usize {
-        self.n
+        self.motion.order()
     }
 
     fn tell(&mut self, At { t, time_to_go }: At, x: &State, visit: &mut dyn FnMut(Sample<'_>)) {
-        let x = &x.as_slice()[..self.n];
+        let x = &x.as_slice()[..self.order()];
         let (_, status) = self.controller.step(t, x);
         let u = self.controller.held(t, x);
         visit(Sample { t, time_to_go, stretched: f64::NAN, x, measured: x, u, status });
@@ -67,10 +67,10 @@ impl Side for Direct {
     }
 
     fn distances(&mut self, At { t, .. }: At, x: &State, into: &mut Vec<f64>) {
-        let x = &x.as_slice()[..self.n];
+        let x = &x.as_slice()[..self.order()];
         let u = self.controller.held(t, x);
         self.controller.distances(into);
-        self.motion.last(t, x, u);
+        self.motion.at(t, x, u);
         self.motion.distances(into);
     }
 

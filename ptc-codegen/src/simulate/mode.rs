@@ -161,15 +161,14 @@ fn meet<S: Piecewise>(
     s: f64,
     state: &State,
 ) -> Result<Mode, Failure> {
-    let last = system.order() - 1;
-    let (mut here, mut there) = (State::zeros(), State::zeros());
-    system.choose(from);
-    system.rates(s, state, &mut here);
-    system.choose(&to);
-    system.rates(s, state, &mut there);
+    let [here, there] = [from, &to].map(|sides| {
+        let mut rates = State::zeros();
+        system.choose(sides);
+        system.rates(s, state, &mut rates);
+        rates
+    });
     let away = side(from[which]);
-    let continuous =
-        (here[last] - there[last]).abs() <= 1e-9 * (here[last].abs() + there[last].abs());
+    let continuous = (0..system.order()).all(|i| !jumps(&here, &there, i));
     let [before, after] = [&here, &there].map(|rates| away * surface.speed(rates));
     if continuous || after <= 0.0 {
         return Ok(Mode { above: to, slide: None });
@@ -177,7 +176,35 @@ fn meet<S: Piecewise>(
     if before >= 0.0 {
         return Ok(Mode { above: from.to_vec(), slide: None });
     }
-    Ok(Mode { above: from.to_vec(), slide: Some(Slide { beyond: to, kink: which }) })
+    slide(system, (s, state), from.to_vec(), (to, which))
+}
+
+/// Whether rate `i` of two sides of a kink differs.
+fn jumps(here: &State, there: &State, i: usize) -> bool {
+    let within = (here[i] - there[i]).abs() <= 1e-9 * (here[i].abs() + there[i].abs());
+    !within
+}
+
+/// The slide along a jump, which is followed where the last rate alone jumps.
+fn slide<S: Piecewise>(
+    system: &mut S,
+    (s, state): (f64, &State),
+    above: Vec<bool>,
+    (beyond, kink): (Vec<bool>, usize),
+) -> Result<Mode, Failure> {
+    let [here, there] = [&above, &beyond].map(|sides| {
+        let mut rates = State::zeros();
+        system.choose(sides);
+        system.rates(s, state, &mut rates);
+        rates
+    });
+    if (0..system.order() - 1).any(|i| jumps(&here, &there, i)) {
+        return Err(Failure::unfinished(
+            "the state slides along a jump of another rate than the last one",
+            "such a motion is not followed: smooth the jump, for example tanh(w/v) for sign(w), or write the state whose rate jumps as the last one of the model",
+        ));
+    }
+    Ok(Mode { above, slide: Some(Slide { beyond, kink }) })
 }
 
 /// The mode in which a state begins.
@@ -241,11 +268,9 @@ pub(super) fn begin<S: Piecewise>(system: &mut S, s: f64, state: &State) -> Resu
             return Err(no_value());
         }
         mode = match () {
+            () if rising < 0.0 && falling > 0.0 => slide(system, (s, state), up, (down, which))?,
             () if rising >= 0.0 && falling >= 0.0 => Mode { above: up, slide: None },
             () if rising <= 0.0 && falling <= 0.0 => Mode { above: down, slide: None },
-            () if rising < 0.0 => {
-                Mode { above: up, slide: Some(Slide { beyond: down, kink: which }) }
-            }
             () => {
                 return Err(Failure::unfinished(
                     "two motions begin at a jump of f, g or the law, which pushes away on both sides",

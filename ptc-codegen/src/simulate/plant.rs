@@ -1,5 +1,6 @@
-//! The plant by itself: xn' from time, state and control.
+//! The plant by itself: the rates of its states from time, state and control.
 
+use super::solver::State;
 use super::{Along, Failure, Values};
 use crate::lower;
 use crate::parameter::Precision;
@@ -8,21 +9,23 @@ use crate::program::kink::Kink;
 use crate::program::{Value, passes};
 use crate::request::Spec;
 
-/// f + g u, compiled.
+/// The rates of all states, compiled.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     along: Along,
     kinks: Vec<Kink>,
-    last: Value,
+    rates: Vec<Value>,
 }
 
 impl Motion {
     pub(super) fn new(spec: &Spec, plant: &Plant) -> Self {
-        let spec = Spec { precision: Precision::F64, ..spec.clone() };
-        let program = lower::plant(&spec, &plant.f, plant.g.as_ref());
+        let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
+        // What the plant says of a parameter of a model is true of it, and not what the law takes.
+        spec.fixed.retain(|symbol, _| !plant.gives(*symbol));
+        let program = lower::plant(&spec, &plant.rates(&spec));
         let program = passes::optimise(program, &mut |_, _| {});
-        let along = Along::new(&program, &[program.step], spec.n);
-        Self { last: program.step, kinks: along.machine.kinks(), along }
+        let along = Along::new(&program, &program.watched, spec.states());
+        Self { kinks: along.machine.kinks(), rates: program.watched, along }
     }
 
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
@@ -54,9 +57,21 @@ impl Motion {
         }
     }
 
-    /// xn' at time `t`.
-    pub(super) fn last(&mut self, t: f64, x: &[f64], u: f64) -> f64 {
+    /// Number of states.
+    pub(super) fn order(&self) -> usize {
+        self.rates.len()
+    }
+
+    /// The rates at time `t`, times `scale`.
+    pub(super) fn rates(&mut self, (t, scale): (f64, f64), x: &[f64], u: f64, rates: &mut State) {
+        self.at(t, x, u);
+        for (rate, value) in rates.iter_mut().zip(&self.rates) {
+            *rate = scale * self.along.machine.get(*value);
+        }
+    }
+
+    /// Computes all at time `t`.
+    pub(super) fn at(&mut self, t: f64, x: &[f64], u: f64) {
         self.along.at(t, x, u);
-        self.along.machine.get(self.last)
     }
 }

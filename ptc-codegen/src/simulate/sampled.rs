@@ -32,8 +32,8 @@ pub struct Sampled {
 /// The plant between samples.
 #[derive(Clone, Debug)]
 enum Moved {
-    /// A chain with f and g.
-    Chain(Box<Motion>),
+    /// A chain with f and g, or a model.
+    Rates(Box<Motion>),
     Linear(Linear),
 }
 
@@ -89,8 +89,8 @@ impl Sampled {
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
         let Some(sampled) = spec.sampled() else {
             let controller = Kind::Time(Box::new(Controller::new(spec)?));
-            let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
-            return Ok(Self { n: spec.n, controller, moved });
+            let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
+            return Ok(Self { n: spec.states(), controller, moved });
         };
         if spec.what == What::Observer {
             let message = "an observer alone closes no loop";
@@ -107,7 +107,7 @@ impl Sampled {
         let f = spec.drift.clone().unwrap_or(Expression::integer(0));
         let own = Plant { f, ..Plant::default() };
         let plant = if *plant == Plant::default() { &own } else { plant };
-        let moved = Moved::Chain(Box::new(Motion::new(spec, plant)));
+        let moved = Moved::Rates(Box::new(Motion::new(spec, plant)));
         Ok(Self { n: spec.n, controller, moved })
     }
 
@@ -139,7 +139,7 @@ impl Sampled {
         around: &Loop,
         visit: &mut dyn FnMut(Sample<'_>),
     ) -> Result<(), Failure> {
-        if let Moved::Chain(motion) = &mut self.moved {
+        if let Moved::Rates(motion) = &mut self.moved {
             motion.init(values, x0)?;
         }
         let mut kind = self.controller.clone();
@@ -174,12 +174,12 @@ impl Sampled {
             let last = since >= end * (1.0 - SAME);
             let since = if last { end } else { since };
             let t = t0 + since;
-            if let (Moved::Chain(motion), Some(values)) = (&mut self.moved, change(since)) {
+            if let (Moved::Rates(motion), Some(values)) = (&mut self.moved, change(since)) {
                 motion.give(values)?;
             }
             let state = &x.as_slice()[..self.n];
             let mut measured = match &self.moved {
-                Moved::Chain(_) => state.to_vec(),
+                Moved::Rates(_) => state.to_vec(),
                 Moved::Linear(plant) => plant.measured(state),
             };
             for (j, own) in measured.iter_mut().enumerate() {
@@ -264,13 +264,13 @@ impl Sampled {
         (from, to): (f64, f64),
     ) -> Result<State, Failure> {
         let motion = match &mut self.moved {
-            Moved::Chain(motion) => motion,
+            Moved::Rates(motion) => motion,
             Moved::Linear(plant) => return plant.after(x, u, to - from),
         };
         // Of states that have died out the errors of a step would underflow.
         let nothing = x.iter().all(|x| x.abs() < NOTHING[0]) && u.abs() < NOTHING[1];
         let (x, u) = if nothing { (State::zeros(), 0.0) } else { (x, u) };
-        let mut between = Between { n: self.n, motion, u, from, length: to - from };
+        let mut between = Between { motion, u, from, length: to - from };
         let mut end = x;
         let mut see = |_: &mut Between<'_>, _, _, x: &State, _: Option<(&Mode, f64)>| end = *x;
         let done = walk.on(&mut between, x, &[0.0, 1.0], (First::Fifth, BETWEEN), &mut see);
@@ -299,7 +299,6 @@ fn started<'a>(
 
 /// The plant between two samples, over the part of the time between them.
 struct Between<'a> {
-    n: usize,
     motion: &'a mut Motion,
     u: f64,
     from: f64,
@@ -307,21 +306,19 @@ struct Between<'a> {
 }
 
 impl Between<'_> {
-    fn last(&mut self, s: f64, x: &State) -> f64 {
-        self.motion.last(self.from + self.length * s, &x.as_slice()[..self.n], self.u)
+    fn time(&self, s: f64) -> f64 {
+        self.from + self.length * s
     }
 }
 
 impl Piecewise for Between<'_> {
     fn order(&self) -> usize {
-        self.n
+        self.motion.order()
     }
 
     fn rates(&mut self, s: f64, x: &State, rates: &mut State) {
-        for i in 0..self.n - 1 {
-            rates[i] = self.length * x[i + 1];
-        }
-        rates[self.n - 1] = self.length * self.last(s, x);
+        let at = (self.time(s), self.length);
+        self.motion.rates(at, &x.as_slice()[..self.order()], self.u, rates);
     }
 
     fn kinks(&self) -> usize {
@@ -329,7 +326,7 @@ impl Piecewise for Between<'_> {
     }
 
     fn distances(&mut self, s: f64, x: &State, into: &mut Vec<f64>) {
-        self.last(s, x);
+        self.motion.at(self.time(s), &x.as_slice()[..self.order()], self.u);
         self.motion.distances(into);
     }
 

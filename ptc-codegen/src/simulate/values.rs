@@ -24,6 +24,8 @@ impl Values {
         ]);
         let fixed = spec.fixed.iter().chain(&plant.fixed);
         values.extend(fixed.map(|(parameter, value)| (*parameter, to_f64(value))));
+        // What is not known of the plant is not what a model takes it to be.
+        values.retain(|parameter, _| !plant.bounds.contains_key(parameter));
         Self(values)
     }
 

@@ -89,8 +89,7 @@ impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows.
     pub fn text(&self) -> String {
         let mut lines = vec![self.spec.command()];
-        lines.push(format!("f = {}", self.plant.f));
-        lines.extend(self.plant.g.iter().map(|g| format!("g = {g}")));
+        lines.extend(self.plant.lines(&self.spec));
         let fixed =
             |(symbol, value): (&Parameter, &Fixed)| format!("{} = {value}", symbol.spelling());
         lines.extend(self.plant.fixed.iter().map(fixed));
@@ -107,7 +106,7 @@ impl Campaign {
             ));
         }
         lines.push(within("tau", self.tau));
-        lines.extend((1..).zip(&self.x0).map(|(j, x0)| within(&format!("x{j}"), *x0)));
+        lines.extend(self.spec.state_names().iter().zip(&self.x0).map(|(x, x0)| within(x, *x0)));
         let Self { scenarios, seed, until, tolerance, search, .. } = self;
         lines.push(format!("scenarios = {scenarios}, seed = {seed}, until = {until:?}"));
         lines.extend(self.around.iter().map(|around| format!("{around:?}")));
@@ -120,6 +119,11 @@ impl Campaign {
     pub(super) fn gains(&self) -> Option<Interval> {
         let [least, most] = self.around.as_ref()?.gain;
         (least < most).then_some((least, most))
+    }
+
+    /// Whether both sides of Theorem 1 are run: the law of a chain, at every instant.
+    pub fn has_sides(&self) -> bool {
+        self.around.is_none() && self.spec.model.is_none()
     }
 
     /// T/tau at which the pieces of signals end, > 0.
@@ -137,7 +141,7 @@ impl Campaign {
     }
 
     /// What a gain that is not known must keep, |b| < |g|: the plant's own gain, with what f makes of
-    /// u, has the sign of the controller's g.
+    /// u, has the sign of the controller's g. A model says how u moves each of its states.
     pub fn gain(&self) -> Objective {
         let Plant { f, g, .. } = self.disturbed();
         let control = Expression::from(Variable::Control);
@@ -145,17 +149,17 @@ impl Campaign {
         let own = self.spec.input_gain.clone().unwrap_or(Expression::integer(1));
         let true_gain = with(1).sub(with(0)).add(g.unwrap_or(own.clone()));
         let low = Some(Expression::integer(0));
-        Objective { kind: Kind::Within { h: true_gain.div(own), low, high: None } }
+        Kind::Within { h: true_gain.div(own), low, high: None }.into()
     }
 
     /// The names of the columns of a row, after the index.
     pub fn columns(&self) -> Vec<String> {
         let mut names = vec!["tau".to_owned()];
-        names.extend((1..=self.spec.n).map(|j| format!("x{j}_0")));
+        names.extend(self.spec.state_names().iter().map(|x| format!("{x}_0")));
         names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
         names.extend(self.gains().map(|_| GAIN.to_owned()));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
-        if self.around.is_none() {
+        if self.has_sides() {
             names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
             names.push("difference".to_owned());
         }

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::expression::Expression;
 use crate::expression::existence::{self, Condition};
 use crate::lower;
-use crate::parameter::Precision;
+use crate::parameter::{Parameter, Precision};
 use crate::program::{Value, passes};
 use crate::request::Spec;
 use crate::simulate::{Along, Failure, Values};
@@ -13,8 +13,10 @@ use crate::simulate::{Along, Failure, Values};
 /// An objective h(x, u, t) in H(t) of every instant of a run. Norms are Euclidean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Objective {
-    /// What it says.
+    /// What it says of x as the plant has it.
     pub kind: Kind,
+    /// The same in the words of the user: another only for a model, whose states have names.
+    pub written: Kind,
 }
 
 /// The kinds of objectives.
@@ -60,6 +62,19 @@ impl Kind {
         }
     }
 
+    /// The same with other expressions.
+    #[must_use]
+    pub(super) fn map(&self, to: &dyn Fn(&Expression) -> Expression) -> Self {
+        match self {
+            Self::State { sigma, zeta } => Self::State { sigma: *sigma, zeta: to(zeta) },
+            Self::Input { upsilon } => Self::Input { upsilon: to(upsilon) },
+            Self::Attractive { error } => Self::Attractive { error: *error },
+            Self::Within { h, low, high } => {
+                Self::Within { h: to(h), low: low.as_ref().map(to), high: high.as_ref().map(to) }
+            }
+        }
+    }
+
     /// The parts of its expressions that have to be something for it to have a value.
     fn needs(&self) -> Vec<(Expression, Condition)> {
         self.expressions().into_iter().flat_map(|(_, e)| existence::needs(e)).collect()
@@ -80,6 +95,13 @@ impl Kind {
     }
 }
 
+impl From<Kind> for Objective {
+    /// An objective of a plant whose states have no other names.
+    fn from(kind: Kind) -> Self {
+        Self { written: kind.clone(), kind }
+    }
+}
+
 impl Objective {
     /// Whether it holds or fails at t0 whatever the control does.
     pub fn is_of_state(&self) -> bool {
@@ -94,7 +116,7 @@ impl Objective {
 
 impl fmt::Display for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.kind {
+        match &self.written {
             Kind::State { sigma, zeta } => write!(f, "|x| <= {sigma} |x0| ({zeta})"),
             Kind::Input { upsilon } => write!(f, "|u| <= {upsilon}"),
             Kind::Attractive { error } => write!(f, "|x| <= {error} at the end"),
@@ -126,6 +148,8 @@ pub(super) struct Observer {
     conditions: Vec<Vec<Condition>>,
     along: Along,
     watched: Vec<Value>,
+    /// The chain's x as functions of the states of a model.
+    coordinates: Vec<Value>,
     size_at_start: f64,
 }
 
@@ -136,11 +160,17 @@ impl Observer {
         let needs: Vec<_> = kinds.iter().map(Kind::needs).collect();
         let parts = needs.iter().flatten().map(|(part, _)| part);
         let own = kinds.iter().flat_map(Kind::expressions).map(|(_, expression)| expression);
-        let expressions: Vec<_> = own.chain(parts).collect();
+        let of_model = spec.model.iter().flat_map(|model| &model.coordinates);
+        let expressions: Vec<_> = own.chain(parts).chain(of_model).collect();
         let program = passes::optimise(lower::observed(&spec, &expressions), &mut |_, _| {});
+        let along = Along::new(&program, &program.watched, spec.states());
+        let mut watched = program.watched;
+        let of_model = spec.model.as_ref().map_or(0, |model| model.coordinates.len());
+        let coordinates = watched.split_off(watched.len() - of_model);
         Self {
-            along: Along::new(&program, &program.watched, spec.n),
-            watched: program.watched,
+            along,
+            watched,
+            coordinates,
             conditions: needs.iter().map(|own| own.iter().map(|(_, one)| *one).collect()).collect(),
             kinds,
             size_at_start: f64::NAN,
@@ -150,9 +180,21 @@ impl Observer {
     pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         values.give(&mut self.along.machine)?;
         self.along.start(x0);
-        self.size_at_start = norm(x0);
         self.along.settle();
+        if !self.coordinates.is_empty() {
+            self.along.at(values.get(Parameter::Tau), x0, 0.0);
+        }
+        self.size_at_start = self.size(x0);
         Ok(())
+    }
+
+    /// |x| of the chain, in the state that was looked at last.
+    fn size(&self, x: &[f64]) -> f64 {
+        if self.coordinates.is_empty() {
+            return norm(x);
+        }
+        let chain = self.coordinates.iter().map(|value| self.along.machine.get(*value));
+        norm(&chain.collect::<Vec<_>>())
     }
 
     /// By how much each objective is exceeded here: above 0 it fails. Bounds of x and u are exceeded
@@ -174,16 +216,17 @@ impl Observer {
         visit: &mut dyn FnMut(usize, &Kind, Level),
     ) {
         self.along.at(time_to_go, x, u);
+        let size = self.size(x);
         let mut values = self.watched.iter().map(|value| self.along.machine.get(*value));
         let mut next = || values.next().unwrap_or(f64::NAN);
         let mut levels = Vec::with_capacity(self.kinds.len());
         for kind in &self.kinds {
             levels.push(match kind {
                 Kind::State { sigma, .. } => {
-                    Level::below(norm(x), Some(sigma * self.size_at_start * next()))
+                    Level::below(size, Some(sigma * self.size_at_start * next()))
                 }
                 Kind::Input { .. } => Level::below(u.abs(), Some(next())),
-                Kind::Attractive { error } => Level::below(norm(x), last.then_some(*error)),
+                Kind::Attractive { error } => Level::below(size, last.then_some(*error)),
                 Kind::Within { low, high, .. } => Level {
                     value: next(),
                     low: low.as_ref().map(|_| next()),

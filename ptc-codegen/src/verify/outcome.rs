@@ -51,10 +51,10 @@ impl Judgement {
 /// What a scenario gave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// By how much each objective is exceeded at its worst instant, in the loop that runs or on the side
+    /// By how much each objective is exceeded at its worst instant, in the loop of the emitted program or on the side
     /// of the infinite-time system; above 0 it fails. Infinite where x or u leaves the range of numbers.
     pub excess: Vec<f64>,
-    /// What the other side of Theorem 1 says; `None` for the loop that runs.
+    /// What the other side of Theorem 1 says; `None` where one loop is run alone.
     pub direct: Option<Other>,
     /// Why a run ended early.
     pub ended: Option<Failure>,

@@ -76,7 +76,7 @@ impl Campaign {
     /// The names of these.
     pub(super) fn names(&self) -> impl Iterator<Item = String> {
         let constants = self.intervals.iter().map(|(symbol, _)| symbol.spelling());
-        let states = (1..=self.x0.len()).map(|j| format!("x{j}"));
+        let states = self.spec.state_names();
         let gain = self.gains().map(|_| GAIN.to_owned());
         std::iter::once("tau".to_owned()).chain(states).chain(constants).chain(gain)
     }
@@ -183,10 +183,7 @@ impl Campaign {
             let angle = rate.mul(Variable::Elapsed.into()).add(phase);
             Some(bias.add(size.mul(Expression::call(Function::Sin, angle))))
         };
-        let mut plant = self.plant.clone();
-        plant.f = plant.f.substitute(&wave);
-        plant.g = plant.g.map(|g| g.substitute(&wave));
-        plant
+        self.plant.substitute(&wave)
     }
 }
 

@@ -49,8 +49,8 @@ pub fn search(
 ) -> Found {
     let worst = |(_, _, legal): &(_, _, Vec<Signal>)| legal.contains(&Signal::Worst);
     let switches = campaign.disturbances.iter().any(worst);
-    // The slopes are those of the law: in the loop that runs the bounds are tried piece by piece.
-    let sloped = switches && campaign.around.is_none();
+    // The slopes are those of the law and a chain: elsewhere the bounds are tried piece by piece.
+    let sloped = switches && campaign.has_sides();
     let rates = sloped.then(|| Rates::new(campaign)).flatten();
     let left = campaign.search;
     let mut search = Search { campaign, trial, switches, rates, objective, told, left, best: None };

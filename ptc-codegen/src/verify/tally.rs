@@ -53,7 +53,7 @@ impl Tally {
     /// Of no scenario.
     pub fn new(campaign: &Campaign) -> Self {
         let objectives = campaign.objectives.len();
-        let both = campaign.around.is_none();
+        let both = campaign.has_sides();
         let last = if both { 2 * objectives + 2 } else { objectives + 1 };
         Self {
             scenarios: 0,

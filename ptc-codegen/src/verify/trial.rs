@@ -1,4 +1,4 @@
-//! One scenario: on both sides of Theorem 1, or in the loop that runs.
+//! One scenario: on both sides of Theorem 1, or in the loop of the emitted program alone.
 
 use super::objective::Observer;
 use super::{Campaign, Level, Other, Outcome, Setting};
@@ -22,6 +22,8 @@ pub struct Trial {
 enum Closed {
     /// Both sides of Theorem 1.
     Theorem(Box<(Run<Continuous>, Run<Direct>)>),
+    /// A model with the emitted program.
+    Direct(Box<Run<Direct>>),
     /// The loop that runs.
     Running(Box<Sampled>),
 }
@@ -60,6 +62,7 @@ impl Trial {
                 has_eps(&campaign.spec)?;
                 Closed::Running(Box::new(Sampled::new(&campaign.spec, &plant)?))
             }
+            None if !campaign.has_sides() => Closed::Direct(Box::new(Direct::of(&spec, &plant)?)),
             None => {
                 let sides = (Continuous::of(&spec, &plant)?, Direct::of(&spec, &plant)?);
                 Closed::Theorem(Box::new(sides))
@@ -71,24 +74,21 @@ impl Trial {
 
     /// Runs a scenario.
     pub fn run(&mut self, setting: &Setting) -> Outcome {
-        let Self { closed, observer, objectives } = self;
-        match closed {
-            Closed::Theorem(sides) => both(sides, (observer, *objectives), setting),
-            Closed::Running(sampled) => {
-                // Of many samples the worst is kept alone.
-                let mut excess = vec![f64::NEG_INFINITY; *objectives];
-                let end = running(sampled, (observer, *objectives), setting, &mut |instant| {
-                    excess.iter_mut().zip(&instant.excess).for_each(|(a, b)| *a = a.max(*b));
-                });
-                if is_range(&end) {
-                    excess.fill(f64::INFINITY);
-                }
-                Outcome { excess, direct: None, ended: end.err() }
-            }
+        if let Closed::Theorem(sides) = &mut self.closed {
+            return both(sides, (&mut self.observer, self.objectives), setting);
         }
+        // Of many instants the worst is kept alone.
+        let mut excess = vec![f64::NEG_INFINITY; self.objectives];
+        let end = self.instants(setting, &mut |instant| {
+            excess.iter_mut().zip(&instant.excess).for_each(|(a, b)| *a = a.max(*b));
+        });
+        if is_range(&end) {
+            excess.fill(f64::INFINITY);
+        }
+        Outcome { excess, direct: None, ended: end.err() }
     }
 
-    /// The loop that runs, or the side of the infinite-time system, instant by instant.
+    /// The loop of the emitted program, or the side of the infinite-time system, instant by instant.
     ///
     /// # Errors
     /// The run ended early.
@@ -100,6 +100,7 @@ impl Trial {
         let Self { closed, observer, objectives } = self;
         match closed {
             Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), setting, visit),
+            Closed::Direct(direct) => along(direct, (observer, *objectives), setting, visit),
             Closed::Running(sampled) => running(sampled, (observer, *objectives), setting, visit),
         }
     }

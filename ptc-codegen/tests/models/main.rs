@@ -6,8 +6,14 @@ mod by_hand;
 mod closed_loop;
 mod in_c;
 mod mistakes;
+#[cfg(feature = "lab")]
+mod plants;
+#[cfg(feature = "lab")]
+mod simulated;
 #[path = "../support/mod.rs"]
 mod support;
+#[cfg(feature = "lab")]
+mod verified;
 mod zeros;
 
 use support::{example, spec};

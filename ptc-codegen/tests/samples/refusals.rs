@@ -35,7 +35,7 @@ fn mistakes_are_named() {
         ("sample_time", "0.01"),
         ("poles", "-3,-4"),
     ];
-    let cases: [(&str, &str, &str); 18] = [
+    let cases: [(&str, &str, &str); 20] = [
         ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
         ("tau", "0.01", "too few to come to rest"),
         ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),

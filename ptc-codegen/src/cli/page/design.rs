@@ -1,5 +1,6 @@
 //! What a design is, in tables, and the command that runs it again.
 
+use ptc_codegen::expression::Expression;
 use ptc_codegen::parameter::Fixed;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::request::{After, Feedback, Guard, Reference, Spec};
@@ -42,7 +43,11 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         Guard::Result => "result: the result is checked",
         Guard::None => "none: inputs are trusted",
     };
-    let gain = spec.input_gain.as_ref().map_or("1".to_owned(), ToString::to_string);
+    let of_plant = |e: &Expression| match &spec.model {
+        Some(model) => model.text(e),
+        None => e.to_string(),
+    };
+    let gain = spec.input_gain.as_ref().map_or("1".to_owned(), of_plant);
     let mut facts = vec![
         fact("name", spec.name()),
         fact("order n", spec.n.to_string()),
@@ -50,7 +55,7 @@ pub(super) fn facts(spec: &Spec) -> Vec<Fact> {
         fact("law", law),
         fact("input gain g", gain),
     ];
-    facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", f.to_string())));
+    facts.extend(spec.drift.as_ref().map(|f| fact("known f, cancelled", of_plant(f))));
     facts.extend(match &spec.reference {
         Some(Reference::Known(derivatives)) => {
             Some(fact("reference", format!("r = {}", derivatives[0])))
@@ -86,9 +91,12 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
         unit: parameter.unit_for(spec.n),
     });
-    let symbols = plant.symbols(spec).into_iter().map(|symbol| Known {
+    let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));
+    let others = spec.parameters().into_iter().filter(|parameter| plant.gives(*parameter));
+    let others = others.map(|parameter| (parameter, "what it is of the plant"));
+    let symbols = symbols.chain(others).map(|(symbol, meaning)| Known {
         name: symbol.spelling(),
-        meaning: "symbol of the plant",
+        meaning,
         value: told(plant.fixed.get(&symbol), plant.bounds.get(&symbol)),
         unit: "as in its expression".to_owned(),
     });

@@ -5,6 +5,7 @@ use ptc_codegen::expression::{Expression, Subject as Meaning, Variable, family_f
 use ptc_codegen::family::Family;
 use ptc_codegen::law::{Form, Law};
 use ptc_codegen::mapping::{Form as Computed, TimeMapping};
+use ptc_codegen::model::Model;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::Plant;
 use ptc_codegen::request::{Feedback, Spec};
@@ -26,7 +27,11 @@ pub(super) struct Group {
 
 /// All formulas of a design with its plant.
 pub(super) fn groups(spec: &Spec, plant: &Plant) -> Result<Vec<Group>, Failure> {
-    Ok(vec![plant_group(spec, plant), mapping(spec), r(spec)?, matrix(spec)?, law(spec)?])
+    let plant = match &spec.model {
+        Some(model) => model_group((spec, model), plant),
+        None => plant_group(spec, plant),
+    };
+    Ok(vec![plant, mapping(spec), r(spec)?, matrix(spec)?, law(spec)?])
 }
 
 fn minus(left: Math, right: Math) -> Math {
@@ -40,6 +45,28 @@ fn elapsed() -> Math {
 /// The order n, which is a number here.
 fn n(spec: &Spec) -> Math {
     number(spec.n)
+}
+
+/// The plant with a model, and the chain that the law takes its output to be.
+fn model_group((spec, model): (&Spec, &Model), plant: &Plant) -> Group {
+    let of = |e: &Expression| of_expression(&model.named(e));
+    let rates = |rates: &[Expression], at: &dyn Fn(Math) -> Math| {
+        let all = model.states.iter().zip(rates);
+        let all = all.map(|(state, rate)| equal(at(dot(name(state.text()))), of(rate)));
+        all.collect::<Vec<_>>()
+    };
+    let mut formulas = rates(&plant.dynamics, &|rate| rate);
+    let mut told = "The plant, and the chain of its output that the law brings to rest.".to_owned();
+    if plant.dynamics != model.dynamics {
+        formulas.extend(rates(&model.dynamics, &|rate| sub(rate, words("model"))));
+        told.push_str(" The controller takes other rates than the plant has, those of the model.");
+    }
+    let coordinates = (1..).zip(&model.coordinates);
+    formulas.extend(coordinates.map(|(j, e)| equal(sub(name("x"), number(j)), of(e))));
+    let known = [("f", &spec.drift), ("g", &spec.input_gain)];
+    formulas.extend(known.into_iter().filter_map(|(f, e)| Some(equal(name(f), of(e.as_ref()?)))));
+    told.push_str(&format!(" The u of the law is {}.", model.input));
+    Group { title: "Plant", told, formulas }
 }
 
 fn plant_group(spec: &Spec, plant: &Plant) -> Group {

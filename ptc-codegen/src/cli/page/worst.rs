@@ -28,6 +28,8 @@ pub(super) fn drawn(report: &Report) -> Result<Option<Drawn>, Failure> {
     );
     let figure = Figure {
         title: format!("{}: worst run of the loop for {state}", spec.name()),
+        states: (1..=run.x.len()).map(|j| format!("x{j}")).collect(),
+        input: "u".to_owned(),
         traces: vec![Trace {
             label: format!("worst {state}"),
             start: 0.0,

@@ -9,17 +9,20 @@ use crate::cli::flags::{Design, SpecFlags};
 pub(crate) const EXAMPLES: &str = "\
 The plant xn' = f + g*u is in the design, under [plant]: f and g are expressions in x1..xn, t
 and, f alone, u. Every other name in them is a symbol of the plant, which has its value there too.
-Without [plant], f is 0.
+Without [plant], f is 0. With a [model] the plant is the model; [plant] may give other values of its
+parameters, and other rates under `dynamics`.
 
 What the design leaves to run time needs a value: --tau, --eps, --t0 (0 unless it is given),
 --u-max (inf unless it is given), --gains, and --param NAME=VALUE for all others, such as a.
 
-Without a sample period the law acts at every instant, and time-to-go falls to 1e-9 tau. With
+Without a sample period the law acts at every instant, with a model the emitted controller, and
+time-to-go falls to 1e-9 tau. With
 --sample-time, --noise, --sensor-step, --u-step or --delay (the last four also as keys of the
 design) the emitted controller itself is in the loop, bit for bit, and u is held in between; every
 sample is reported. Noise is uniform within its bounds.
 
-CSV: a line `tau,t,x1,...,xn,u`, then one line for each instant; all numbers read back as they were.
+CSV: a line `tau,t,x1,...,xn,u`, of a model the names of its states and its input, then one line for
+each instant; all numbers read back as they were.
 The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.
 
 Examples:
@@ -35,12 +38,12 @@ Examples:
 pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) design: Design,
-    /// State x1..xn at the start
+    /// State at the start: x1..xn, or the states of the model in their order
     #[arg(long, value_name = "X1,...,XN", allow_hyphen_values = true)]
     pub(crate) x0: String,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// A key of [plant]: f, g, or a symbol that they use; repeatable
+    /// A key of [plant]: f, g, dynamics, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Report exactly at these fractions of tau, each from 0 to below 1, and nowhere else

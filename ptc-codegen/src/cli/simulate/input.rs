@@ -28,16 +28,13 @@ const MAX_SAMPLES: f64 = 1e7;
 
 /// Reads the flags.
 pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
-    let n = spec.n;
+    let states = spec.state_names();
     let x0 = List::new("--x0", &request.x0)?;
-    if x0.items.len() != n {
-        let given = x0.items.len();
-        let message = format!("--x0 has {given} of the {n} states of a plant of order n = {n}");
-        return Err(x0.wrong(
-            None,
-            message,
-            "give one number for each of x1..xn, separated by commas",
-        ));
+    if x0.items.len() != states.len() {
+        let message = format!("--x0 has {} of the {} states", x0.items.len(), states.len());
+        let help =
+            format!("give one number for each of {}, separated by commas", states.join(", "));
+        return Err(x0.wrong(None, message, &help));
     }
     let around = around(request, spec)?;
     for (flag, given) in [("--until", &request.until), ("--arm-at", &request.arm_at)] {

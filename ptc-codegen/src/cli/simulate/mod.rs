@@ -34,19 +34,21 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for source in source.each("tau") {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows = spec
-            .needs_law("simulate")
-            .and_then(|()| spec.needs_chain("simulate"))
-            .and_then(|()| spec.needs_known_reference("simulate"));
+        let knows =
+            spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
         let linear = spec.sampled().is_some_and(|sampled| sampled.linear.is_some());
         if plant.is_none() && !linear && runs.is_empty() {
-            let f = spec.drift.as_ref().map_or("0".to_owned(), ToString::to_string);
-            note(&format!(
-                "the design has no [plant]: the plant is the chain of integrators, f = {f}"
-            ));
+            let plant = match (&spec.model, &spec.drift) {
+                (Some(_), _) => "its model".to_owned(),
+                (None, f) => {
+                    let f = f.as_ref().map_or("0".to_owned(), ToString::to_string);
+                    format!("the chain of integrators, f = {f}")
+                }
+            };
+            note(&format!("the design has no [plant]: the plant is {plant}"));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
         let asked = input::read(request, &spec)?;
@@ -86,15 +88,12 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
 }
 
 fn csv(runs: &[Run]) -> String {
-    let columns =
-        |name: &str, count| (1..=count).map(|j| format!(",{name}{j}")).collect::<String>();
-    // All runs are of one kind; only a sampled loop measures.
-    let sampled = runs.first().filter(|run| run.is_held()).and_then(|run| run.rows.first());
-    let more = sampled.map_or(String::new(), |row| columns("y", row.measured.len()) + ",status");
-    let mut text = format!("tau,t{},u{more}\n", columns("x", runs.first().map_or(0, |run| run.n)));
+    // All runs are of one kind.
+    let columns = runs.first().map(Run::columns).unwrap_or_default();
+    let mut text = format!("tau,t,{}\n", columns.join(","));
     for run in runs {
         for row in run.rows.iter().filter(|row| row.reported) {
-            let (measured, status) = match run.is_held() {
+            let (measured, status) = match run.held {
                 true => (&row.measured[..], format!(",{}", row.status.c_name())),
                 false => (&[][..], String::new()),
             };

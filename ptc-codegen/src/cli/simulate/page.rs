@@ -47,10 +47,13 @@ pub(super) fn text(
 }
 
 fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Failure> {
-    let held = runs.iter().any(|run| run.is_held());
-    let how = match held {
-        true => "The emitted controller at each sample; its u is held until the next.",
-        false => {
+    let held = runs.iter().any(|run| run.held);
+    let how = match (held, &spec.model) {
+        (true, _) => "The emitted controller at each sample; its u is held until the next.",
+        (false, Some(_)) => {
+            "The emitted controller at every instant, down to T = 1e-9 tau; its gains are held from eps on."
+        }
+        (false, None) => {
             "The law at every instant: the associated infinite-time system [th:1-4] is integrated and \
              mapped back by [th:1-7], down to T = 1e-9 tau."
         }
@@ -110,9 +113,10 @@ fn around(request: &Simulate, spec: &Spec) -> Option<String> {
 }
 
 fn table(asked: bool, runs: &[Run]) -> Table {
-    let n = runs.first().map_or(0, |run| run.n);
-    let heads = ["tau in s".to_owned(), "t in s".to_owned()].into_iter();
-    let head = heads.chain((1..=n).map(|j| format!("x{j}"))).chain(["u".to_owned()]).collect();
+    let mut head = vec!["tau in s".to_owned(), "t in s".to_owned()];
+    for run in runs.iter().take(1) {
+        head.extend(run.states.iter().chain([&run.input]).cloned());
+    }
     let mut rows = Vec::new();
     for run in runs {
         let reported: Vec<_> = run.rows.iter().filter(|row| row.reported).collect();

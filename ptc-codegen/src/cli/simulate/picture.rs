@@ -44,10 +44,12 @@ impl Kind {
 
 pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
     let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
-    let loops = if runs.iter().any(|run| run.is_held()) { "sampled" } else { "continuous" };
+    let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
     Figure {
         title: format!("{}: n = {}, {}, {loops}", spec.name(), spec.n, spec.mapping_name()),
+        states: spec.state_names(),
+        input: spec.input_name(),
         traces: runs.iter().map(trace).collect(),
         u_max: bound,
         x_max: bounds.collect(),
@@ -63,8 +65,8 @@ fn trace(run: &Run) -> Trace {
         deadline: run.t0 + run.tau,
         t: column(&|row| row.t),
         stretched: column(&|row| row.stretched),
-        x: (0..run.n).map(|j| column(&|row| row.x[j])).collect(),
+        x: (0..run.states.len()).map(|j| column(&|row| row.x[j])).collect(),
         u: column(&|row| row.u),
-        held: run.is_held(),
+        held: run.held,
     }
 }

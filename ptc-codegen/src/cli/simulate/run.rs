@@ -7,7 +7,8 @@ use ptc_codegen::plant::Plant;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{
-    Accuracy, Cause, Continuous, Failure as Ended, Loop, Sample, Sampled, Values, tracking_error,
+    Accuracy, Cause, Continuous, Direct, Failure as Ended, Loop, Run as Instants, Sample, Sampled,
+    Side, Values, tracking_error,
 };
 
 use super::input::Asked;
@@ -16,29 +17,33 @@ use crate::cli::report::{self, Failure, Notice};
 /// A run.
 pub(super) struct Run {
     pub(super) tau: f64,
-    pub(super) n: usize,
+    /// The names of the states and of the input of the plant.
+    pub(super) states: Vec<String>,
+    pub(super) input: String,
     pub(super) t0: f64,
     pub(super) u_max: f64,
     /// What the checks say, where the emitted controller is in the loop.
     pub(super) report: Option<Report>,
+    /// Whether u is held between the rows.
+    pub(super) held: bool,
     pub(super) rows: Vec<Row>,
     /// The tracking error in the last row, where there is a reference.
     error: Option<Vec<f64>>,
 }
 
 impl Run {
-    /// A run of `spec`; `report` is that of the emitted controller.
+    /// A run of `spec`; `report` is that of the emitted controller, whose u may be held.
     fn new(
-        spec: &Spec,
-        values: &Values,
-        report: Option<&Report>,
+        (spec, values): (&Spec, &Values),
+        (report, held): (Option<Report>, bool),
         rows: Vec<Row>,
-    ) -> Result<Self, Ended> {
+    ) -> Result<Self, Failure> {
         let [tau, t0, u_max] =
             [Parameter::Tau, Parameter::StartTime, Parameter::UMax].map(|p| values.get(p));
         let last = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
-        let error = last.transpose()?.flatten();
-        Ok(Self { tau, n: spec.n, t0, u_max, report: report.cloned(), rows, error })
+        let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
+        let (states, input) = (spec.state_names(), spec.input_name());
+        Ok(Self { tau, states, input, t0, u_max, report, held, rows, error })
     }
 
     /// The tracking error in the end, in words.
@@ -49,9 +54,15 @@ impl Run {
         Some(format!("tracking error at t = {} s: {}", digits(last.t), all.join(", ")))
     }
 
-    /// Whether u is held between the rows.
-    pub(super) fn is_held(&self) -> bool {
-        self.report.is_some()
+    /// The columns of the CSV after tau and t. Only a sampled loop measures.
+    pub(super) fn columns(&self) -> Vec<String> {
+        let mut columns = self.states.clone();
+        columns.push(self.input.clone());
+        if let (true, Some(row)) = (self.held, self.rows.first()) {
+            columns.extend((1..=row.measured.len()).map(|j| format!("y{j}")));
+            columns.push("status".to_owned());
+        }
+        columns
     }
 }
 
@@ -89,9 +100,28 @@ fn grid() -> Vec<f64> {
     even.filter(|share| *share >= 0.01).chain(last).collect()
 }
 
-/// The law at every instant, mapped back from infinite time.
+/// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a
+/// model.
 pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Run, Failure> {
-    let values = complete(spec, plant, false)?;
+    if spec.model.is_none() {
+        let values = complete(spec, plant, false)?;
+        let rows = along(Continuous::of(spec, plant), &values, asked)?;
+        return Run::new((spec, &values), (None, false), rows);
+    }
+    let report = examined(spec);
+    let spec = &report.spec;
+    let values = complete(spec, plant, true)?;
+    let rows = along(Direct::of(spec, plant), &values, asked)?;
+    refused(&rows, values.get(Parameter::Tau));
+    Run::new((spec, &values), (Some(report.clone()), false), rows)
+}
+
+/// The rows of a run in which the control acts at every instant.
+fn along<S: Side>(
+    run: Result<Instants<S>, Ended>,
+    values: &Values,
+    asked: &Asked,
+) -> Result<Vec<Row>, Failure> {
     let (tau, t0) = (values.get(Parameter::Tau), values.get(Parameter::StartTime));
     let mut shares = if asked.whole { grid() } else { Vec::new() };
     shares.extend(asked.at.iter().map(|(share, _)| share));
@@ -99,8 +129,8 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
     shares.dedup();
     let mut rows = Vec::with_capacity(shares.len());
     let mut index = 0;
-    let end = Continuous::of(spec, plant).and_then(|mut run| {
-        run.run(&values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
+    let end = run.and_then(|mut run| {
+        run.run(values, &asked.x0, &shares, Accuracy::default(), &mut |sample| {
             let at = asked.at.iter().find(|(share, _)| *share == shares[index]);
             let t = at.map_or(sample.t, |(_, elapsed)| t0 + tau * elapsed);
             let reported = asked.at.is_empty() || at.is_some();
@@ -109,8 +139,8 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
         })
     });
     end.map_err(|failure| ended(failure, tau))?;
-    if let Some(row) = rows.iter().find(|row| !row.x.iter().chain([&row.u]).all(|v| v.is_finite()))
-    {
+    let finite = |row: &&Row| row.x.iter().chain([&row.u]).all(|v| v.is_finite());
+    if let Some(row) = rows.iter().find(|row| !finite(row)) {
         let title = format!("tau = {tau}: x or u leaves the range of numbers, at t = {} s", row.t);
         let help = "the loop is unstable with these values, or the gains of the law overflow so close to the deadline";
         return Err(Failure::refused(vec![Notice {
@@ -118,7 +148,7 @@ pub(super) fn continuous(spec: &Spec, plant: &Plant, asked: &Asked) -> Result<Ru
             ..Notice::of(title)
         }]));
     }
-    Run::new(spec, &values, None, rows).map_err(|failure| ended(failure, tau))
+    Ok(rows)
 }
 
 /// The emitted controller at each sample.
@@ -128,6 +158,22 @@ pub(super) fn sampled(
     asked: &Asked,
     around: &Loop,
 ) -> Result<Run, Failure> {
+    let report = examined(spec);
+    let spec = &report.spec;
+    let values = complete(spec, plant, true)?;
+    let tau = values.get(Parameter::Tau);
+    let mut rows = Vec::new();
+    let end = Sampled::new(spec, plant).and_then(|mut run| {
+        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
+    });
+    end.map_err(|failure| ended(failure, tau))?;
+    refused(&rows, tau);
+    Run::new((spec, &values), (Some(report.clone()), true), rows)
+}
+
+/// The checks of the emitted controller, which set eps where a sample period or an error is promised;
+/// warns of what they refuse.
+fn examined(spec: &Spec) -> Report {
     let report = examine(spec);
     let warned: Vec<_> = report
         .refusals()
@@ -141,15 +187,11 @@ pub(super) fn sampled(
         })
         .collect();
     report::print(&warned);
-    // The checks set eps where a sample period or an error is promised.
-    let spec = &report.spec;
-    let values = complete(spec, plant, true)?;
-    let tau = values.get(Parameter::Tau);
-    let mut rows = Vec::new();
-    let end = Sampled::new(spec, plant).and_then(|mut run| {
-        run.run(&values, &asked.x0, around, &mut |sample| rows.push(Row::of(sample, true)))
-    });
-    end.map_err(|failure| ended(failure, tau))?;
+    report
+}
+
+/// Warns of the first call that is refused.
+fn refused(rows: &[Row], tau: f64) {
     let refused = |row: &&Row| matches!(row.status, Status::Range | Status::Input);
     if let Some(row) = rows.iter().find(refused) {
         let (name, t) = (row.status.c_name(), row.t);
@@ -158,7 +200,6 @@ pub(super) fn sampled(
             "an actuator would see 0 there: see the checks of `check`, and the range of the states";
         report::print(&[Notice { warns: true, help: Some(help.to_owned()), ..Notice::of(title) }]);
     }
-    Run::new(spec, &values, Some(&report), rows).map_err(|failure| ended(failure, tau))
 }
 
 /// What a run needs and lacks, all at once.
@@ -181,7 +222,9 @@ fn complete(spec: &Spec, plant: &Plant, emitted: bool) -> Result<Values, Failure
             Parameter::Gain(_) => "--gains or --poles".to_owned(),
             Parameter::Samples => "--tau VALUE".to_owned(),
             Parameter::SampleTime => "--sample-time VALUE".to_owned(),
-            _ if symbols.contains(&parameter) => format!("--plant {name}=VALUE"),
+            _ if symbols.contains(&parameter) || plant.gives(parameter) => {
+                format!("--plant {name}=VALUE")
+            }
             _ => format!("--param {name}=VALUE"),
         };
         names.push(name);

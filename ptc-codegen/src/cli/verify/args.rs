@@ -8,10 +8,10 @@ use crate::cli::flags::{Design, SpecFlags};
 
 pub(crate) const EXAMPLES: &str = "\
 What is verified is in the design: under [plant] the plant, with [least, greatest] for each symbol
-that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn and
-tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
+that is uncertain; under [disturbance] how those that vary do; under [verify] the boxes of x1..xn, or
+of the states of the model, and tau; and in each [[objective]] what has to hold. Scenarios are drawn from all of it independently, each
 of them a function of the seed and its index alone, and run on both sides of Theorem 1, which must
-agree, or, with a sample period, in the loop that runs; so are the joint corners of all that is
+agree, or, with a sample period, in the loop that runs, or, with a model, with the emitted controller; so are the joint corners of all that is
 uncertain, and what a search finds from the worst ones.
 
 With --out one row per draw is kept as Parquet, and a run that was interrupted goes on where it was
@@ -36,7 +36,7 @@ pub(crate) struct Verify {
     pub(crate) design: Design,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
-    /// A key of [plant]: f, g, or a symbol that they use; repeatable
+    /// A key of [plant]: f, g, dynamics, or a symbol that they use; repeatable
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) plant: Vec<String>,
     /// Number of scenarios, in place of the design's

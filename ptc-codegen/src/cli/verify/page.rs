@@ -3,6 +3,7 @@
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
+use ptc_codegen::request::Spec;
 use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
 
 use super::args::Verify;
@@ -85,7 +86,7 @@ fn section(
                 .collect::<String>()
         ),
         figure: Svg::of(&figure((campaign, trial), trajectory)?)?,
-        table: table(trajectory),
+        table: table(&campaign.spec, trajectory),
     })
 }
 
@@ -126,7 +127,7 @@ fn formula(objective: &Objective) -> Math {
     let size = |of: Math| fenced("|", of, "|");
     let below = |left: Math, right: Math| relation(left, "\u{2264}", right);
     let bound = |value: f64| number(value);
-    match &objective.kind {
+    match &objective.written {
         Kind::State { sigma, zeta } => {
             let start = size(sub(name("x"), number(0)));
             let whole = product(bound(*sigma), start);
@@ -169,13 +170,17 @@ fn figure(
         deadline: start + tau,
         t: instants.iter().map(|instant| instant.t).collect(),
         stretched: vec![f64::NAN; instants.len()],
-        x: (0..spec.n).map(|j| instants.iter().map(|instant| instant.x[j]).collect()).collect(),
+        x: (0..spec.states())
+            .map(|j| instants.iter().map(|instant| instant.x[j]).collect())
+            .collect(),
         u: instants.iter().map(|instant| instant.u).collect(),
         held: campaign.around.is_some(),
     };
     let bounded = campaign.objectives.iter().zip(&levels).enumerate();
     Ok(Figure {
         title: format!("{}: n = {}, {}", spec.name(), spec.n, spec.mapping_name()),
+        states: spec.state_names(),
+        input: spec.input_name(),
         traces: vec![trace],
         u_max: u_max.is_finite().then_some(u_max),
         x_max: Vec::new(),
@@ -186,7 +191,7 @@ fn figure(
 }
 
 fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
-    let what = match &objective.kind {
+    let what = match &objective.written {
         Kind::State { .. } | Kind::Attractive { .. } => "|x|".to_owned(),
         Kind::Input { .. } => "|u|".to_owned(),
         Kind::Within { h, .. } => h.to_string(),
@@ -202,11 +207,9 @@ fn of_levels(index: usize, objective: &Objective, levels: &[Level]) -> Bounded {
     }
 }
 
-fn table(Trajectory { instants, .. }: &Trajectory) -> Table {
-    let n = instants.first().map_or(0, |instant| instant.x.len());
-    let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter();
-    let heads = heads.chain((1..=n).map(|j| format!("x{j}")));
-    let head = heads.chain(["u".to_owned(), String::new()]).collect();
+fn table(spec: &Spec, Trajectory { instants, .. }: &Trajectory) -> Table {
+    let heads = ["t in s".to_owned(), "T in s".to_owned()].into_iter().chain(spec.state_names());
+    let head = heads.chain([spec.input_name(), String::new()]).collect();
     let rows = shown(instants).into_iter().map(|(instant, worst)| {
         let numbers = [instant.t, instant.time_to_go].into_iter().chain(instant.x.iter().copied());
         let told = if worst { "worst" } else { "" };

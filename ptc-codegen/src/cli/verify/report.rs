@@ -122,7 +122,7 @@ pub(super) fn summary(
         };
         objectives.push(Judged { verdict, scope, details });
     }
-    let sides = campaign.around.is_none().then(|| sides(campaign, known));
+    let sides = campaign.has_sides().then(|| sides(campaign, known));
     let trajectory = foremost(found).map(|worst| {
         let scenario = worst.scenario.clone();
         let (instants, ended) = trajectory(campaign, trial, &scenario);
@@ -136,7 +136,8 @@ pub(super) fn summary(
 /// What of a run is looked at.
 fn extent(campaign: &Campaign) -> String {
     let Some(around) = &campaign.around else {
-        return format!("T/tau from 1 to {:?}", campaign.until);
+        let emitted = if campaign.has_sides() { "" } else { "with the emitted controller, " };
+        return format!("{emitted}T/tau from 1 to {:?}", campaign.until);
     };
     let to = match campaign.until {
         0.0 => "the deadline".to_owned(),
@@ -308,7 +309,10 @@ impl Summary {
             }
         }
         if let Some(Trajectory { told, instants, ended, .. }) = &self.trajectory {
-            text.push_str(&format!("\nworst trajectory, {told}\n{}", table(instants)));
+            text.push_str(&format!(
+                "\nworst trajectory, {told}\n{}",
+                table(&campaign.spec, instants)
+            ));
             text.extend(ended.iter().map(|ended| format!("  it ends early: {ended}\n")));
         }
         text.push_str(match self.end() {

@@ -1,5 +1,6 @@
 //! The trajectory of a scenario, as a table and as CSV.
 
+use ptc_codegen::request::Spec;
 use ptc_codegen::simulate;
 use ptc_codegen::verify::{Campaign, Instant, Scenario, Trial};
 
@@ -39,9 +40,8 @@ pub(super) fn shown(instants: &[Instant]) -> Vec<(&Instant, bool)> {
     shown.map(|(_, instant, worst)| (instant, worst)).collect()
 }
 
-pub(super) fn table(instants: &[Instant]) -> String {
-    let n = instants.first().map_or(0, |instant| instant.x.len());
-    let heads = (1..=n).map(|j| format!("x{j}")).chain(["u".to_owned()]);
+pub(super) fn table(spec: &Spec, instants: &[Instant]) -> String {
+    let heads = spec.state_names().into_iter().chain([spec.input_name()]);
     let mut text = format!("  {:>11}", "t");
     heads.for_each(|head| text.push_str(&format!(" {head:>12}")));
     text.push('\n');
@@ -60,9 +60,10 @@ pub(super) fn csv(
     trial: &mut Trial,
     scenario: &Scenario,
 ) -> (String, Option<simulate::Failure>) {
-    let states: String = (1..=campaign.spec.n).map(|j| format!(",x{j}")).collect();
+    let states = campaign.spec.state_names().join(",");
+    let input = campaign.spec.input_name();
     let excess: String = (1..=campaign.objectives.len()).map(|i| format!(",excess{i}")).collect();
-    let mut text = format!("t,time_to_go{states},u{excess}\n");
+    let mut text = format!("t,time_to_go,{states},{input}{excess}\n");
     let (instants, ended) = trajectory(campaign, trial, scenario);
     for instant in instants {
         text.push_str(&format!("{:?},{:?}", instant.t, instant.time_to_go));

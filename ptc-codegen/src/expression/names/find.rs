@@ -132,31 +132,31 @@ mod tests {
     use crate::syntax::parse;
 
     /// V where a name has its meaning, P where it names a parameter, E where it is an error: in mu,
-    /// kappa, pi0, f, g, reference, plant.f, plant.g, h and the bounds, at order 3.
+    /// kappa, pi0, f, g, reference, plant.f, plant.g, plant.dynamics, h and the bounds, at order 3.
     const VERDICTS: [(&str, &[&str]); 17] = [
-        ("VVVVVVVVVV", &["tau", "pi"]),
-        ("VEVVVVVVVV", &["t"]),
-        ("EVVVVVVVVV", &["dt"]),
-        ("EEVVVVVVVV", &["t0", "eps", "u_max"]),
-        ("EEVEEEEEVV", &["T"]),
-        ("EEVVVEEEEE", &["t_kappa"]),
-        ("EEEEEEVEVE", &["u"]),
-        ("EEEVVEVVVE", &["x1", "x3"]),
-        ("EEVVVEVVVE", &["x1_0", "x3_0"]),
-        ("EEVEEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
-        ("EEPEEEEEEE", &["k1", "k3"]),
-        ("VVEEEEEEEE", &["rational"]),
-        ("EEEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
-        ("EEEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
+        ("VVVVVVVVVVV", &["tau", "pi"]),
+        ("VEVVVVVVVVV", &["t"]),
+        ("EVVVVVVVVVV", &["dt"]),
+        ("EEVVVVVVVVV", &["t0", "eps", "u_max"]),
+        ("EEVEEEEEEVV", &["T"]),
+        ("EEVVVEEEEEE", &["t_kappa"]),
+        ("EEEEEEVEEVE", &["u"]),
+        ("EEEVVEVVEVE", &["x1", "x3"]),
+        ("EEVVVEVVEVE", &["x1_0", "x3_0"]),
+        ("EEVEEEEEEEE", &["xi1", "xi3", "xi1_0", "xi3_0"]),
+        ("EEPEEEEEEEE", &["k1", "k3"]),
+        ("VVEEEEEEEEE", &["rational"]),
+        ("EEEEEEEEEEE", &["x0", "x4", "xi0", "xi4", "x0_0", "x4_0", "xi4_0", "x_0"]),
+        ("EEEEEEEEEEE", &["x", "xi", "X", "Xi", "x01", "X1", "x_1", "Xi2", "XI1_0", "xi_1_0"]),
         (
-            "EEEEEEEEEE",
+            "EEEEEEEEEEE",
             &[
                 "Tau", "TAU", "Dt", "DT", "d_t", "T0", "t_0", "Eps", "umax", "U", "Pi", "T_kappa",
                 "T_",
             ],
         ),
         (
-            "EEEEEEEEEE",
+            "EEEEEEEEEEE",
             &[
                 "mu",
                 "kappa",
@@ -174,7 +174,7 @@ mod tests {
             ],
         ),
         (
-            "PPPPPPPPPP",
+            "PPPPPPPPPPP",
             &["psi", "a", "m", "w", "h", "rho", "e", "k0", "k4", "k", "x1y", "tau2", "K1"],
         ),
     ];

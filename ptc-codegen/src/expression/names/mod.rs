@@ -30,6 +30,8 @@ pub enum Subject {
     Drift,
     /// The plant's own g(x, t), where it differs from the controller's.
     PlantGain,
+    /// A rate of the plant that differs from that of its model, t the time.
+    PlantRate,
     /// A bound of an objective over the time of a run.
     Bound,
     /// h(x, u, t) of an objective.
@@ -37,7 +39,8 @@ pub enum Subject {
 }
 
 use Subject::{
-    Bound, Drift, Family, Force, InputGain, Kappa, Law, Mu, Objective, PlantGain, Reference,
+    Bound, Drift, Family, Force, InputGain, Kappa, Law, Mu, Objective, PlantGain, PlantRate,
+    Reference,
 };
 
 impl Subject {
@@ -53,13 +56,14 @@ impl Subject {
             Subject::Model => "model",
             Drift => "plant.f",
             PlantGain => "plant.g",
+            PlantRate => "plant.dynamics",
             Bound | Objective => "objective",
         }
     }
 }
 
 /// Where users write expressions, in the order of the documentation.
-const PLACES: [(Subject, &str); 10] = [
+const PLACES: [(Subject, &str); 11] = [
     (Mu, "mu"),
     (Kappa, "kappa"),
     (Law, "pi0"),
@@ -68,6 +72,7 @@ const PLACES: [(Subject, &str); 10] = [
     (Reference, "reference"),
     (Drift, "plant.f"),
     (PlantGain, "plant.g"),
+    (PlantRate, "plant.dynamics"),
     (Objective, "h"),
     (Bound, "zeta, upsilon, low, high"),
 ];
@@ -109,9 +114,11 @@ const fn info(
 const OF_STATE: &[Subject] = &[Force, InputGain, Drift, PlantGain, Objective];
 /// All places outside the mapping, which is fixed before the controller has a start or a bound.
 const OUTSIDE_MAPPING: &[Subject] =
-    &[Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound];
-const EVERYWHERE: &[Subject] =
-    &[Mu, Kappa, Family, Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound];
+    &[Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound];
+const EVERYWHERE: &[Subject] = &[
+    Mu, Kappa, Family, Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective,
+    Bound,
+];
 
 /// The same with the model of a plant, which has names of its own.
 const WITH_MODEL: &[Subject] = &[
@@ -125,6 +132,7 @@ const WITH_MODEL: &[Subject] = &[
     Subject::Model,
     Drift,
     PlantGain,
+    PlantRate,
     Objective,
     Bound,
 ];
@@ -137,9 +145,9 @@ static NAMES: [NameInfo; 17] = [
     info("u", "input of the plant", "", Sense::Variable(Variable::Control), &[Drift, Objective]),
     info("t", "stretched time since the start", "stretched time since the start", Sense::Variable(Variable::SinceStart), &[Mu]),
     info("t", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law]),
-    info("t", "time", "time", Sense::Variable(Variable::Time), &[Force, InputGain, Reference, Drift, PlantGain, Objective, Bound]),
+    info("t", "time", "time", Sense::Variable(Variable::Time), &[Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound]),
     info("t_kappa", "stretched time, kappa + t0", "stretched time", Sense::Variable(Variable::StretchedTime), &[Law, Force, InputGain]),
-    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, Objective, Bound]),
+    info("dt", "elapsed time, t - t0", "elapsed time", Sense::Variable(Variable::Elapsed), &[Kappa, Law, Force, InputGain, Reference, Drift, PlantGain, PlantRate, Objective, Bound]),
     info("T", "time-to-go, t0 + tau - t, in `pi0` held at eps", "time-to-go", Sense::Variable(Variable::TimeToGo), &[Family, Law, Objective, Bound]),
     info("tau", "settling time", "", Sense::Parameter(Parameter::Tau), EVERYWHERE),
     info("t0", "start time", "", Sense::Parameter(Parameter::StartTime), OUTSIDE_MAPPING),
@@ -195,12 +203,14 @@ impl NameInfo {
     fn instead(&self, subject: Subject, index: usize) -> Option<String> {
         let of_state = OF_STATE.contains(&subject);
         let text = match (self.name, subject) {
-            ("T", Kappa | Force | InputGain | Reference | Drift | PlantGain) => {
+            ("T", Kappa | Force | InputGain | Reference | Drift | PlantGain | PlantRate) => {
                 "tau - dt".to_owned()
             }
             ("t", Kappa) => "dt".to_owned(),
             ("dt" | "t_kappa", Mu) => "t".to_owned(),
-            ("t_kappa", Reference | Drift | PlantGain | Objective | Bound) => return None,
+            ("t_kappa", Reference | Drift | PlantGain | PlantRate | Objective | Bound) => {
+                return None;
+            }
             ("x1", Law) => format!("xi{index}"),
             ("xi1", _) if of_state => format!("x{index}"),
             ("xi1_0", _) if of_state => format!("x{index}_0"),

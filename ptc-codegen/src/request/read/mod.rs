@@ -313,7 +313,7 @@ impl<'a> Reader<'a> {
 const UNREAD: TimeMapping = TimeMapping::Family { family: Family::Exp, rates: 0 };
 
 /// The items of a list, or the value itself.
-fn items(node: &Node) -> &[Node] {
+pub(crate) fn items(node: &Node) -> &[Node] {
     match &node.value {
         Value::List(items) => items,
         _ => std::slice::from_ref(node),

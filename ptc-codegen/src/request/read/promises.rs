@@ -18,8 +18,8 @@ impl Reader<'_> {
     /// Bounds and periods that checks hold the design to.
     /// Bounds of the whole run are of the states of the plant, all others of the chain.
     pub(super) fn promises(&mut self, n: Option<usize>, states: Option<usize>) -> Promises {
-        // A linear plant has as many sensors as C has rows.
-        let measured = self.rows_measured().or(n);
+        // A linear plant has as many sensors as C has rows; all states of a model are measured.
+        let measured = self.rows_measured().or(states);
         Promises {
             sample_time: self.positive("sample_time"),
             error: self.one_or_each("error", n, finite_positive, "finite and > 0"),

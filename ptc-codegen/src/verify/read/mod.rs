@@ -11,7 +11,6 @@ use num_traits::ToPrimitive;
 
 use super::{Campaign, Interval, Objective, Signal};
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
-use crate::expression::Expression;
 use crate::keys::verify::KEYS;
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::{self, Plant};
@@ -29,14 +28,14 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
-    spec.needs_chain("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);
     found.extend(twice.err().unwrap_or_default());
     let spec = &spec;
     // What has a sample period runs with a chain, or with the plant that it was designed for.
-    let plant = plant.or_else(|| Loop::of(spec).is_some().then(|| Plant::own(spec)));
+    let knows = Loop::of(spec).is_some() || spec.model.is_some();
+    let plant = plant.or_else(|| knows.then(|| Plant::own(spec)));
     let Some(plant) = plant else {
         found.push(Diagnostic {
             code: "missing-key",
@@ -152,8 +151,12 @@ impl Reader<'_> {
         disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
         objectives: Vec<Objective>,
     ) -> Option<Campaign> {
-        let n = self.spec.n;
-        let states: Vec<_> = (1..=n).map(|j| format!("x{j}")).collect();
+        let states = self.spec.state_names();
+        let n = states.len();
+        for state in states.iter().filter(|name| KEYS.iter().any(|info| info.key == **name)) {
+            let message = format!("the state `{state}` has the name of a key of [verify]");
+            self.found.push("conflict", "states", None, message, "call it something else");
+        }
         let legal: Vec<_> =
             states.iter().cloned().chain(KEYS.iter().map(|info| info.key.to_owned())).collect();
         for (name, (place, _)) in given {
@@ -165,9 +168,12 @@ impl Reader<'_> {
             states.iter().filter(|name| !given.contains_key(name.as_str())).cloned().collect();
         if !missing.is_empty() {
             let message = format!("[verify] has no interval of {}", missing.join(", "));
-            let help = format!(
-                "give the box of initial states: one [least, greatest] for each of x1..x{n}"
-            );
+            let all = match self.spec.model.as_ref() {
+                Some(model) => model.names(),
+                None => format!("x1..x{n}"),
+            };
+            let help =
+                format!("give the box of initial states: one [least, greatest] for each of {all}");
             self.found.push("missing-key", "verify", None, message, help);
         }
         let x0: Vec<_> =
@@ -202,6 +208,7 @@ impl Reader<'_> {
         let varies: BTreeSet<_> = disturbances.iter().map(|(symbol, ..)| *symbol).collect();
         let constant = self.plant.bounds.iter().filter(|(symbol, _)| !varies.contains(symbol));
         let intervals = constant
+            .chain(self.at_run_time())
             .filter_map(|(symbol, (low, high))| Some((*symbol, (to_f64(low)?, to_f64(high)?))))
             .collect();
         let mut spec = self.spec.clone();
@@ -231,13 +238,19 @@ impl Reader<'_> {
         })
     }
 
+    /// The parameters of a model that the controller is given at run time, as they are of the plant.
+    fn at_run_time(&self) -> impl Iterator<Item = (&Parameter, &(Fixed, Fixed))> {
+        self.spec.bounds.iter().filter(|_| self.spec.model.is_some())
+    }
+
     /// Every name has a value or an interval; one that has none is blamed on what uses it.
     fn valued(&mut self, entries: &[Entry], objectives: &[(usize, Objective)]) {
         let (spec, plant) = (self.spec, self.plant);
         let of_run = [Parameter::Tau, Parameter::Eps, Parameter::StartTime, Parameter::UMax];
         let lacks = |p: &Parameter| {
-            let fixed = spec.fixed.contains_key(p) || plant.fixed.contains_key(p);
-            !fixed && !plant.bounds.contains_key(p) && !of_run.contains(p)
+            let fixed = spec.fixed.contains_key(p) || plant.gives(*p);
+            let drawn = spec.model.is_some() && spec.bounds.contains_key(p);
+            !fixed && !drawn && !of_run.contains(p)
         };
         let mut told: BTreeSet<Parameter> = BTreeSet::new();
         let mut tell = |key: &str, used: &mut dyn Iterator<Item = Parameter>, help: &str| {
@@ -254,9 +267,12 @@ impl Reader<'_> {
         let of_controller = "parameters of the controller have their values under [params], gains at `gains` or `poles`";
         tell("verify", &mut spec.parameters().into_iter(), of_controller);
         let of_plant = "a symbol of the plant has its value, or [least, greatest], under [plant]";
-        tell("plant.f", &mut plant.f.parameters().into_iter(), of_plant);
-        let gain = plant.g.as_ref().map(Expression::parameters).unwrap_or_default();
-        tell("plant.g", &mut gain.into_iter(), of_plant);
+        let keys: &[_] =
+            if plant.dynamics.is_empty() { &["plant.f", "plant.g"] } else { &["plant.dynamics"] };
+        for (place, expression) in plant.expressions().enumerate() {
+            let key = keys[place.min(keys.len() - 1)];
+            tell(key, &mut expression.parameters().into_iter(), of_plant);
+        }
         for (number, objective) in objectives {
             for (name, expression) in objective.kind.expressions() {
                 let key = format!("objective[{number}].{name}");

@@ -1,8 +1,10 @@
 //! A table `[[objective]]`.
 
 use super::{Given, Reader, number};
-use crate::expression::{Expression, Scope, Subject, resolve};
+use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::keys::verify::OBJECTIVE_KEYS;
+use crate::model::Model;
+use crate::parameter::{Name, Parameter};
 use crate::request::known;
 use crate::syntax::Value;
 use crate::verify::{Kind, Objective};
@@ -60,9 +62,13 @@ impl Reader<'_> {
         };
         let known = known(self.spec.time_mapping.parameters());
         let n = self.spec.n;
+        let model = self.spec.model.as_deref();
+        let states = model.map(names).unwrap_or_default();
         let expression = |reader: &mut Self, name: &str, subject: Subject| {
             let (_, node) = given.get(name)?;
-            resolve(node, Scope { subject, n, known: &known, own: &[] }, &mut reader.found)
+            // A bound is of time alone.
+            let own = if subject == Subject::Objective { states.as_slice() } else { &[] };
+            resolve(node, Scope { subject, n, known: &known, own }, &mut reader.found)
         };
         let kind = match word {
             "state" => {
@@ -95,6 +101,44 @@ impl Reader<'_> {
                 Kind::Within { h: h?, low, high }
             }
         };
-        Some(Objective { kind })
+        Some(match model {
+            None => kind.into(),
+            Some(model) => Objective {
+                written: kind.map(&|e| in_names(e, model)),
+                kind: kind.map(&|e| in_states(e, model)),
+            },
+        })
     }
+}
+
+/// The names of a model: its input, and its states as what no objective has, since x_1..x_n are the chain's.
+fn names(model: &Model) -> Vec<(Name, Variable)> {
+    let states = (1..).zip(&model.states).map(|(j, name)| (*name, Variable::Xi(j)));
+    states.chain([(model.input, Variable::Control)]).collect()
+}
+
+/// The same as it was written.
+fn in_names(expression: &Expression, model: &Model) -> Expression {
+    let of = |name: &Name| Parameter::Named(*name).into();
+    expression.substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(j)) => model.states.get(j - 1).map(of),
+        Expression::Variable(Variable::Control) => Some(of(&model.input)),
+        _ => None,
+    })
+}
+
+/// The same in the states of a model, in which the chain is what the law takes it to be.
+fn in_states(expression: &Expression, model: &Model) -> Expression {
+    let at_start = |e: &Expression| match e {
+        Expression::Variable(Variable::State(j)) => Some(Variable::StateAtStart(*j).into()),
+        _ => None,
+    };
+    expression.substitute(&|e| match e {
+        Expression::Variable(Variable::Xi(j)) => Some(Variable::State(*j).into()),
+        Expression::Variable(Variable::State(j)) => Some(model.coordinates[j - 1].clone()),
+        Expression::Variable(Variable::StateAtStart(j)) => {
+            Some(model.coordinates[j - 1].substitute(&at_start))
+        }
+        _ => None,
+    })
 }

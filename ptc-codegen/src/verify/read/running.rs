@@ -54,7 +54,8 @@ impl Reader<'_> {
             return Some(spec);
         }
         let mut asked = spec.clone();
-        if asked.promises.x0_max.is_empty() {
+        // The box of a model is of its states, and x0_max of the chain.
+        if asked.promises.x0_max.is_empty() && spec.model.is_none() {
             let largest = x0.iter().map(|(low, high)| low.abs().max(high.abs()));
             asked.promises.x0_max =
                 largest.map(|x| exact(&format!("{x:e}"))).collect::<Option<_>>()?;
