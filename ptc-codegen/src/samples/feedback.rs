@@ -163,7 +163,7 @@ impl Builder<'_> {
             Some(Expression::Number(force)) => Expr::Number(force * over_gain),
             Some(Expression::Parameter(parameter)) => {
                 let force = self.parameter(*parameter);
-                self.keep(parameter.key(), "known f", force).mul(Expr::Number(over_gain))
+                self.keep("f", "known f", force).mul(Expr::Number(over_gain))
             }
             _ => Expr::integer(0),
         }

@@ -35,7 +35,7 @@ fn mistakes_are_named() {
         ("sample_time", "0.01"),
         ("poles", "-3,-4"),
     ];
-    let cases: [(&str, &str, &str); 20] = [
+    let cases: [(&str, &str, &str); 21] = [
         ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
         ("tau", "0.01", "too few to come to rest"),
         ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),
@@ -51,6 +51,7 @@ fn mistakes_are_named() {
         ("f", "x1", "f is the known constant"),
         ("f", "x1 + load", "a number or the name of a parameter"),
         ("f", "t", "f is the known constant"),
+        ("f", "u_max", "a number or the name of a parameter"),
         ("t0", "1", "arm the controller at the tick"),
         ("after", "extern", "no user-defined law after the deadline"),
         ("guard", "result", "has the guards full and none"),

@@ -110,7 +110,7 @@ impl Reader<'_> {
     }
 
     /// A parameter of an expression must not have the name of another one of the controller.
-    fn names_are_distinct(&mut self, spec: &Spec, used: &BTreeSet<Parameter>) {
+    pub(super) fn names_are_distinct(&mut self, spec: &Spec, used: &BTreeSet<Parameter>) {
         let all = spec.parameters();
         for parameter in used.iter().filter(|p| matches!(p, Parameter::Named(_))) {
             let name = parameter.key();

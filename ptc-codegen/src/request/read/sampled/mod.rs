@@ -125,6 +125,9 @@ impl Reader<'_> {
             self.wrong("tau", place, message, help);
         }
         spec.clock = Clock::Samples(Box::new(sampled));
+        // Those of this clock have names of their own.
+        let used = spec.expressions().flat_map(Expression::parameters).collect();
+        self.names_are_distinct(spec, &used);
         self.deadbeat(spec, spec.n + delay);
         if spec.what == What::Observer {
             self.observer_alone(spec);
