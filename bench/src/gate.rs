@@ -7,9 +7,9 @@ use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::{Failure, Result, While};
-use crate::{callgrind, counts, tools};
+use crate::{callgrind, counts, samples, tools};
 
-/// The orders of the subset: every family, both precisions, guard `none`, in C.
+/// The orders of the subset with a clock in time: every family, both precisions, guard `none`, in C.
 const ORDERS: [usize; 4] = [1, 3, 6, 12];
 
 /// How much more than the baseline a count may be.
@@ -31,9 +31,10 @@ pub(crate) fn gate(update: bool) -> Result<()> {
         let key = format!("{} n={} {}", count.key.variant, count.key.n, count.key.precision);
         for (function, value) in [("step", count.step), ("tick", count.tick), ("axis", count.axis)]
         {
-            now.insert(format!("{key} {function}"), (value * 100.0).round() / 100.0);
+            now.insert(format!("{key} {function}"), rounded(value));
         }
     }
+    now.extend(samples::counts()?.iter().map(|count| (count.key(), rounded(count.step))));
     let path: PathBuf = tools::workspace().join("bench/baseline.json");
     // The compilers and the library; not the processor, whose kind does not change a count.
     let counted_with = tools::machine().into_iter().skip(1).collect();
@@ -50,6 +51,11 @@ pub(crate) fn gate(update: bool) -> Result<()> {
         println!("      and this run with {}", counted_with.join("; "));
     }
     compare(&baseline.counts, &now)
+}
+
+/// With two decimals.
+fn rounded(count: f64) -> f64 {
+    (count * 100.0).round() / 100.0
 }
 
 fn compare(baseline: &BTreeMap<String, f64>, now: &BTreeMap<String, f64>) -> Result<()> {

@@ -17,6 +17,7 @@ mod generator;
 mod peers;
 mod report;
 mod rewrites;
+mod samples;
 mod tools;
 mod vectors;
 
@@ -56,6 +57,8 @@ enum Command {
     Generator,
     /// What equality saturation finds beyond the passes, for small kernels
     Egg,
+    /// Print the instructions a step with a clock in samples, the table in docs/samples.md
+    Samples,
     /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
     Report,
     /// Expand the Bell polynomials and end, for the profiler
@@ -91,6 +94,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Peers) => peers(line),
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
+        Some(Command::Samples) => samples::table(),
         Some(Command::Report) => report::write(),
         None => {
             report::keep("counts", &counts::measure()?)?;
