@@ -1,8 +1,5 @@
 //! The exact plant x' = A x + B (u + d), y = C x, sampled, whose input acts late.
 
-// Each test uses its own part of it.
-#![allow(dead_code)]
-
 use std::collections::VecDeque;
 
 use num_traits::{FromPrimitive, One, ToPrimitive, Zero};

@@ -2,10 +2,12 @@
 // Each test file uses its own part of this module.
 #![allow(dead_code)]
 
+pub(crate) mod exact_plant;
 #[cfg(feature = "cli")]
 pub(crate) mod words;
 
 use std::fs;
+use std::panic::Location;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -40,15 +42,19 @@ pub(crate) fn design(text: &str) -> (Spec, Plant) {
     (spec, plant)
 }
 
-/// An empty folder of a test's own.
+/// An empty folder of a test's own, in one of the file that calls.
+#[track_caller]
 pub(crate) fn folder(test: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let file = Path::new(Location::caller().file()).with_extension("");
+    let under = file.components().skip_while(|part| part.as_os_str() != "tests").skip(1);
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(under.collect::<PathBuf>()).join(test);
     let _ = fs::remove_dir_all(&path);
     fs::create_dir_all(&path).expect("a folder for the test");
     path
 }
 
 /// An empty folder of a test's own that holds a file.
+#[track_caller]
 pub(crate) fn folder_with(test: &str, file: &str, text: impl AsRef<[u8]>) -> PathBuf {
     let folder = folder(test);
     fs::write(folder.join(file), text).expect("a file");

@@ -1,0 +1,287 @@
+//! `simulate` on the command line: the CSV, and the messages for bad input.
+
+use crate::support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A run in `folder`.
+fn simulate(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = support::command(&["simulate"]);
+    command.args(arguments).current_dir(folder);
+    command
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    support::told(&mut simulate(folder, arguments))
+}
+
+fn stdout(folder: &Path, arguments: &[&str]) -> String {
+    support::stdout(&mut simulate(folder, arguments))
+}
+
+/// A folder of a test's own that holds `stage.toml`.
+fn folder(test: &str) -> PathBuf {
+    support::folder_with(&format!("simulate_{test}"), "stage.toml", STAGE)
+}
+
+/// x1 = 3T^2 - 2T^3 and u = 3 - 6T from (1, 0) with tau = 1.
+const STAGE: &str = "name = \"stage\"\nn = 2\nmu = \"exp(a=1)\"\ng = 2\ngains = [6, 5]\n\
+                     [params]\ntau = 1\n[plant]\nf = 0\n";
+
+fn rows(csv: &str) -> Vec<Vec<f64>> {
+    csv.lines()
+        .skip(1)
+        .map(|line| line.split(',').filter(|n| !n.starts_with("PTC_")))
+        .map(|line| line.map(|n| n.parse().expect("a number")).collect())
+        .collect()
+}
+
+#[test]
+fn the_csv_holds_what_was_asked_for() {
+    let folder = folder("csv");
+    let asked = ["stage.toml", "--x0", "1,0", "--at", "0.9,0.5,0.999999999"];
+    let csv = stdout(&folder, &asked);
+    assert!(csv.starts_with("tau,t,x1,x2,u\n1.0,0.5,"), "{csv}");
+    let seen = rows(&csv);
+    assert_eq!(seen.iter().map(|row| row[1]).collect::<Vec<_>>(), [0.5, 0.9, 0.999999999]);
+    for (row, time_to_go) in seen.iter().zip([0.5, 0.1, 1e-9_f64]) {
+        let wanted = [
+            3.0 * time_to_go.powi(2) - 2.0 * time_to_go.powi(3),
+            -6.0 * time_to_go * (1.0 - time_to_go),
+            3.0 - 6.0 * time_to_go,
+        ];
+        for (found, wanted) in row[2..].iter().zip(wanted) {
+            assert!((found - wanted).abs() <= 1e-10, "{row:?}: {wanted}");
+        }
+    }
+    let several = stdout(&folder, &["stage.toml", "--x0=1,0", "--tau", "1, 2,5"]);
+    let seen = rows(&several);
+    let of = |tau: f64| seen.iter().filter(|row| row[0] == tau).count();
+    assert_eq!((of(1.0), of(2.0), of(5.0)), (seen.len() / 3, seen.len() / 3, seen.len() / 3));
+    assert!(seen.iter().all(|row| row[1] < row[0]), "up to the deadline, not to it");
+    assert!(seen.iter().any(|row| row[0] - row[1] < 1.1e-9 * row[0]));
+
+    let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--tau", "1, 2,5", "-o", "out/run.csv"]);
+    assert_eq!(told, "wrote out/run.csv\n");
+    assert_eq!(fs::read_to_string(folder.join("out/run.csv")).expect("a file"), several);
+    assert_eq!(fs::read_dir(folder.join("out")).expect("a folder").count(), 1);
+
+    let told =
+        stdout(&folder, &["stage.toml", "--x0=1,0", "-o", "out/one.csv", "--plot", "out/run.svg"]);
+    assert_eq!(told, "wrote out/one.csv\nwrote out/run.svg\n");
+    let svg = fs::read_to_string(folder.join("out/run.svg")).expect("a file");
+    assert!(svg.contains("stage: n = 2, exp, continuous") && svg.contains("tau = 1 s"));
+    let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--at=0.5", "--plot", "out/run.PNG"]);
+    assert!(told.starts_with("tau,t,") && told.lines().count() == 2, "the CSV alone: {told}");
+    assert!(fs::read(folder.join("out/run.PNG")).expect("a file").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_plant_and_its_symbols_may_be_flags() {
+    let folder = folder("flags");
+    let flags =
+        ["--n=2", "--mu=exp(a=1)", "--g=2", "--gains=6,5", "--tau=1", "--x0=1,0", "--at=0.5"];
+    let by_flags =
+        stdout(&folder, &[&flags[..], &["--plant", "f=-d*x2", "--plant=d=0.5"]].concat());
+    let file = STAGE.replace("f = 0", "f = \"-d*x2\"\nd = [0, 1]");
+    fs::write(folder.join("uncertain.toml"), file).expect("writable");
+    let over = ["uncertain.toml", "--x0=1,0", "--at=0.5"];
+    assert_eq!(stdout(&folder, &[&over[..], &["--plant=d=0.5"]].concat()), by_flags);
+    let (code, _, told) = run(&folder, &over);
+    assert_eq!(code, Some(2));
+    assert!(told.contains("d has no value") && told.contains("--plant d=VALUE"), "{told}");
+}
+
+#[test]
+fn the_sampled_loop_reports_its_samples() {
+    let folder = folder("sampled");
+    let asked = [
+        "stage.toml",
+        "--x0=0.1,0",
+        "--sample-time=0.01",
+        "--eps=0.05",
+        "--noise=1e-3",
+        "--seed=3",
+        "--delay=1",
+        "--u-step=0.5",
+    ];
+    let csv = stdout(&folder, &asked);
+    let seen = rows(&csv);
+    assert_eq!(seen.len(), 101);
+    assert_eq!(seen[0][4], 0.0, "one sample late");
+    assert!(seen.iter().all(|row| (row[4] / 0.5).fract() == 0.0), "{csv}");
+    assert_eq!(csv, stdout(&folder, &asked), "the same bytes");
+    // eps follows from the sample period where it is not given.
+    let (code, found, told) = run(&folder, &["stage.toml", "--x0=0.1,0", "--sample-time=0.01"]);
+    assert_eq!((code, found.lines().count()), (Some(0), 102), "{told}");
+}
+
+/// Armed again, either clock gives the run that starts from the state it has come to.
+#[test]
+fn a_loop_goes_on_after_its_deadline_and_starts_again() {
+    let folder = folder("again");
+    for clock in [&["--eps=0.05"][..], &["--clock=samples"]] {
+        let common = [&["stage.toml", "--sample-time=0.01"], clock].concat();
+        let long = ["--x0=0.1,-0.3", "--until=2.5", "--arm-at=1.4999,0.2"];
+        let csv = stdout(&folder, &[&common[..], &long].concat());
+        assert!(csv.starts_with("tau,t,x1,x2,u,y1,y2,status\n"), "{csv}");
+        let seen = rows(&csv);
+        assert_eq!(seen.len(), 251, "{clock:?}");
+        let status = |k: usize| csv.lines().nth(k + 1).and_then(|line| line.rsplit(',').next());
+        assert_eq!(
+            [0, 119, 121, 149, 150, 249].map(status),
+            [
+                Some("PTC_OK"),
+                Some(if clock[0] == "--clock=samples" { "PTC_OK" } else { "PTC_HOLD" }),
+                Some("PTC_HOLD"),
+                Some("PTC_HOLD"),
+                Some("PTC_OK"),
+                Some(if clock[0] == "--clock=samples" { "PTC_OK" } else { "PTC_HOLD" }),
+            ],
+            "{clock:?}"
+        );
+        for (from, length) in [(20, 130), (150, 101)] {
+            let x0 = format!("--x0={:?},{:?}", seen[from][2], seen[from][3]);
+            let fresh = stdout(&folder, &[&common[..], &[&x0, "--until=1.3"]].concat());
+            for (again, fresh) in seen[from..].iter().zip(rows(&fresh)).take(length) {
+                let same = |j: usize| (again[j] - fresh[j]).abs() <= 1e-9;
+                assert!((2..5).all(same), "{clock:?}: {again:?} {fresh:?}");
+            }
+        }
+        // What is measured is the state, without noise.
+        assert!(seen.iter().all(|row| row[2..4] == row[5..7]), "{clock:?}");
+    }
+}
+
+#[test]
+fn bad_input_gets_one_clear_message_and_no_file() {
+    let folder = folder("wrong");
+    fs::write(folder.join("free.toml"), "n = 2\nmu = \"exp\"\nplant.f = \"w*u\"\n")
+        .expect("writable");
+    fs::write(folder.join("typo.toml"), STAGE.replace("f = 0", "f = \"x3\"\nq = 1"))
+        .expect("writable");
+    for (arguments, parts) in [
+        (&["stage.toml"][..], &["--x0"][..]),
+        (&["stage.toml", "--x0=1"], &["1 of the 2 states", "| --x0 \"1\"", "^ not legal"]),
+        (&["stage.toml", "--x0=1,b"], &["`b`, which is not a number", "| --x0 \"1,b\""]),
+        (&["stage.toml", "--x0=1,nan"], &["`nan`, which is not a number"]),
+        (
+            &["free.toml", "--x0=1,0"],
+            &[
+                "tau, a, k1, k2, w have no value",
+                "--tau VALUE, --param a=VALUE, --gains or --poles, --plant w=VALUE",
+            ],
+        ),
+        (&["typo.toml", "--x0=1,0"], &["`x3` does not exist", "typo.toml:9:6", "f = \"x3\""]),
+        (&["stage.toml", "--x0=1,0", "--tau=1,2,1.0"], &["tau = 1 is given twice"]),
+        (&["stage.toml", "--x0=1,0", "--tau=1", "--tau=2"], &["cannot be used multiple times"]),
+        (&["stage.toml", "--x0=1,0", "--tau=1,x"], &["--tau \"x\""]),
+        (&["stage.toml", "--x0=1,0", "--at=0.5,1"], &["outside [0, 1)", "| --at \"0.5,1\""]),
+        (&["stage.toml", "--x0=1,0", "--at=-0.5"], &["outside [0, 1)"]),
+        (
+            &["stage.toml", "--x0=1,0", "--at=0.5", "--delay=1", "--sample-time=1e-2"],
+            &["between the samples"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--delay=1"],
+            &["`delay` needs the sampled loop", "give --sample-time"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-9"], &["more than 1e7 samples"]),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--until=1e9"],
+            &["more than 1e7 samples in 1000000000 s"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--until=0"],
+            &["--until is not one time > 0", "| --until \"0\""],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-3", "--arm-at=1,-1"],
+            &["a time before t0", "| --arm-at \"1,-1\""],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--until=2"],
+            &["--until needs the sampled loop", "give --sample-time"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=1,2,3"],
+            &["3 numbers for 2 states"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--noise=-1"], &["not finite and >= 0"]),
+        (
+            &["stage.toml", "--x0=1,0", "--sample-time=1e-2", "--u-step=-1"],
+            &["not a finite number >= 0"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "--pi0=extern"],
+            &["`pi0 = extern` is a function of your program"],
+        ),
+        (&["stage.toml", "--x0=1,0", "--plant=q"], &["--plant NAME=VALUE"]),
+        (
+            &["stage.toml", "--x0=1,0", "-o", "stage.toml/run.csv"],
+            &["cannot write --out stage.toml/run.csv"],
+        ),
+        (&["stage.toml", "--x0=1,0", "-o", "."], &["--out . is a folder"]),
+        (
+            &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
+            &["`run.pdf`: unsupported image type", ".svg or .png"],
+        ),
+        (
+            &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],
+            &["cannot write"],
+        ),
+    ] {
+        let (code, out, told) = run(&folder, arguments);
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments:?}: {told}");
+        for part in parts {
+            assert!(told.contains(part), "{arguments:?}: no {part:?} in\n{told}");
+        }
+        assert!(!told.contains("panicked") && !told.contains('\u{1b}'), "{told}");
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 3, "{arguments:?}");
+    }
+}
+
+/// A finite escape time: what comes after it is no statement about the loop's digits.
+#[test]
+fn a_run_that_cannot_be_finished_is_undecided() {
+    let folder = folder("undecided");
+    fs::write(folder.join("wild.toml"), STAGE.replace("f = 0", "f = \"9*x1^3\""))
+        .expect("writable");
+    let asked = ["wild.toml", "--x0=90,0", "-o", "run.csv"];
+    let (code, out, told) = run(&folder, &asked);
+    assert_eq!((code, out.as_str()), (Some(3), ""), "{told}");
+    for part in ["error: undecided: tau = 1: ", "at t = 0.", "T/tau = ", "help: "] {
+        assert!(told.contains(part), "no {part:?} in\n{told}");
+    }
+    assert!(!folder.join("run.csv").exists());
+}
+
+#[test]
+fn without_a_plant_it_is_the_chain_of_integrators() {
+    let folder = folder("bare");
+    fs::write(folder.join("bare.toml"), STAGE.replace("[plant]\nf = 0\n", "")).expect("writable");
+    let asked = ["--x0=1,0", "--tau=1,2", "--at=0.5,0.9"];
+    let (code, out, told) = run(&folder, &[&["bare.toml"], &asked[..]].concat());
+    assert_eq!(code, Some(0), "{told}");
+    assert_eq!(
+        told,
+        "note: the design has no [plant]: the plant is the chain of integrators, f = 0\n"
+    );
+    assert_eq!(out, stdout(&folder, &[&["stage.toml"], &asked[..]].concat()));
+}
+
+/// A law without gains, for which eps does not follow from the sample period that is given.
+#[test]
+fn a_missing_eps_is_not_blamed_on_the_sample_period() {
+    let folder = folder("eps");
+    let flags = ["stage.toml", "--x0=1,0", "--pi0=-6*xi1 - 5*xi2*abs(xi2)", "--sample-time=0.01"];
+    fs::write(folder.join("stage.toml"), STAGE.replace("gains = [6, 5]\n", "")).expect("writable");
+    let (code, _, told) = run(&folder, &flags);
+    assert_eq!(code, Some(2), "{told}");
+    assert!(
+        told.contains("eps has no value") && told.contains("help: give --eps VALUE\n"),
+        "{told}"
+    );
+}

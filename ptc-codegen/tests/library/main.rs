@@ -1,0 +1,20 @@
+//! The library: what it reads, and what the programs compute that it makes of it.
+
+mod design;
+mod digits;
+mod examine;
+mod expanded;
+mod heads;
+#[cfg(feature = "cli")]
+mod models;
+#[cfg(feature = "cli")]
+mod references;
+mod samples;
+mod samples_linear;
+#[cfg(all(unix, feature = "cli"))]
+mod samples_observer;
+mod spelling;
+#[path = "../../../tests/support/command.rs"]
+mod command;
+#[path = "../support/mod.rs"]
+mod support;

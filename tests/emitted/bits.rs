@@ -1,0 +1,201 @@
+//! C, Rust and the interpreter, before and after every pass, give the same bits where no function
+//! of a mathematical library is called.
+
+use crate::support;
+
+use std::collections::BTreeMap;
+
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::code::{self, Code, Instance, Status};
+use ptc_codegen::controller::{self, Controller};
+use ptc_codegen::emit::Language;
+use ptc_codegen::family::Family;
+use ptc_codegen::law::Law;
+use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::{Input, Program, Value, passes};
+use ptc_codegen::request::{Guard, Spec};
+use support::program::{Outcome, Record, in_c, in_rust};
+use support::random::Random;
+use support::records::records;
+use support::specs::{calls_a_library, families, spec};
+use support::{folder, in_pairs};
+
+/// Records for each spec.
+const RECORDS: usize = 1000;
+
+/// Every how many of them the interpreter sees: it is exact arithmetic at heart, and slow.
+const INTERPRETED: usize = 41;
+
+/// Every kind of spec of the families that call no library.
+fn specs(family: Family) -> Vec<Spec> {
+    let mut specs = Vec::new();
+    for precision in [Precision::F64, Precision::F32] {
+        let of_order = |n| Spec { precision, ..Spec::new(n, family) };
+        specs.extend([1, 2, 3, 5, 8].map(of_order));
+        specs.extend([Guard::Result, Guard::None].map(|guard| Spec { guard, ..of_order(3) }));
+        let mu = format!("{}(a=0.7)", family.name());
+        let fixed = spec(&[
+            ("n", "4"),
+            ("mu", &mu),
+            ("gains", "24,-50.1,35,10"),
+            ("tau", "1.7"),
+            ("allow", "growth"),
+        ]);
+        specs.push(Spec { precision, ..fixed });
+    }
+    specs
+}
+
+/// What `program` and the frame around it give for a record that `init` takes.
+fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 2] {
+    let free: Vec<_> = spec.run_time_parameters().collect();
+    let parameter = |wanted| free.iter().position(|p| *p == wanted).map(|at| record.parameters[at]);
+    let input = |gains: &[f64], input: Input| match input {
+        Input::Parameter(p) => parameter(p).expect("a run-time parameter"),
+        Input::StartTime => parameter(Parameter::StartTime).expect("a run-time start"),
+        Input::Time => record.t,
+        Input::State(j) => record.x[j - 1],
+        Input::Reference(order) => record.x[spec.states() + order],
+        Input::Gain(j) => gains[j - 1],
+        Input::StateAtStart(_) | Input::Drift | Input::Control => f64::NAN,
+    };
+    let early = parameter(Parameter::StartTime).is_some_and(|t0| record.t < t0);
+    let finite = record.t.is_finite() && record.x.iter().all(|x| x.is_finite());
+    if spec.guard == Guard::Full && (early || !finite) {
+        return [(-2, 0.0); 2];
+    }
+    let at_step = |i| input(&[], i);
+    let mut step = Interpreter::new(program, &at_step);
+    let u = step.value(program.step);
+    let step = outcome(program, &mut step, u);
+    let mut tick = Interpreter::new(program, &at_step);
+    let gains: Vec<_> = program.gains.iter().map(|gain: &Value| tick.value(*gain)).collect();
+    let at_axis = |i| input(&gains, i);
+    let u = Interpreter::new(program, &at_axis).value(program.axis.expect("a linear law"));
+    [step, outcome(program, &mut tick, u)]
+}
+
+/// The status and u that follow from the u of the law.
+fn outcome(program: &Program, interpreter: &mut Interpreter<'_>, u: f64) -> (i32, f64) {
+    let (late, hold_from) =
+        (interpreter.value(program.limits.late), interpreter.value(program.limits.hold_from));
+    let held = i32::from(late >= hold_from);
+    match program.limits.u_max.map(|limit| interpreter.value(limit)) {
+        Some(limit) if u > limit => (2, limit),
+        Some(limit) if u < -limit => (2, -limit),
+        _ if u.is_finite() => (held, u),
+        _ => (-3, 0.0),
+    }
+}
+
+/// What the program of the whole controller gives for a record: the status of `init`, and what `step`
+/// and `axis` give.
+fn whole(code: &Code, spec: &Spec, record: &Record) -> Result<[(i32, f64); 2], i32> {
+    let given = spec.run_time_parameters().zip(record.parameters.iter().copied());
+    let mut controller = Instance::with_parameters(code, given).map_err(Status::number)?;
+    let (x, r) = record.x.split_at(spec.states());
+    let (t, x, r) = (("t", [record.t]), ("x", x), ("r", r));
+    let t = (t.0, t.1.as_slice());
+    let given: &[_] = if spec.references() > 0 { &[t, x, r] } else { &[t, x] };
+    let outcome = |found: &code::Outcome| {
+        (found.status.number(), found.results.get("u").map_or(0.0, |u| u[0]))
+    };
+    let step = outcome(&controller.call("step", given));
+    let gains = controller.call("tick", &[t]);
+    let axis = match gains.status.number() {
+        failed if failed < 0 => (failed, 0.0),
+        _ => outcome(&controller.gains(&gains).call("axis", &given[1..])),
+    };
+    Ok([step, axis])
+}
+
+/// The program before the passes and after each of them, by name.
+fn stages(spec: &Spec) -> Vec<(&'static str, Program)> {
+    let program = lower(spec, &Law::of(spec));
+    assert_eq!(program.check(), Ok(()));
+    let mut stages = vec![("lower", program.clone())];
+    passes::optimise(program, &mut |pass, program| stages.push((pass.name, program.clone())));
+    stages
+}
+
+fn agree(spec: &Spec, records: &[Record], c: &[Outcome], rust: &[Outcome]) {
+    for ((record, c), rust) in records.iter().zip(c).zip(rust) {
+        assert_eq!(c.bits(), rust.bits(), "C {c:?}, Rust {rust:?}\n{spec:?}\n{record:?}");
+    }
+    for (pass, program) in stages(spec) {
+        let calls = records.iter().zip(c).filter(|(_, outcome)| outcome.init == 0);
+        for (record, c) in calls.step_by(INTERPRETED) {
+            let bits = |(status, u): (i32, f64)| (status, u.to_bits());
+            let found = interpreted(&program, spec, record).map(bits);
+            let wanted = [c.step, c.axis].map(bits);
+            assert_eq!(found, wanted, "after {pass}: C {c:?}\n{spec:?}\n{record:?}");
+        }
+    }
+}
+
+/// The whole controller gives what C gives, whatever the record.
+fn agrees_as_a_whole(spec: &Spec, records: &[Record], c: &[Outcome]) {
+    let report = examine(spec);
+    let law = Law::of(spec);
+    let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
+    let code = controller::whole(&Controller {
+        report: &report,
+        law: &law,
+        program: &program,
+        measured: &[],
+    });
+    for (record, c) in records.iter().zip(c).step_by(INTERPRETED) {
+        let bits = |(status, u): (i32, f64)| (status, u.to_bits());
+        let wanted = if c.init == 0 { Ok([c.step, c.axis].map(bits)) } else { Err(c.init) };
+        let found = whole(&code, spec, record).map(|calls| calls.map(bits));
+        assert_eq!(found, wanted, "C {c:?}\n{spec:?}\n{record:?}");
+    }
+}
+
+#[test]
+fn languages_and_passes_agree_bit_for_bit() {
+    let specs: Vec<_> = families()
+        .filter(|family| *family != Family::ExpSum && *family != Family::Power)
+        .flat_map(specs)
+        .filter(|spec| !calls_a_library(spec))
+        .collect();
+    for family in [Family::Exp, Family::Rational, Family::Tanh] {
+        assert!(
+            specs.iter().any(|spec| spec.family() == Some(family)),
+            "{family:?} calls a library"
+        );
+    }
+    // The loops over the powers of a Taylor series, which belong to high orders.
+    let looped = ["f64", "f32"].map(|precision| {
+        spec(&[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt"), ("precision", precision)])
+    });
+    for spec in &looped {
+        let files = ptc_codegen::generate(spec, Language::C).expect("a legal spec");
+        assert!(!calls_a_library(spec) && files[1].text.contains("_rows("), "{spec:?}");
+    }
+    let following = ["f64", "f32"].map(|precision| {
+        spec(&[("n", "3"), ("mu", "rational"), ("reference", "input"), ("precision", precision)])
+    });
+    let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).collect();
+    let folder = folder("bits");
+    let programs: Vec<_> =
+        specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();
+    let outcomes = in_pairs(&programs, |(index, ((spec, c), rust))| {
+        let mut random = Random(*index as u64);
+        let records = records(spec, &mut random, RECORDS);
+        let (c, rust) = (c.run(&records), rust.run(&records));
+        agree(spec, &records, &c, &rust);
+        agrees_as_a_whole(spec, &records, &c);
+        c
+    });
+    let mut statuses = BTreeMap::new();
+    for outcome in outcomes.iter().flatten() {
+        let status = if outcome.init == 0 { outcome.step.0 } else { outcome.init };
+        *statuses.entry(status).or_insert(0) += 1;
+    }
+    println!("{} specs; calls by status: {statuses:?}", specs.len());
+    // Every outcome has been compared, so the records are not of one kind.
+    assert!((-3..=2).all(|status| statuses.get(&status).is_some_and(|count| *count > 100)));
+}

@@ -1,0 +1,229 @@
+//! Controllers with user-defined laws and mappings: C, Rust and the interpreter give the same
+//! bits and statuses, for latched states, input gains, functions of the user's, and after the
+//! deadline.
+
+use crate::support;
+
+use ptc_codegen::law::Law;
+use ptc_codegen::lower::lower;
+use ptc_codegen::parameter::{Parameter, Precision};
+use ptc_codegen::program::interpret::Interpreter;
+use ptc_codegen::program::{Input, Program, passes};
+use ptc_codegen::request::{After, Spec};
+use support::program::{self, Record, in_c, in_rust};
+use support::random::Random;
+use support::specs::{rounded, spec};
+use support::{STRICT, c_compiler, folder, in_pairs, run, write};
+
+const RECORDS: usize = 400;
+
+/// Only functions that every library rounds alike, so that bits can be compared.
+fn specs() -> Vec<Spec> {
+    let kinds: [&[(&str, &str)]; 12] = [
+        &[
+            ("n", "1"),
+            ("mu", "exp(a=1)"),
+            ("pi0", "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2"),
+            ("g", "1"),
+        ],
+        &[
+            ("n", "2"),
+            ("mu", "rational"),
+            ("pi0", "-k1*xi1 - k2*xi2*abs(xi2) - sign(xi1)"),
+            ("g", "2 + x1*x1/(1 + x1*x1)"),
+        ],
+        &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "zero")],
+        &[
+            ("n", "2"),
+            ("mu", "algebraic"),
+            ("pi0", "max(min(-xi1 - xi2, 3), x1_0 - t0 - dt*T)"),
+            ("after", "extern"),
+        ],
+        &[("n", "3"), ("kappa", "dt/(a*(tau - dt))"), ("g", "x1"), ("guard", "result")],
+        &[("n", "4"), ("kappa", "dt/(a*(tau - dt)) + (dt/tau)^3"), ("guard", "none")],
+        &[("n", "3"), ("mu", "tau*(1 - exp(-a*t))"), ("g", "-0.5"), ("precision", "f32")],
+        &[
+            ("n", "2"),
+            ("mu", "mean(rational(a=1), rational(a=b))"),
+            ("pi0", "-xi1 - 2*xi2*xi1_0"),
+            ("precision", "f32"),
+            ("after", "zero"),
+        ],
+        &[
+            ("n", "2"),
+            ("mu", "power(m=2)"),
+            ("pi0", "extern"),
+            ("after", "extern"),
+            ("precision", "f32"),
+        ],
+        &[("n", "2"), ("mu", "exp"), ("g", "gain"), ("after", "zero"), ("u_max", "inf")],
+        &[("n", "1"), ("mu", "tau*a*t/sqrt(1 + (a*t)^2)"), ("u_max", "inf")],
+        &[
+            ("n", "2"),
+            ("mu", "exp"),
+            ("tau", "2"),
+            ("t0", "0"),
+            ("eps", "0.01"),
+            ("u_max", "5"),
+            ("poles", "-4,-5"),
+            ("params.a", "1"),
+            ("g", "2"),
+        ],
+    ];
+    kinds
+        .iter()
+        .enumerate()
+        .map(|(index, keys)| {
+            let name = format!("law{index}_of_mine");
+            let mut keys = keys.to_vec();
+            keys.push(("name", &name));
+            spec(&keys)
+        })
+        .collect()
+}
+
+/// Whether a spec iterates with logarithms, whose last bit depends on the library.
+fn calls_a_library(spec: &Spec) -> bool {
+    spec.is_iterated()
+}
+
+fn records(spec: &Spec, random: &mut Random) -> Vec<Record> {
+    let round = |value| rounded(value, spec.precision);
+    let mut records = Vec::new();
+    for _ in 0..RECORDS {
+        let tau = if spec.fixed.contains_key(&Parameter::Tau) { 2.0 } else { 3.0 };
+        let t0 = if spec.fixed.contains_key(&Parameter::StartTime) { 0.0 } else { 1.5 };
+        let mut value = |p: Parameter| match p {
+            Parameter::Tau => tau,
+            Parameter::StartTime => t0,
+            Parameter::Eps => 0.01,
+            Parameter::UMax => 50.0,
+            _ => random.between(0.5, 2.5),
+        };
+        let parameters: Vec<_> = spec.run_time_parameters().map(|p| round(value(p))).collect();
+        let state = |random: &mut Random| match random.below(20) {
+            0 => 0.0,
+            1 => f64::NAN,
+            _ => round(random.sign() * random.magnitude(1e-2, 10.0)),
+        };
+        let finite = |x: f64| if x.is_nan() { 1.0 } else { x };
+        let latched = if spec.latches() { spec.n } else { 0 };
+        let x0 = (0..latched).map(|_| finite(state(random))).collect();
+        let trusting = spec.guard == ptc_codegen::request::Guard::None;
+        let x = (0..spec.n)
+            .map(|_| {
+                let x = state(random);
+                if trusting { finite(x) } else { x }
+            })
+            .collect();
+        let t = round(
+            t0 + tau
+                * match random.below(6) {
+                    0 => 1.0,
+                    1 => 1.0 + random.magnitude(1e-3, 1e3),
+                    2 => 1.0 - random.magnitude(1e-6, 1e-2),
+                    3 => 0.0,
+                    _ => random.between(0.0, 1.0),
+                },
+        );
+        records.push(Record { parameters, x0, t, x });
+    }
+    records
+}
+
+/// Status and u: `-1` for what `init` refuses.
+type Outcome = (i32, u64);
+
+const LAW: [f64; 2] = [-1.5, 0.125];
+
+/// The law that stands for a user's: -1.5 (xi_1 + ... + xi_n) + t/8.
+fn user_law(arguments: &[f64], precision: Precision) -> f64 {
+    let settle = |x| rounded(x, precision);
+    let (time, xi) = arguments.split_last().expect("time comes last");
+    let sum = xi.iter().fold(0.0, |sum, xi| settle(sum + settle(LAW[0] * xi)));
+    settle(sum + settle(LAW[1] * time))
+}
+
+fn interpreted(program: &Program, spec: &Spec, record: &Record) -> Outcome {
+    let parameter = |p: Parameter| {
+        let at = spec.run_time_parameters().position(|own| own == p);
+        at.map_or(0.0, |at| record.parameters[at])
+    };
+    let input = |input| match input {
+        Input::Parameter(p) => parameter(p),
+        Input::StartTime if spec.fixed.contains_key(&Parameter::StartTime) => 0.0,
+        Input::StartTime => parameter(Parameter::StartTime),
+        Input::Time => record.t,
+        Input::State(j) => record.x[j - 1],
+        Input::StateAtStart(j) => record.x0[j - 1],
+        Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+    };
+    if spec.guard == ptc_codegen::request::Guard::Full && record.x.iter().any(|x| x.is_nan()) {
+        return (-2, 0);
+    }
+    let law = |arguments: &[f64]| user_law(arguments, spec.precision);
+    let mut interpreter = Interpreter::new(program, &input).with_law(&law);
+    let mut u = interpreter.value(program.step);
+    let limits = program.limits;
+    let over = limits.past.is_some_and(|past| interpreter.value(past) >= 0.0);
+    if over {
+        u = if spec.after == After::Extern { -record.x[0] } else { 0.0 };
+    }
+    if spec.guard == ptc_codegen::request::Guard::Result && record.x.iter().any(|x| x.is_nan()) {
+        return (-3, 0);
+    }
+    let held = interpreter.value(limits.late) >= interpreter.value(limits.hold_from);
+    match limits.u_max.map(|limit| interpreter.value(limit)) {
+        Some(limit) if u > limit => (2, limit.to_bits()),
+        Some(limit) if u < -limit => (2, (-limit).to_bits()),
+        _ if !u.is_finite() => (-3, 0),
+        _ => (if over { 3 } else { i32::from(held) }, u.to_bits()),
+    }
+}
+
+/// Status and u of `step`, or the status of `init` where it refused.
+fn of(outcome: &program::Outcome) -> Outcome {
+    match outcome.init {
+        0 => (outcome.step.0, outcome.step.1.to_bits()),
+        refused => (refused, 0),
+    }
+}
+
+#[test]
+fn languages_agree_on_laws_of_the_user() {
+    let specs = specs();
+    let home = folder("laws");
+    let programs = in_c(&home, &specs).into_iter().zip(in_rust(&home, &specs));
+    let indexed: Vec<_> = specs.iter().zip(programs).enumerate().collect();
+    let seen = in_pairs(&indexed, |(index, (spec, (c, rust)))| {
+        let records = records(spec, &mut Random(*index as u64));
+        let [c, rust] = [c, rust].map(|side| side.run(&records).iter().map(of).collect::<Vec<_>>());
+        let program = passes::optimise(lower(spec, &Law::of(spec)), &mut |_, _| {});
+        for ((record, c), rust) in records.iter().zip(&c).zip(&rust) {
+            if calls_a_library(spec) {
+                assert_eq!(c.0, rust.0, "{spec:?}\n{record:?}");
+                let (a, b) = (f64::from_bits(c.1), f64::from_bits(rust.1));
+                assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
+                continue;
+            }
+            assert_eq!(c, rust, "C and Rust: {spec:?}\n{record:?}");
+            let wanted = interpreted(&program, spec, record);
+            assert_eq!(*c, wanted, "C and the interpreter: {spec:?}\n{record:?}");
+        }
+        c.iter().map(|(status, _)| *status).collect::<std::collections::BTreeSet<_>>()
+    });
+    let seen: std::collections::BTreeSet<_> = seen.into_iter().flatten().collect();
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), [-3, -2, 0, 1, 2, 3], "every status but -1");
+}
+
+/// The system hands xi to the user's law as it was given.
+#[test]
+fn the_infinite_time_system_calls_the_law_of_the_user() {
+    let folder = folder("system");
+    let keys = [("n", "2"), ("mu", "tanh"), ("what", "associated"), ("pi0", "extern")];
+    for file in write(&folder, &spec(&keys), ptc_codegen::emit::Language::C) {
+        if file.extension().is_some_and(|e| e == "c") {
+            run(c_compiler().args(STRICT).arg("-c").arg(&file).arg("-o").arg(folder.join("s.o")));
+        }
+    }
+}

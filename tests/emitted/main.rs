@@ -1,0 +1,25 @@
+//! What is emitted, compiled and run, against references, itself in other languages, and the interpreter; and the
+//! readers under any text.
+
+mod behaviour;
+mod bits;
+#[path = "../support/command.rs"]
+mod command;
+mod design_properties;
+mod example4;
+mod expressions;
+mod identities;
+mod injection;
+mod languages;
+mod latched;
+mod laws;
+mod mixtures;
+mod names;
+mod oracle;
+mod reference;
+mod samples_languages;
+mod selftest;
+mod spec_properties;
+#[path = "../support/mod.rs"]
+mod support;
+mod verdicts;

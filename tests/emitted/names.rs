@@ -1,0 +1,273 @@
+//! A name that is taken for a controller gives source that compiles, whatever it means elsewhere.
+
+use crate::support;
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::process::Command;
+
+use ptc_assure::harness::cpp::{STRICT_CPP, cpp_compiler};
+use ptc_codegen::diagnostic::Place;
+use ptc_codegen::emit::{File, Language};
+use ptc_codegen::generate;
+use ptc_codegen::request::{Entry, Spec, read};
+use ptc_codegen::syntax::parse;
+use support::{STRICT, c_compiler, folder, in_pairs, rustc, write};
+
+/// Names that C, Rust or the emitted code itself use for something of their own.
+const MEANINGFUL: [&str; 48] = [
+    "a",
+    "axis",
+    "built",
+    "control",
+    "controller",
+    "copy",
+    "core",
+    "deadline",
+    "debug",
+    "double_t",
+    "err",
+    "error",
+    "exp",
+    "exp2",
+    "f64",
+    "fabs",
+    "gain",
+    "gains",
+    "hold",
+    "inf",
+    "isfinite",
+    "j1",
+    "k",
+    "math",
+    "nan",
+    "ok",
+    "option",
+    "params",
+    "ptc_controller",
+    "result",
+    "round",
+    "row1",
+    "signgam",
+    "size_t",
+    "some",
+    "sqrt",
+    "status",
+    "std",
+    "step",
+    "t",
+    "t0",
+    "tan",
+    "tick",
+    "u",
+    "uint32_t",
+    "v",
+    "x",
+    "x1",
+];
+
+/// The design of these keys; none where it is refused.
+fn spec_of(given: &[(&str, &str)]) -> Option<Spec> {
+    let entry = |(key, text): &(&str, &str)| {
+        let value = parse(key, text, &mut |_| Place(0)).ok()?;
+        Some(Entry { key: (*key).to_owned(), place: Place(0), value })
+    };
+    read(&given.iter().map(entry).collect::<Option<Vec<_>>>()?).ok()
+}
+
+/// The compilers that refuse a controller of this name; none where the name is not taken at all.
+fn refusals(name: &str) -> Vec<String> {
+    let Some(spec) = spec_of(&[("n", "9"), ("mu", "exp_sum"), ("name", name)]) else {
+        return Vec::new();
+    };
+    let folder = folder(&format!("name_{name}"));
+    write(&folder, &spec, Language::C);
+    write(&folder, &spec, Language::Rust);
+    let source = |extension| folder.join(name).with_extension(extension);
+    let mut c = c_compiler();
+    c.args(STRICT).arg("-c").arg(source("c")).arg("-o").arg(source("o"));
+    let mut rust = rustc();
+    rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);
+    rust.arg(source("rs")).arg("-o").arg(source("rmeta"));
+    let mut commands = vec![c, rust];
+    // C++ refuses its own words, which C and Rust take for a name.
+    if let Ok(files) = ptc_codegen::generate(&spec, Language::Cpp) {
+        let header = folder.join(&files[0].name);
+        std::fs::write(&header, &files[0].text).expect("a header");
+        let mut cpp = cpp_compiler();
+        cpp.args(STRICT_CPP).args(["-fsyntax-only", "-x", "c++"]).arg(header);
+        commands.push(cpp);
+    }
+    let outputs: Vec<_> =
+        commands.iter_mut().map(|compiler| compiler.output().expect("a compiler")).collect();
+    let refused = outputs.iter().filter(|output| !output.status.success());
+    let first = |output: &std::process::Output| {
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        let line = told.lines().find(|line| line.contains("error")).map(str::to_owned);
+        format!("{name}: {}", line.unwrap_or(told))
+    };
+    refused.map(first).collect()
+}
+
+#[test]
+fn a_name_that_is_taken_compiles() {
+    let refused: Vec<_> = in_pairs(&MEANINGFUL, |name| refusals(name)).concat();
+    assert!(refused.is_empty(), "{}", refused.join("\n"));
+}
+
+/// Designs whose own identifiers are tried as names: loops, an iteration, functions and a state of
+/// the user's, a gain of the input, and the infinite-time system.
+const DESIGNS: [&[(&str, &str)]; 6] = [
+    &[("n", "9"), ("mu", "exp_sum")],
+    &[("n", "2"), ("mu", "power(m=0.2)"), ("u_max", "3"), ("guard", "result")],
+    &[("n", "3"), ("mu", "tanh"), ("pi0", "extern"), ("after", "extern")],
+    &[("n", "2"), ("mu", "tan"), ("pi0", "-20*xi1 - 9*xi2*x1_0"), ("g", "2 + cos(x1)")],
+    &[("n", "2"), ("mu", "tau*b*t/(1 + b*t)"), ("precision", "f32")],
+    &[("n", "2"), ("mu", "power"), ("what", "associated")],
+];
+
+/// The identifiers in the code of emitted files, and those of the same type name.
+fn identifiers(files: &[File]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for file in files {
+        // Every second part of a Python module is a text of several lines.
+        for line in file.text.split("\"\"\"").step_by(2).flat_map(str::lines) {
+            let is_comment =
+                ["//", "/*", "*", "#"].iter().any(|comment| line.trim_start().starts_with(comment));
+            let code = if is_comment { "" } else { line.split("/*").next().unwrap_or(line) };
+            for word in code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+                let is_own = word.to_lowercase().replace('_', "").contains("plainname");
+                if word.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_own {
+                    found.insert(word.to_owned());
+                    found.insert(word.to_lowercase());
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The design under a name.
+fn called(design: &[(&str, &str)], name: &str) -> Option<Spec> {
+    let fixed = [("name", name), ("allow", "membership,growth,sampling")];
+    spec_of(&[design, &fixed].concat())
+}
+
+/// Compiles every module, and finds a name of the module that one of its functions hides.
+const PYTHON: &str = r#"
+import ast, pathlib, sys
+for path in sorted(pathlib.Path(sys.argv[1]).glob("*.py")):
+    text = path.read_text()
+    try:
+        compile(text, path.name, "exec")
+        tree = ast.parse(text)
+    except SyntaxError as error:
+        print(path.name, error)
+        continue
+    own = [n.name for n in tree.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))]
+    for node in tree.body:
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            own += [alias.asname or alias.name for alias in node.names]
+        if isinstance(node, ast.Assign):
+            own += [target.id for target in node.targets]
+    twice = {name for name in own if own.count(name) > 1}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            fields = [n.target.id for n in node.body if isinstance(n, ast.AnnAssign)]
+            twice |= {name for name in fields if fields.count(name) > 1}
+        if isinstance(node, ast.FunctionDef):
+            names = {a.arg for a in node.args.args}
+            names |= {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+            twice |= names & set(own)
+    if twice:
+        print(path.name, "means two things:", *sorted(twice))
+"#;
+
+#[test]
+fn internal_identifiers_as_names_compile() {
+    let folder = folder("names_internal");
+    let (mut modules, mut headers) = (String::new(), String::new());
+    let (mut sources, mut taken, mut refused) = (Vec::new(), [0, 0], BTreeSet::new());
+    let put = |name: String, text: &str| {
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(&path, text).expect("a file");
+        path
+    };
+    let languages = [Language::C, Language::Cpp, Language::Rust, Language::Python];
+    for (index, design) in DESIGNS.iter().enumerate() {
+        let plain = called(design, "plain_name").expect("a design");
+        for language in languages {
+            let own = identifiers(&generate(&plain, language).expect("files"));
+            assert!(own.len() > 30, "{} identifiers", own.len());
+            for name in own {
+                let mapping = format!("tau*{name}*t/(1 + {name}*t)");
+                let by_parameter = spec_of(&[("n", "2"), ("mu", &mapping), ("name", "host")]);
+                let given = [called(design, &name), by_parameter.filter(|_| index == 0)];
+                if given[0].is_none() {
+                    refused.insert(name.clone());
+                }
+                for (kind, spec) in given.into_iter().enumerate() {
+                    let Some(spec) = spec else { continue };
+                    taken[kind] += 1;
+                    let module = format!("{}_{index}_{name}", ["controller", "parameter"][kind]);
+                    for file in generate(&spec, language).unwrap_or_default() {
+                        let extension = file.name.rsplit_once('.').map_or("", |(_, end)| end);
+                        let path = match language {
+                            Language::C => format!("{module}/{}", file.name),
+                            _ => format!("{module}.{extension}"),
+                        };
+                        let path = put(path, &file.text);
+                        match extension {
+                            "rs" => {
+                                let line =
+                                    format!("#[path = \"{module}.rs\"]\npub mod {module};\n");
+                                modules.push_str(&line);
+                            }
+                            "hpp" => {
+                                // Each in a space of its own, as if it were alone.
+                                let guard = file.name.replace('.', "_").to_uppercase();
+                                write!(
+                                    headers,
+                                    "#undef PTC_STATUS_HPP\n#undef {guard}\nnamespace {module} {{\n\
+                                     #include \"{module}.hpp\"\n}}\n"
+                                )
+                                .expect("text");
+                            }
+                            "c" => sources.push(path),
+                            _ => {}
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("{taken:?} names are taken, refused are {refused:?}");
+    assert!(taken[0] > 400 && taken[1] > 30, "{taken:?} names are taken");
+    // Words of the languages, of their libraries and of the statuses.
+    assert!(refused.len() < 110, "{refused:?}");
+    put("lib.rs".to_owned(), &format!("#![allow(non_snake_case)]\n{modules}"));
+    let headers = format!(
+        "#include <array>\n#include <cmath>\n#include <cstddef>\n#include <cstdint>\n#include <limits>\n{headers}"
+    );
+    let headers = put("all.hpp".to_owned(), &headers);
+    let mut rust = rustc();
+    rust.args(["--crate-type=lib", "--crate-name=named", "--emit=metadata"]);
+    rust.arg(folder.join("lib.rs")).arg("-o").arg(folder.join("named.rmeta"));
+    let mut c = c_compiler();
+    c.args(STRICT).arg("-fsyntax-only").args(&sources);
+    let mut cpp = cpp_compiler();
+    cpp.args(STRICT_CPP).args(["-fsyntax-only", "-x", "c++"]).arg(headers);
+    for mut compiler in [c, cpp, rust] {
+        let output = compiler.output().expect("a compiler");
+        let told = String::from_utf8_lossy(&output.stderr);
+        let errors: Vec<_> = told.lines().filter(|line| line.contains("error")).collect();
+        let shown = errors[..errors.len().min(20)].join("\n");
+        assert!(output.status.success(), "{shown}");
+    }
+    let output = Command::new("python3").args(["-c", PYTHON]).arg(&folder).output();
+    let output = output.expect("python3");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
+}
