@@ -1,6 +1,7 @@
 //! A function of the controller: what it is given, does and gives.
 
 use super::{Expr, Statement, Status, Test, Variable};
+use crate::internal::fault;
 
 /// What a function does with the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,6 +105,11 @@ impl Finish {
         });
         let (first, rest) = all.split_first()?;
         rest.iter().all(|values| values == first).then_some(first)
+    }
+
+    /// The results of a function whose ends all give the same.
+    pub fn every(&self) -> &[Expr] {
+        self.results().unwrap_or_else(|| fault("the ends of a function give different results"))
     }
 
     /// Puts other results in the place of those of every end.

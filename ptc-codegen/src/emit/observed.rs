@@ -1,11 +1,17 @@
 //! What the head of a file says of an observer alone.
 
 use super::{Language, sampled};
+use crate::internal::fault;
 use crate::request::{Observer, Sampled, Spec};
+
+/// The sample from which on the estimates of an observer alone are exact.
+fn end(observer: &Observer) -> u32 {
+    observer.samples.unwrap_or_else(|| fault("an observer alone without an end"))
+}
 
 /// What becomes of the estimates, and how.
 pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
-    let end = observer.samples.unwrap_or_default();
+    let end = end(observer);
     let exact = match observer.eps {
         None => "exact up to rounding",
         Some(_) => "as near as the hold at observer_eps leaves them",
@@ -32,7 +38,7 @@ pub(super) fn behaviour(
     observer: &Observer,
     language: Language,
 ) -> Vec<String> {
-    let end = observer.samples.unwrap_or_default();
+    let end = end(observer);
     let then = sampled::then(observer);
     let delay = &given.delay;
     let acts = match delay.inputs() {

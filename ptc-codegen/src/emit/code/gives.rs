@@ -2,6 +2,7 @@
 
 use crate::code::{Expr, Function, Shape, Statement, Status};
 use crate::expression::Function as Math;
+use crate::internal::fault;
 
 /// What a call gives, by the words that languages have for it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,6 +40,18 @@ impl Gives {
             Some(_) => Self::Number,
         }
     }
+}
+
+/// Each place of the gains with its value.
+pub(super) fn paired(
+    places: impl Iterator<Item = String>,
+    values: &[Expr],
+) -> Vec<(String, &Expr)> {
+    let places: Vec<_> = places.collect();
+    if places.len() != values.len() {
+        fault(format!("{} values for {} gains", values.len(), places.len()));
+    }
+    places.into_iter().zip(values).collect()
 }
 
 /// Whether a statement calls a function of the mathematical library.

@@ -11,6 +11,7 @@ use crate::emit::acsl::{changed, place};
 use crate::emit::apart::apart;
 use crate::emit::outline::Outline;
 use crate::emit::{File, text_of, tidy};
+use crate::internal::fault;
 use crate::parameter::{Domain, Parameter};
 use crate::request::{Guard, Spec, What};
 
@@ -89,7 +90,7 @@ pub(in crate::emit) fn harness(spec: &Spec, code: &Code) -> File {
         kept,
         full,
         alone,
-        work: work.first().map(text_of_call).unwrap_or_default(),
+        work: work.first().map_or_else(|| fault("nothing to call"), text_of_call),
         results: results(code),
         reads: others.iter().filter(|call| call.function != "arm").map(text_of_call).collect(),
         null_calls: calls

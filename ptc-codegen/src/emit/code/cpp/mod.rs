@@ -4,10 +4,11 @@ mod header;
 mod rows;
 
 use super::block::{Block, Branch};
-use super::gives::{Gives, calls_library};
+use super::gives::{Gives, calls_library, paired};
 use super::text::{Level, Lines, Text};
 use crate::code::{Access, Code, Ending, Expr, Function, Shape, Status, Test};
 use crate::emit::File;
+use crate::internal::fault;
 use crate::parameter::Precision;
 
 /// The header of a controller.
@@ -181,14 +182,16 @@ impl<'a> Cpp<'a> {
     fn function(&mut self, function: &Function) {
         let real = self.real_type();
         self.gives = Gives::of(function);
-        let given = function.results.first().map(|result| self.type_of(result.shape));
-        let given = given.unwrap_or_default();
+        let given = || {
+            let result = function.results.first().unwrap_or_else(|| fault("nothing to give"));
+            self.type_of(result.shape)
+        };
         let result = match self.gives {
             Gives::Nothing => "void".to_owned(),
             Gives::Status | Gives::Progress => "Status".to_owned(),
             Gives::Control => format!("Control<{real}>"),
-            Gives::Rate => format!("Rate<{given}>"),
-            Gives::Gains | Gives::Array | Gives::Number => given,
+            Gives::Rate => format!("Rate<{}>", given()),
+            Gives::Gains | Gives::Array | Gives::Number => given(),
         };
         let mut list: Vec<_> = function
             .arguments
@@ -242,12 +245,12 @@ impl<'a> Cpp<'a> {
         self.block(&function.body);
         if self.gives == Gives::Gains {
             self.out.line("Gains gains{};");
-            let values = function.finish.results().unwrap_or_default().iter();
+            let values = function.finish.every();
             let places = self.code.gains.iter().flat_map(|field| match field.shape.length() {
                 Some(n) => (0..n).map(|i| format!("{}[{i}]", field.name)).collect(),
                 None => vec![field.name.clone()],
             });
-            for (place, value) in places.zip(values).collect::<Vec<_>>() {
+            for (place, value) in paired(places, values) {
                 let value = self.alone(value);
                 self.out.line(format!("gains.{place} = {value};"));
             }

@@ -1,7 +1,7 @@
 //! The files of the functions.
 
 use super::super::block::Block;
-use super::super::gives::Gives;
+use super::super::gives::{Gives, paired};
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
@@ -170,12 +170,12 @@ impl Matlab<'_> {
     }
 
     fn gains(&mut self, function: &Function) {
-        let values = function.finish.results().unwrap_or_default().iter();
+        let values = function.finish.every();
         let places = self.code.gains.iter().flat_map(|field| match field.shape.length() {
             Some(n) => (1..=n).map(|i| format!("{}({i})", field.name)).collect(),
             None => vec![field.name.clone()],
         });
-        for (place, value) in places.zip(values).collect::<Vec<_>>() {
+        for (place, value) in paired(places, values) {
             let value = self.alone(value);
             self.out.line(format!("gains.{place} = {value};"));
         }

@@ -141,23 +141,21 @@ if done.all():
         if function.owner == Owner::Gains {
             self.out.line("status = np.where(self.status < 0, self.status, status)");
         }
-        let values = function.finish.results().unwrap_or_default();
-        let values = self.list(values);
         let zero = "_R(0.0)";
         match self.gives {
             Gives::Control => {
-                let u = end.value.unwrap_or_else(|| zero.to_owned());
+                let u = end.value.unwrap_or_else(|| fault("a control without u"));
                 self.out.line(format!(
                     "return Control(np.where(status < 0, {zero}, {u}), status.astype(np.int8))"
                 ));
             }
             Gives::Rate => {
-                let list = values.join(", ");
+                let list = self.list(function.finish.every()).join(", ");
                 self.out.line(format!("rates = np.broadcast_arrays({list}, status)[:-1]"));
                 self.out.line(format!("xi_dot = np.where((status < 0)[..., np.newaxis], {zero}, np.stack(rates, axis=-1))"));
                 self.out.line("return Rate(xi_dot, status.astype(np.int8))");
             }
-            _ => self.give_gains(values),
+            _ => self.give_gains(self.list(function.finish.every())),
         }
     }
 
@@ -174,7 +172,10 @@ if done.all():
                         .line(format!("{name} = np.stack(np.broadcast_arrays({own}), axis=-1)"));
                     list.push(name.clone());
                 }
-                None => list.push(format!("np.asarray({})", values.next().unwrap_or_default())),
+                None => {
+                    let value = values.next().unwrap_or_else(|| fault("a gain without a value"));
+                    list.push(format!("np.asarray({value})"));
+                }
             }
         }
         self.out.line(format!("return Gains({}, status.astype(np.int8))", list.join(", ")));

@@ -5,6 +5,7 @@ use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{CHOICE, Rust};
 use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};
+use crate::internal::fault;
 use crate::parameter::type_name;
 
 /// Columns of the fields of a structure in one line.
@@ -164,7 +165,7 @@ impl Rust<'_> {
             Gives::Gains => {
                 self.finish(&function.finish);
                 self.out.wrap(here, "let status = ", ";", CHOICE);
-                self.gains(&given, same.unwrap_or_default());
+                self.gains(&given, function.finish.every());
             }
             Gives::Control => {
                 self.together = same.is_none();
@@ -192,7 +193,7 @@ impl Rust<'_> {
                     let own: Vec<_> = values.by_ref().take(n).collect();
                     self.array_text("[", &own, "]")
                 }
-                None => values.next().unwrap_or_default(),
+                None => values.next().unwrap_or_else(|| fault("a gain without a value")),
             };
             self.out.line(format!("{name}: {value},"));
         }
