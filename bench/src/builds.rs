@@ -20,6 +20,8 @@ pub(crate) struct Builds {
     pub(crate) command: f64,
     /// The same with the feature `lab`.
     pub(crate) lab: f64,
+    /// The tests from nothing, built and run, as the README's second line does.
+    pub(crate) tests: f64,
     /// A crate with one controller, from nothing.
     pub(crate) user: f64,
     /// That crate after a change of it, without a controller.
@@ -34,6 +36,7 @@ pub(crate) struct Builds {
 pub(crate) fn measure() -> Result<Builds> {
     let command = release(&["--package", "ptc-codegen"])?;
     let lab = release(&["--package", "ptc-codegen", "--features", "lab"])?;
+    let tests = processor_seconds(workspace(), &scratch("tests")?, &["test", "--workspace"])?;
     let folder = scratch("user")?;
     std::fs::create_dir_all(folder.join("src"))?;
     let manifest = format!(
@@ -52,13 +55,13 @@ pub(crate) fn measure() -> Result<Builds> {
         }
         Ok(least)
     };
-    Ok(Builds { command, lab, user, none: least(0)?, one: least(1)?, twenty: least(20)? })
+    Ok(Builds { command, lab, tests, user, none: least(0)?, one: least(1)?, twenty: least(20)? })
 }
 
 /// A release of the workspace from nothing.
 fn release(words: &[&str]) -> Result<f64> {
     let target = scratch("release")?;
-    processor_seconds(workspace(), &target, &[&["--release"], words].concat())
+    processor_seconds(workspace(), &target, &[&["build", "--release"], words].concat())
 }
 
 /// `cargo build` with that many controllers.
@@ -75,14 +78,14 @@ fn of_controllers(folder: &Path, controllers: usize, round: usize) -> Result<f64
         );
     }
     std::fs::write(folder.join("src/lib.rs"), source).while_doing("src/lib.rs")?;
-    processor_seconds(folder, &folder.join("target"), &["--offline"])
+    processor_seconds(folder, &folder.join("target"), &["build", "--offline"])
 }
 
-/// User and system time of `cargo build` with all that it starts.
+/// User and system time of cargo with all that it starts.
 fn processor_seconds(folder: &Path, target: &Path, words: &[&str]) -> Result<f64> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     // `times` prints a line of the shell itself, and one of what it has waited for.
-    let script = "\"$0\" build --quiet \"$@\" || exit 1; times";
+    let script = "\"$0\" \"$@\" --quiet || exit 1; times";
     let mut command = Command::new("sh");
     command.args(["-c", script]).arg(cargo).args(words).current_dir(folder);
     let told = run(command.env("CARGO_TARGET_DIR", target))?;

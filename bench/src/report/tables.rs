@@ -140,16 +140,17 @@ pub(super) fn generator(text: &mut String, speeds: &[Speed]) {
 }
 
 const BUILDS: &str = "\
-Processor seconds of `cargo build`, user and system, with all dependencies: from nothing, or after a change of a crate
+Processor seconds, user and system, with all dependencies: from nothing, or after a change of a crate
 with controllers of order 2 to 5 (the least of 5). From nothing they vary by a fifth from run to run.";
 
 pub(super) fn builds(text: &mut String, builds: Builds) {
     section(text, "Builds", "generator --builds", BUILDS);
     text.push_str("\n| build | processor s |\n| --- | ---: |\n");
-    let Builds { command, lab, user, none, one, twenty } = builds;
+    let Builds { command, lab, tests, user, none, one, twenty } = builds;
     for (what, seconds) in [
         ("`cargo build --release -p ptc-codegen`, from nothing", command),
         ("the same with `--features lab`", lab),
+        ("`cargo test --workspace`, from nothing, tests run", tests),
         ("a crate with one controller, `cargo build`, from nothing", user),
         ("after a change, no controller", none),
         ("after a change, one controller", one),
