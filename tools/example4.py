@@ -1,4 +1,4 @@
-"""x and u of the letter's Example 4 (Fig. 1), for ptc-codegen/tests/simulate.rs.
+"""x and u of the letter's Example 4 (Fig. 1), for ptc-codegen/tests/lab/simulate.rs.
 
 In time t, in 30 digits, by Gragg's method with extrapolation: another variable, another formulation
 and another method than the simulation's. Run with: python3 tools/example4.py (needs mpmath).

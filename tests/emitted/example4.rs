@@ -1,5 +1,5 @@
 //! Example 4 of the letter from its design file, tests/designs/example4.toml: the law itself. Its
-//! closed loop is simulated in ptc-codegen/tests/simulate.rs.
+//! closed loop is simulated in ptc-codegen/tests/lab/simulate.rs.
 
 ptc::ptc_controller!(file = "tests/designs/example4.toml");
 

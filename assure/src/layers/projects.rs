@@ -211,7 +211,7 @@ fn run(context: &Context) -> Result<Finding> {
          mps2-an386; the CMake library is installed, and run from a project that finds it there. \
          Arduino's tools cannot be had here: the library's files and properties are checked, and the \
          sketch is compiled by g++ against a header in place of Arduino's and run, in \
-         `ptc-codegen/tests/projects`."
+         `ptc-codegen/tests/command/projects`."
             .to_owned(),
     );
     seed(&folder, &generator, crates, &mut finding)?;

@@ -180,7 +180,7 @@ const UNCERTAIN: &str = "n = 2\n[plant]\nf = \"gust - damping*sin(x2) + slip*u\"
                          error = 1e-2\n";
 
 #[test]
-#[ignore = "72,000 scenarios: cargo test --release --test design_algorithm -- --ignored"]
+#[ignore = "72,000 scenarios: cargo test --release --test lab design -- --ignored"]
 fn no_fresh_verification_refutes_a_design() {
     let stage = include_str!("../../../docs/design.md");
     let stage = stage.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
