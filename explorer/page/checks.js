@@ -4,6 +4,14 @@ import { $, element } from "dom";
 
 const CLASSES = { sound: "good", unsound: "bad", refuted: "bad", undecided: "open", "not checked": "none" };
 
+const OPERATIONS = [
+  ["add", "addition or comparison", "additions or comparisons"],
+  ["mul", "multiplication", "multiplications"],
+  ["div", "division", "divisions"],
+  ["sqrt", "square root", "square roots"],
+  ["calls", "function call", "function calls"],
+];
+
 /** One line for the state of the design. */
 export function verdict(answer) {
   if (answer.fault) return ["bad", `The generator failed: ${answer.fault}`];
@@ -22,6 +30,7 @@ export function show(answer) {
   Object.assign($("verdict"), { className: kind, textContent: text });
   $("verdicts").replaceChildren(...(answer.checks ?? []).flatMap(one));
   $("cost").textContent = cost(answer);
+  $("told").hidden = !answer.design;
   $("command").textContent = answer.design ? `ptc-codegen emit --lang c ${answer.design.command}` : "";
 }
 
@@ -36,6 +45,7 @@ function one({ name, verdict: word, summary, details, fix }) {
 function cost(answer) {
   if (answer.design?.samples) return "The operations of a step are counted only where the clock is time.";
   if (!answer.cost) return "";
-  const parts = Object.entries(answer.cost).filter(([, count]) => count > 0);
-  return `One step, without input checks and clipping: ${parts.map(([name, count]) => `${count} ${name}`).join(", ")}.`;
+  const parts = OPERATIONS.filter(([key]) => answer.cost[key] > 0)
+    .map(([key, one, many]) => `${answer.cost[key]} ${answer.cost[key] === 1 ? one : many}`);
+  return `One step, without input checks and clipping: ${parts.join(", ")}.`;
 }

@@ -45,10 +45,10 @@ pub(crate) fn plane(spec: &Spec) -> Value {
 pub(crate) fn cost(accepted: &Accepted) -> Value {
     let Some(cost) = accepted.cost() else { return Value::Null };
     json!({
-        "additions or comparisons": cost.add,
-        "multiplications": cost.mul,
-        "divisions": cost.div,
-        "square roots": cost.sqrt,
-        "function calls": cost.calls,
+        "add": cost.add,
+        "mul": cost.mul,
+        "div": cost.div,
+        "sqrt": cost.sqrt,
+        "calls": cost.calls,
     })
 }
