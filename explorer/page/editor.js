@@ -4,18 +4,27 @@ import { $, element } from "dom";
 
 const area = $("text");
 let keys = {};
+/** Whether the places of the keys are those of the text. */
+let fresh = false;
 
 export const text = () => area.value;
 
 /** Puts in another text. */
 export function put(design) {
   area.value = design;
+  typed();
+}
+
+/** The text is another one: until it is answered, nothing is known of it. */
+export function typed() {
+  fresh = false;
   mark([]);
 }
 
 /** Underlines mistakes and lists them. */
 export function show(answer) {
   keys = answer.keys ?? {};
+  fresh = true;
   const found = answer.diagnostics ?? [];
   mark(found.filter((one) => one.at));
   area.setAttribute("aria-invalid", String(found.length > 0));
@@ -36,7 +45,7 @@ function select([start, end]) {
 }
 
 /** The text with the ranges of mistakes marked, behind the one that is typed in. */
-export function mark(found) {
+function mark(found) {
   const ranges = found.map(({ at: [start, end] }) => [start, Math.max(end, start + 1)]).sort((a, b) => a[0] - b[0]);
   const parts = [];
   let last = 0;
@@ -50,7 +59,7 @@ export function mark(found) {
   $("marks").replaceChildren(...parts);
 }
 
-/** The value of a key as it is written; null where it is not given. */
+/** The value of a key as it is written, without quotes; null where it is not given. */
 export function given(key) {
   const at = keys[key]?.value;
   return at ? area.value.slice(...at) : null;
@@ -58,37 +67,50 @@ export function given(key) {
 
 /** Gives a key another value, or adds it before the first table. */
 export function give(key, value) {
-  const at = keys[key]?.value;
-  if (at) return replace(at, quotedLike(at, value));
+  if (!fresh) return;
+  if (keys[key]) return replace(quoted(keys[key].value), value);
   const tables = area.value.search(/^[ \t]*\[/m);
   const end = tables < 0 ? area.value.length : tables;
-  const before = area.value.slice(0, end).trimEnd();
-  const after = tables < 0 ? "\n" : "\n\n";
-  area.value = `${before}\n${key} = ${value}${after}${area.value.slice(end)}`;
-}
-
-/** A place within quotes is that of what is quoted, so the quotes go with it. */
-function quotedLike([start, end], value) {
-  const within = area.value[start - 1] === '"' && area.value[end] === '"';
-  return within && value.startsWith('"') ? value.slice(1, -1) : value;
+  const start = area.value.slice(0, end).trimEnd().length;
+  const line = `${start > 0 ? "\n" : ""}${key} = ${value}`;
+  replace([start, end], `${line}${tables < 0 ? "\n" : "\n\n"}`);
+  const last = start + line.length;
+  keys[key] = { key: [last - value.length - 3 - key.length, last - value.length - 3], value: [last - value.length, last] };
 }
 
 /** Takes the line of a key away. */
 export function take(key) {
   const at = keys[key];
-  if (!at) return;
+  if (!fresh || !at) return;
   const start = area.value.lastIndexOf("\n", at.key[0] - 1) + 1;
   const end = area.value.indexOf("\n", at.value[1]);
+  delete keys[key];
   replace([start, end < 0 ? area.value.length : end + 1], "");
 }
 
 /** Renames a key and gives it a value. */
 export function rename(from, to, value) {
+  if (!fresh) return;
   const at = keys[from];
-  if (at) replace([at.key[0], at.value[1]], `${to} = ${value}`);
-  else give(to, value);
+  const start = at.key[0];
+  delete keys[from];
+  replace([start, quoted(at.value)[1]], `${to} = ${value}`);
+  keys[to] = { key: [start, start + to.length], value: [start + to.length + 3, start + to.length + 3 + value.length] };
 }
 
+/** A place within quotes is that of what is quoted: the place with the quotes. */
+function quoted([start, end]) {
+  const within = area.value[start - 1] === '"' && area.value[end] === '"';
+  return within ? [start - 1, end + 1] : [start, end];
+}
+
+/** Replaces a part of the text; the places of all keys go with it. */
 function replace([start, end], value) {
   area.value = area.value.slice(0, start) + value + area.value.slice(end);
+  const moved = (at) => (at >= end ? at + start + value.length - end : Math.min(at, start + value.length));
+  for (const at of Object.values(keys)) {
+    at.key = at.key.map(moved);
+    at.value = at.value[0] >= start && at.value[1] <= end ? [start, start + value.length] : at.value.map(moved);
+  }
+  mark([]);
 }

@@ -100,7 +100,7 @@ function start() {
     ask();
   });
   $("text").addEventListener("input", () => {
-    editor.mark([]);
+    editor.typed();
     askSoon();
   });
   for (const id of ["x0", "seed"]) $(id).addEventListener("input", askSoon);

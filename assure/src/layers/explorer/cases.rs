@@ -1,7 +1,7 @@
 //! The designs that are typed into the page.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
@@ -13,6 +13,14 @@ pub(super) struct Case {
     pub(super) path: PathBuf,
     pub(super) text: String,
 }
+
+/// A sampled chain, whose sliders and poles are moved, and the name of its case.
+const CHAIN: &str =
+    "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-3\n\n[params]\ntau = 1\n";
+const FIRST: &str = "chain";
+
+/// The cases with which a defect is seen.
+pub(super) const FEW: [&str; 2] = [FIRST, "unknown family"];
 
 /// Designs with mistakes of each kind: in the text, in its meaning, in what the checks say, and in
 /// what a language can express.
@@ -39,7 +47,7 @@ const BAD: [(&str, &str); 15] = [
 
 /// The examples of the repository and the designs with mistakes, as files in `folder`; a few of them
 /// where `few` is set.
-pub(super) fn cases(folder: &std::path::Path, few: bool) -> Result<Vec<Case>> {
+pub(super) fn cases(folder: &Path, few: bool) -> Result<Vec<Case>> {
     let mut cases = Vec::new();
     for entry in fs::read_dir(workspace().join("examples"))? {
         let path = entry?.path();
@@ -49,21 +57,16 @@ pub(super) fn cases(folder: &std::path::Path, few: bool) -> Result<Vec<Case>> {
         }
     }
     cases.sort_by(|a, b| a.name.cmp(&b.name));
-    // A run of it is laid over another one, so it has the clock in time.
-    let first = cases.iter().position(|case| case.name == "table.toml").unwrap_or(0);
-    cases.swap(0, first);
+    let path = folder.join("chain.toml");
+    fs::write(&path, CHAIN)?;
+    cases.insert(0, Case { name: FIRST.to_owned(), text: CHAIN.to_owned(), path });
     for (index, (name, text)) in BAD.iter().enumerate() {
         let path = folder.join(format!("bad{index}.toml"));
         fs::write(&path, text)?;
         cases.push(Case { name: (*name).to_owned(), path, text: (*text).to_owned() });
     }
     if few {
-        let kept = [first_name(&cases), "unknown family".to_owned()];
-        cases.retain(|case| kept.contains(&case.name));
+        cases.retain(|case| FEW.contains(&&*case.name));
     }
     Ok(cases)
-}
-
-fn first_name(cases: &[Case]) -> String {
-    cases.first().map(|case| case.name.clone()).unwrap_or_default()
 }
