@@ -235,29 +235,33 @@ fn a_predefined_time_law() {
     });
 }
 
+/// The solution of the law by arctangents from x = 10, at t/tau = s.
+fn arctan(s: f64) -> f64 {
+    let half = std::f64::consts::FRAC_PI_2;
+    let root = ((10.0_f64.atan() / half).sqrt() - s).max(0.0);
+    (half * root * root).tan()
+}
+
+/// That of the law with the least bound of the settling times.
+fn tangent(s: f64) -> f64 {
+    let angle = (10.0_f64.sqrt().atan() - std::f64::consts::FRAC_PI_2 * s).max(0.0);
+    angle.tan().powi(2)
+}
+
 /// Laws with the root of |x|, sampled: near the solution in continuous time on the way, and at rest within
 /// what one sample leaves.
 #[test]
 fn sampled_laws_that_settle_before_tau() {
-    let arctan = |x0: f64, s: f64| {
-        let half = std::f64::consts::FRAC_PI_2;
-        let root = ((x0.atan() / half).sqrt() - s).max(0.0);
-        (half * root * root).tan()
-    };
-    let tangent = |x0: f64, s: f64| {
-        let angle = (x0.sqrt().atan() - std::f64::consts::FRAC_PI_2 * s).max(0.0);
-        angle.tan().powi(2)
-    };
-    let laws: [(&str, &dyn Fn(f64, f64) -> f64); 2] =
-        [("predefined_arctan", &arctan), ("least_settling_bound", &tangent)];
-    for (name, solution) in laws {
+    for (name, solution) in
+        [("predefined_arctan", arctan as fn(f64) -> f64), ("least_settling_bound", tangent)]
+    {
         let (words, _) = command(name);
         let csv = simulate(&words.iter().map(String::as_str).collect::<Vec<_>>());
         let mut settled = 0;
         for line in csv.lines().skip(1) {
             let row: Vec<_> = line.split(',').collect();
             let [tau, t, x] = [row[0], row[1], row[2]].map(|n| n.parse::<f64>().expect("a number"));
-            let wanted = solution(10.0, t / tau);
+            let wanted = solution(t / tau);
             let allowed = if wanted > 0.0 { 0.02 * wanted + 2e-3 } else { 1e-5 };
             // Just after the settling time the samples are still on their way.
             if wanted > 0.0 || t / tau > 0.97 {
