@@ -1,5 +1,7 @@
 //! The library: what it reads, and what the programs compute that it makes of it.
 
+#[path = "../../../tests/support/command.rs"]
+mod command;
 mod design;
 mod digits;
 mod examine;
@@ -14,7 +16,5 @@ mod samples_linear;
 #[cfg(all(unix, feature = "cli"))]
 mod samples_observer;
 mod spelling;
-#[path = "../../../tests/support/command.rs"]
-mod command;
 #[path = "../support/mod.rs"]
 mod support;

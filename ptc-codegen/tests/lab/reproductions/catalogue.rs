@@ -8,8 +8,8 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::support::words::{json, stderr, stdout};
 use super::{design, home, support};
+use crate::support::words::{json, stderr, stdout};
 
 /// The entries of `list --catalogue`.
 fn entries() -> Vec<Value> {

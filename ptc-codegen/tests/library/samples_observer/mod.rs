@@ -1,7 +1,6 @@
 //! The observer in samples alone: emitted C in the loop with the exact plant and a user-defined law,
 //! against the observer of a controller, and what is refused.
 
-
 mod emitted;
 mod exact;
 use crate::support::exact_plant as plant;
