@@ -43,6 +43,7 @@ use declared::declared;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Language {
     /// C99: a header and a source file.
     C,
@@ -107,6 +108,7 @@ impl Language {
     }
 
     /// The version of FMI, of an FMU.
+    #[doc(hidden)]
     pub fn fmi(self) -> Option<fmu::Version> {
         match self {
             Self::Fmu2 => Some(fmu::Version::Two),
@@ -116,6 +118,7 @@ impl Language {
     }
 
     /// What opens and what closes a comment line.
+    #[doc(hidden)]
     pub fn comment(self) -> (&'static str, &'static str) {
         self.target().comment
     }

@@ -26,6 +26,7 @@ use templates::{
 
 /// A kind of project.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Project {
     /// Bare-metal firmware in C for a Cortex-M4F.
     CortexM,
@@ -70,6 +71,7 @@ impl Project {
     ///
     /// # Errors
     /// What it cannot do alone, and an input gain that its plant cannot have.
+    #[doc(hidden)]
     pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         stands_alone(spec, "a project", &mut found);
