@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
 use ptc_codegen::emit::Language;
 use ptc_codegen::family::Family;
@@ -16,7 +17,7 @@ use ptc_codegen::request::{After, Feedback, Spec};
 use support::goldens::controllers;
 use support::program::{Record, has_gains, in_c, in_rust};
 use support::specs::Values;
-use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
+use support::{folder, run, rustc, write};
 
 const REFRESH: &str = "refresh with `UPDATE_GOLDEN=1 cargo test --test golden`";
 
@@ -42,7 +43,9 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("generated")
 }
 
-/// Every golden by its path in generated/.
+/// Every golden by its path in generated/, generated once for all tests.
+static WANTED: LazyLock<BTreeMap<PathBuf, String>> = LazyLock::new(wanted);
+
 fn wanted() -> BTreeMap<PathBuf, String> {
     let mut wanted = BTreeMap::new();
     for spec in controllers() {
@@ -74,12 +77,12 @@ fn kept() -> BTreeMap<PathBuf, String> {
 
 #[test]
 fn generated_is_what_the_generator_writes() {
-    let wanted = wanted();
+    let wanted = &*WANTED;
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         for stale in kept().keys().filter(|path| !wanted.contains_key(*path)) {
             fs::remove_file(root().join(stale)).expect("a stale file goes");
         }
-        for (path, text) in &wanted {
+        for (path, text) in wanted {
             let path = root().join(path);
             fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
             fs::write(path, text).expect("a golden");
@@ -87,28 +90,14 @@ fn generated_is_what_the_generator_writes() {
     }
     let kept = kept();
     let paths = |files: &BTreeMap<PathBuf, String>| files.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(paths(&kept), paths(&wanted), "the files in generated/; {REFRESH}");
-    for (path, text) in &wanted {
+    assert_eq!(paths(&kept), paths(wanted), "the files in generated/; {REFRESH}");
+    for (path, text) in wanted {
         let line = text.lines().zip(kept[path].lines()).position(|(a, b)| a != b);
         let same = kept[path] == *text;
         assert!(same, "{} differs, first in line index {line:?}; {REFRESH}", path.display());
     }
 }
 
-#[test]
-fn every_golden_in_c_compiles_without_a_warning() {
-    let folder = folder("golden_c");
-    in_pairs(&controllers(), |spec| {
-        for file in write(&folder, spec, Language::C) {
-            if file.extension().is_some_and(|extension| extension == "c") {
-                let object = file.with_extension("o");
-                run(c_compiler().args(STRICT).arg("-c").arg(&file).arg("-o").arg(object));
-            }
-        }
-    });
-}
-
-/// Each a crate of its own, `no_std` for the families that call no function at all.
 #[test]
 fn goldens_in_rust_are_formatted() {
     if !Command::new("rustfmt").arg("--version").output().is_ok_and(|run| run.status.success()) {
@@ -118,35 +107,44 @@ fn goldens_in_rust_are_formatted() {
     // Apart from the workspace, whose style is its own.
     let folder = std::env::temp_dir().join(format!("ptc_formatted_{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
-    for (path, text) in wanted() {
-        let Some(name) = path.file_name().filter(|_| path.starts_with("rust")) else { continue };
-        let file = folder.join(name);
-        fs::write(&file, text).expect("a file");
-        let told = Command::new("rustfmt")
-            .args(["--check", "--edition", "2024"])
-            .arg(&file)
-            .output()
-            .expect("rustfmt");
-        assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stdout));
-    }
+    let of_rust = WANTED.iter().filter(|(path, _)| path.starts_with("rust"));
+    let files: Vec<_> = of_rust
+        .map(|(path, text)| {
+            let file = folder.join(path.file_name().expect("a name"));
+            fs::write(&file, text).expect("a file");
+            file
+        })
+        .collect();
+    let told = Command::new("rustfmt")
+        .args(["--check", "--edition", "2024"])
+        .args(&files)
+        .output()
+        .expect("rustfmt");
+    assert!(
+        !files.is_empty() && told.status.success(),
+        "{}",
+        String::from_utf8_lossy(&told.stdout)
+    );
     fs::remove_dir_all(&folder).expect("its end");
 }
 
+/// Those of the families that call no function at all need no `std`.
 #[test]
-fn every_golden_in_rust_compiles_without_a_warning() {
+fn goldens_without_a_function_compile_without_std() {
     let folder = folder("golden_rust");
-    in_pairs(&controllers(), |spec| {
-        let source = write(&folder, spec, Language::Rust).remove(0);
-        let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh))
-            && spec.feedback == Feedback::Linear;
-        let no_std = if bare { "#![no_std]\n" } else { "" };
-        let name = spec.name();
-        let crate_root = folder.join(format!("{name}_crate.rs"));
-        fs::write(&crate_root, format!("{no_std}pub mod {name};\n")).expect("a file");
-        let mut compiler = rustc();
-        compiler.args(["--crate-type=lib", "--emit=metadata", "-o"]);
-        run(compiler.arg(source.with_extension("rmeta")).arg(&crate_root));
-    });
+    let mut modules = "#![no_std]\n".to_owned();
+    for spec in controllers() {
+        let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh));
+        if bare && spec.feedback == Feedback::Linear {
+            write(&folder, &spec, Language::Rust);
+            modules += &format!("pub mod {};\n", spec.name());
+        }
+    }
+    let crate_root = folder.join("lib.rs");
+    fs::write(&crate_root, modules).expect("a file");
+    let mut compiler = rustc();
+    compiler.args(["--crate-type=lib", "--emit=metadata", "-o"]);
+    run(compiler.arg(folder.join("lib.rmeta")).arg(&crate_root));
 }
 
 /// The statuses that a golden may give at a time, where tau is 2 s and eps 2^-7 s.
@@ -159,7 +157,7 @@ fn possible(spec: &Spec, t: f64) -> [i32; 2] {
     [unclipped, Status::Saturated].map(Status::code)
 }
 
-/// Each runs, in C and in Rust, over its whole time to the deadline and past it: the statuses
+/// Each compiles without a warning and runs, in C and in Rust, over its whole time to the deadline and past it: the statuses
 /// are those of the time, and the two languages agree up to the last digits of a library.
 #[test]
 fn every_golden_runs() {
@@ -207,7 +205,7 @@ fn every_golden_runs() {
 
 #[test]
 fn generating_twice_gives_the_same_bytes() {
-    assert_eq!(wanted(), wanted());
+    assert_eq!(wanted(), *WANTED);
 }
 
 /// The macro expands to the items of the golden, on the types of the facade.
