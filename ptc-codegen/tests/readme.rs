@@ -60,7 +60,7 @@ const AXES: &str = include_str!("../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 35] = [
+const PAGES: [(&str, &str); 36] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../docs/guide/period.md")),
@@ -71,6 +71,7 @@ const PAGES: [(&str, &str); 35] = [
     ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
     ("start.md", START),
     ("catalogue.md", include_str!("../../docs/catalogue.md")),
+    ("messages.md", include_str!("../../docs/messages.md")),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
     ("languages.md", include_str!("../../docs/languages.md")),
