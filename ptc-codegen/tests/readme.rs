@@ -70,6 +70,7 @@ const PAGES: [(&str, &str); 36] = [
     ("guide/axes.md", AXES),
     ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
     ("start.md", START),
+    ("explorer.md", include_str!("../../docs/explorer.md")),
     ("catalogue.md", include_str!("../../docs/catalogue.md")),
     ("messages.md", include_str!("../../docs/messages.md")),
     ("families.md", FAMILIES),
