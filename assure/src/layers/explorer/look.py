@@ -143,6 +143,7 @@ def main(binary, path, designs, languages, pictures):
         told["start"] = min(started(browser, path, told) for _ in range(STARTS))
         told["views"] = looked(browser, path, told, pictures)
         opened = Page(browser, path, told)
+        opened.after(lambda: opened.page.fill("#x0", ""))
         told["designs"] = {design["name"]: typed(opened, design, languages.split(",")) for design in designs}
         told["handled"] = handled(opened, browser, path, told, designs[0])
         browser.close()
