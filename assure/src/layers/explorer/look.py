@@ -29,7 +29,8 @@ ERRORS = """() => [...document.querySelectorAll("#errors li")].map((e) => ({
   message: e.querySelector(".message").textContent.replace(/^line \\d+, column \\d+: /, "") }))"""
 
 # Text of the design that is underlined.
-MARKED = """() => [...document.querySelectorAll("#marks mark")].map((e) => e.textContent)"""
+MARKED = """() => [...document.querySelectorAll("#marks mark")]
+  .filter((e) => e.getClientRects().length > 0).map((e) => e.textContent)"""
 
 VIEWS = {
     "light": (1400, 900, "light"),
