@@ -3,12 +3,14 @@
 //! [`report`] has the exit codes.
 
 pub(crate) mod args;
+mod catalogue;
 mod check;
 mod compare;
 #[cfg(feature = "lab")]
 mod design;
 mod emit;
 mod engine;
+mod explain;
 mod flags;
 mod fmu;
 #[cfg(feature = "lab")]
@@ -89,7 +91,8 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
             write::to_stdout(&manual::completions(&request, CommandLine::command()))
         }
         Command::Man(request) => write::to_stdout(&manual::page(&request, CommandLine::command())?),
+        Command::Explain(request) => write::to_stdout(&explain::explain(&request)?),
         Command::Schema => write::to_stdout(&schema::schema()),
-        Command::List(request) => write::to_stdout(&list::list(request.format)),
+        Command::List(request) => write::to_stdout(&list::list(&request)),
     }
 }
