@@ -101,6 +101,7 @@ fn worst(spec: &Spec) -> f64 {
             let gains = own.values(&program.gains);
             let with_gains = |asked| match asked {
                 Input::Gain(j) => gains[j - 1],
+                Input::Divisor => f64::NAN,
                 other => input(other),
             };
             let u = Interpreter::new(&program, &with_gains).value(axis);

@@ -56,7 +56,7 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
+        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Divisor | Input::Drift | Input::Control => {
             Interval::ANY
         }
     };
