@@ -37,7 +37,10 @@ fn specs() -> Vec<Spec> {
     let with = |keys: &[(&str, &str)], further: &[(&str, &str)]| spec(&[keys, further].concat());
     vec![
         with(&[("n", "3"), ("mu", "exp")], &[("axes", "3"), ("name", "shared")]),
-        with(&[("n", "2"), ("mu", "rational")], &[("axes", "1"), ("name", "alone")]),
+        with(
+            &[("n", "2"), ("mu", "rational")],
+            &[("axes", "1"), ("name", "alone"), ("limits", "5")],
+        ),
         with(&own, &[("axes", "3"), ("name", "own")]),
         with(&own, &[("axes", "3"), ("name", "follows"), ("reference", "input")]),
         with(&own, &[("axes", "3"), ("name", "small"), ("precision", "f32")]),
@@ -98,8 +101,7 @@ fn whole(spec: &Spec, work: impl FnOnce(&Code)) {
     let (report, law) = (examine(spec), Law::of(spec));
     let program = passes::optimise(lower(spec, &law), &mut |_, _| {});
     assert_eq!(program.check(), Ok(()));
-    let controller =
-        Controller { report: &report, law: &law, program: &program, measured: &[] };
+    let controller = Controller { report: &report, law: &law, program: &program, measured: &[] };
     work(&controller::whole(&controller));
 }
 
@@ -108,7 +110,8 @@ fn interpreted(spec: &Spec, calls: &[Call]) -> Vec<Given> {
     whole(spec, |code| {
         let mut controller = Instance::with_parameters(code, parameters(spec)).expect("legal");
         for call in calls {
-            let found = controller.call("step", &[("t", &[call.t]), ("x", &call.x), ("r", &call.r)]);
+            let found =
+                controller.call("step", &[("t", &[call.t]), ("x", &call.x), ("r", &call.r)]);
             let u = found.results["u"].iter().map(|u| u.to_bits()).collect();
             #[allow(clippy::cast_possible_truncation)]
             let axes = found.results["axes"].iter().map(|status| *status as i64).collect();
@@ -184,10 +187,14 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
     let ends = ("{", "}");
     let mut text = format!(
         "#include \"{name}.h\"\n#include <inttypes.h>\n#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\nint main(void)\n{{\n    static {name} c;\n    const {name}_params p = {{ {} }};\n    ptc_status axes[{count}];\n    {real} u[{count}];\n    if ({name}_init(&c, &p) != PTC_OK) {{ return 1; }}\n",
-        members(spec, " = ", ends, suffix).split(", ").map(|m| match m.contains(" = ") {
-            true => format!(".{m}"),
-            false => m.to_owned(),
-        }).collect::<Vec<_>>().join(", ")
+        members(spec, " = ", ends, suffix)
+            .split(", ")
+            .map(|m| match m.contains(" = ") {
+                true => format!(".{m}"),
+                false => m.to_owned(),
+            })
+            .collect::<Vec<_>>()
+            .join(", ")
     );
     for call in calls {
         let reference = spec.references();

@@ -180,8 +180,7 @@ fn languages_and_passes_agree_bit_for_bit() {
         spec(&[("n", "3"), ("mu", "rational"), ("reference", "input"), ("precision", precision)])
     });
     let divided = ["2", "1/mass"].map(|g| spec(&[("n", "2"), ("mu", "exp"), ("g", g)]));
-    let specs: Vec<_> =
-        specs.into_iter().chain(looped).chain(following).chain(divided).collect();
+    let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).chain(divided).collect();
     let folder = folder("bits");
     let programs: Vec<_> =
         specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();

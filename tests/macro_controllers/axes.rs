@@ -3,7 +3,14 @@
 use ptc::{Error, Status};
 
 ptc::ptc_controller!(file = "examples/gantry.toml");
-ptc::ptc_controller!(n = 2, axes = 6, mu = exp(a = 1), name = arm, poles = [-4, -5], reference = input);
+ptc::ptc_controller!(
+    n = 2,
+    axes = 6,
+    mu = exp(a = 1),
+    name = arm,
+    poles = [-4, -5],
+    reference = input
+);
 
 /// The states a sample later, with the forces held: exact.
 fn moved(x: &mut [[f64; 2]; 3], u: &[f64; 3], h: f64) {

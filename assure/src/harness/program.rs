@@ -143,7 +143,10 @@ pub(super) fn numbers(spec: &Spec) -> usize {
 /// Whether `tick` and `axis` are emitted.
 pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
-        && spec.input_gain.as_ref().is_none_or(|g| !g.any(&|e| matches!(e, Expression::Variable(_))))
+        && spec
+            .input_gain
+            .as_ref()
+            .is_none_or(|g| !g.any(&|e| matches!(e, Expression::Variable(_))))
         && spec.drift.is_none()
         && spec.model.is_none()
         && !matches!(spec.reference, Some(Reference::Known(_)))

@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use num_traits::Zero;
 
 use super::{
-    AXIS, Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Variable,
+    AXIS, Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement,
+    Variable,
 };
 use crate::algebra::BigRational;
 use crate::program::number;

@@ -180,7 +180,11 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     }
     if spec.axes.is_some() {
         let message = format!("{what} holds a controller of one chain, not of several axes");
-        against("axes", message, "leave `axes` out, or emit it in a language and call it from your own program");
+        against(
+            "axes",
+            message,
+            "leave `axes` out, or emit it in a language and call it from your own program",
+        );
     }
     if spec.feedback == Feedback::Extern {
         against("pi0", format!("{what} cannot call a user-defined pi0"), own);

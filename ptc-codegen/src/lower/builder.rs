@@ -153,7 +153,8 @@ impl<'a> Builder<'a> {
     /// Names a value, with its meaning for the reader of the emitted code. An input has a name of
     /// its own, and values at the start keep theirs apart from those of a tick.
     pub(super) fn name(&mut self, value: Value, name: &str, meaning: &str) -> Value {
-        let own = self.axis.map(|axis| (format!("{name}_axis{axis}"), format!("{meaning}, axis {axis}")));
+        let own =
+            self.axis.map(|axis| (format!("{name}_axis{axis}"), format!("{meaning}, axis {axis}")));
         let (name, meaning) = match &own {
             // What several axes share keeps the name that it has.
             Some(_) if self.program.values[value.0].name.is_some() => return value,

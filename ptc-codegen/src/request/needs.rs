@@ -52,7 +52,9 @@ impl Spec {
     pub fn needs_one_axis(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
         let message = format!("{what} knows one chain, not several axes");
         let help = match self.axes.as_ref().is_some_and(super::Axes::differ) {
-            true => "leave `axes` out, and give the gains, limit and g of one axis: each is a chain of its own",
+            true => {
+                "leave `axes` out, and give the gains, limit and g of one axis: each is a chain of its own"
+            }
             false => "leave `axes` out: each axis is the same chain",
         };
         unless(self.axes.is_some(), ("axes", "axes"), message, help)

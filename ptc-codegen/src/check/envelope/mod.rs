@@ -205,7 +205,12 @@ mod tests {
             Input::Parameter(_) => Interval::point(1.0),
             Input::StartTime => Interval::point(0.0),
             Input::State(_) | Input::StateAtStart(_) => Interval::new(-state, state),
-            Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Divisor | Input::Drift | Input::Control => {
+            Input::Time
+            | Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => {
                 panic!("{input:?} is not asked for")
             }
         }

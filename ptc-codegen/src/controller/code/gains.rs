@@ -22,25 +22,28 @@ impl Builder<'_> {
             0 => ("x", String::new()),
             _ => ("e", format!(" + r[{n}], e[i] = x[i] - r[i]")),
         };
-        let about = format!("u = gain[0] {of}[0] + ... + gain[{}] {of}[{}]{rate}", n - 1, n - 1);
         let program = self.controller.program;
         let shape = |values: &[Value]| match values.len() {
             1 => Shape::Real,
             several => Shape::Reals(several),
         };
-        let (own, over) = match (program.gains.len() / n, program.divisors.is_empty()) {
-            (1, true) => ("", ""),
-            (1, false) => ("", ", all over input_gain"),
-            (_, true) => (", from its own place on for each axis", ""),
-            (..) => (", from its own place on for each axis", ", all over input_gain"),
+        let last = n - 1;
+        let (first, last_gain) = match program.gains.len() > n {
+            true => (format!("{n}*axis"), format!("{n}*axis + {last}")),
+            false => ("0".to_owned(), last.to_string()),
         };
-        let about = format!("{about}{over}{own}");
+        let sum = format!("gain[{first}] {of}[0] + ... + gain[{last_gain}] {of}[{last}]{rate}");
+        let about = match program.divisors.is_empty() {
+            true => format!("u = {sum}"),
+            false => format!("u input_gain = {sum}"),
+        };
         let mut gains = vec![Variable::new("gain", Shape::Reals(program.gains.len()), about)];
         if !program.divisors.is_empty() {
             gains.push(Variable::new("input_gain", shape(&program.divisors), "g"));
         }
         if !program.bounds.is_empty() {
-            gains.push(Variable::new("u_max", shape(&program.bounds), "bound of |u| of each axis"));
+            let of_each = Shape::Reals(program.bounds.len());
+            gains.push(Variable::new("u_max", of_each, "bound of |u| of each axis"));
         } else if self.run_time_limit() {
             gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
         }
@@ -67,8 +70,12 @@ impl Builder<'_> {
         Function {
             name: "step",
             about: match self.reference() {
-                None => format!("u of {count} axes at time t [s], from the state x = (x1, x1', ...) of each."),
-                Some(_) => format!("u of {count} axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...) of each."),
+                None => format!(
+                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) of each."
+                ),
+                Some(_) => format!(
+                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...) of each."
+                ),
             } + " Its status is that of the first axis that fails, and then every u is 0; else SATURATED where an axis is.",
             owner: Owner::Controller,
             access: Access::Read,

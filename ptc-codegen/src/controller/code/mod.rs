@@ -71,7 +71,10 @@ impl Builder<'_> {
             return functions;
         }
         match &self.spec.axes {
-            Some(axes) => return [functions, vec![self.tick(), self.axis(), self.all_axes(axes.count)]].concat(),
+            Some(axes) => {
+                return [functions, vec![self.tick(), self.axis(), self.all_axes(axes.count)]]
+                    .concat();
+            }
             None => functions.push(self.step()),
         }
         if !self.controller.program.gains.is_empty() {

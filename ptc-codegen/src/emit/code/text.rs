@@ -149,9 +149,7 @@ pub(in crate::emit) trait Text {
             Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
             Expr::Field(name) => (Level::Atom, self.field(name)),
             Expr::FieldElement(name, index) => (Level::Atom, self.field_element(name, *index)),
-            Expr::OfAxis(name, stride, index) => {
-                (Level::Atom, self.of_axis(name, *stride, *index))
-            }
+            Expr::OfAxis(name, stride, index) => (Level::Atom, self.of_axis(name, *stride, *index)),
             Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
             Expr::ParameterElement(name, index) => {
                 (Level::Atom, self.element(&self.parameter(name), *index))

@@ -23,22 +23,26 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// The value of a key for each axis, where it is a list of them: of lists, where one value is a list.
-    fn each(&mut self, key: &'static str, of_lists: bool) -> Option<&'a [Node]> {
-        let node = self.keys.get(key).copied()?;
-        let Value::List(all) = &node.value else { return None };
-        let is_own = !of_lists || all.iter().any(|item| matches!(item.value, Value::List(_)));
-        (is_own && self.keys.contains_key("axes")).then_some(all.as_slice())
+    /// The values of a key for each axis, where it has such: those of gains and poles are lists.
+    fn each(&self, key: &str) -> &'a [Node] {
+        let Some(node) = self.keys.get(key).copied() else { return &[] };
+        let is_list = |node: &Node| matches!(node.value, Value::List(_));
+        let is_own = match key {
+            "limits" => true,
+            "g" => is_list(node),
+            _ => items(node).iter().any(is_list),
+        };
+        if is_own { items(node) } else { &[] }
     }
 
-    /// The value of a key of the first axis, with which that of one chain is read.
-    pub(super) fn first(&mut self, key: &'static str, node: &'a Node, of_lists: bool) -> &'a Node {
-        self.each(key, of_lists).and_then(<[_]>::first).unwrap_or(node)
+    /// The value of a key for the first axis, with which that of one chain is read.
+    pub(super) fn first(&self, key: &str, node: &'a Node) -> &'a Node {
+        self.each(key).first().unwrap_or(node)
     }
 
     /// The values of a key for so many axes.
-    fn for_axes(&mut self, key: &'static str, number: usize, of_lists: bool) -> &'a [Node] {
-        let all = self.each(key, of_lists).unwrap_or_default();
+    fn for_axes(&mut self, key: &'static str, number: usize) -> &'a [Node] {
+        let all = self.each(key);
         if all.is_empty() || all.len() == number {
             return all;
         }
@@ -61,12 +65,12 @@ impl<'a> Reader<'a> {
         };
         let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
         let first: Option<Vec<Fixed>> = first.collect();
-        if let Some((_, rest)) = self.for_axes("gains", number, true).split_first() {
+        if let Some((_, rest)) = self.for_axes("gains", number).split_first() {
             let rest = rest.iter().map(|row| {
                 self.gains(n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
             });
             axes.gains = first.iter().cloned().chain(rest.collect::<Vec<_>>()).collect();
-        } else if let Some((_, rest)) = self.for_axes("poles", number, true).split_first() {
+        } else if let Some((_, rest)) = self.for_axes("poles", number).split_first() {
             axes.gains.extend(first);
             axes.poles.push(spec.poles.clone());
             for row in rest {
@@ -75,7 +79,7 @@ impl<'a> Reader<'a> {
                 axes.poles.push(poles);
             }
         }
-        for item in self.for_axes("limits", number, false) {
+        for item in self.for_axes("limits", number) {
             let limit = self.parameter("limits", Parameter::UMax, item);
             if limit.as_ref().is_some_and(|limit| limit.number().is_none()) {
                 let help = "give a bound that u does not reach, or leave `limits` out for u_max = inf on all axes";
@@ -84,7 +88,7 @@ impl<'a> Reader<'a> {
             }
             axes.limits.extend(limit);
         }
-        for item in self.for_axes("g", number, false) {
+        for item in self.for_axes("g", number) {
             let gain = self.input_gain_of(item, spec.n, &known);
             axes.input_gains.extend(gain);
         }
@@ -97,10 +101,16 @@ impl<'a> Reader<'a> {
     /// Refuses what has no meaning for several axes, or beside none.
     pub(super) fn fits_axes(&mut self, spec: &Spec, samples: bool) {
         let Some(axes) = &spec.axes else {
-            if let Some(node) = self.keys.get("limits").copied() {
-                let message = "`limits` are of axes, and there are none".to_owned();
-                let help = "give `axes`, or `u_max` for one chain".to_owned();
-                self.wrong("limits", Some(node.place), message, help);
+            for key in ["gains", "poles", "limits", "g"] {
+                let Some(node) = self.keys.get(key).copied() else { continue };
+                let number = self.each(key).len();
+                // A number of axes that could not be read is a mistake already.
+                if number > 0 && !self.keys.contains_key("axes") {
+                    let message = format!("`{key}` of each axis, and `axes` is not given");
+                    let one = if key == "limits" { "u_max" } else { "one value" };
+                    let help = format!("give axes = {number}, or {one} for one chain");
+                    self.wrong(key, Some(node.place), message, help);
+                }
             }
             return;
         };
@@ -108,15 +118,60 @@ impl<'a> Reader<'a> {
         let curved = spec.input_gain.iter().chain(&axes.input_gains).any(moves);
         let alone = "make a controller for each axis, armed at the same t0 with the same tau";
         let beside = [
-            ("clock", samples, "axes need a clock in time", "leave `clock` out, or make a controller for each axis and call all with the same k"),
-            ("what", spec.what != What::Controller, "axes are of a controller", "leave `axes` out: the infinite-time system is that of one axis"),
-            ("dynamics", spec.model.is_some(), "the axes are chains, and a model is one plant", alone),
-            ("f", spec.drift.is_some(), "f depends on the state of one axis", "cancel f outside, or make a controller for each axis"),
-            ("pi0", spec.feedback != Feedback::Linear, "axes need a linear law", "give gains or poles, or make a controller for each axis"),
-            ("after", spec.after != After::Hold, "axes hold their gains after the deadline", "leave `after` out, and set u = 0 outside"),
-            ("reference", matches!(spec.reference, Some(Reference::Known(_))), "each axis has a reference of its own", "give `reference` = input: each call is given those of all axes"),
-            ("g", curved, "g of the axes depends on the state or time", "leave g out, and divide the u of each axis by its g(x, t) outside: u_max then bounds g u"),
-            ("u_max", !axes.limits.is_empty(), "`u_max` beside `limits`", "give `limits` for each axis, or `u_max` for all"),
+            (
+                "clock",
+                samples,
+                "axes need a clock in time",
+                "leave `clock` out, or make a controller for each axis and call all with the same k",
+            ),
+            (
+                "what",
+                spec.what != What::Controller,
+                "axes are of a controller",
+                "leave `axes` out: the infinite-time system is that of one axis",
+            ),
+            (
+                "dynamics",
+                spec.model.is_some(),
+                "the axes are chains, and a model is one plant",
+                alone,
+            ),
+            (
+                "f",
+                spec.drift.is_some(),
+                "f depends on the state of one axis",
+                "cancel f outside, or make a controller for each axis",
+            ),
+            (
+                "pi0",
+                spec.feedback != Feedback::Linear,
+                "axes need a linear law",
+                "give gains or poles, or make a controller for each axis",
+            ),
+            (
+                "after",
+                spec.after != After::Hold,
+                "axes hold their gains after the deadline",
+                "leave `after` out, and set u = 0 outside",
+            ),
+            (
+                "reference",
+                matches!(spec.reference, Some(Reference::Known(_))),
+                "each axis has a reference of its own",
+                "give `reference` = input: each call is given those of all axes",
+            ),
+            (
+                "g",
+                curved,
+                "g of the axes depends on the state or time",
+                "leave g out, and divide the u of each axis by its g(x, t) outside: u_max then bounds g u",
+            ),
+            (
+                "u_max",
+                !axes.limits.is_empty(),
+                "`u_max` beside `limits`",
+                "give `limits` for each axis, or `u_max` for all",
+            ),
         ];
         for (key, wrong, message, help) in beside {
             if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
@@ -127,7 +182,9 @@ impl<'a> Reader<'a> {
             let Some(node) = self.keys.get(key).copied() else { continue };
             if items(node).iter().any(|item| matches!(item.value, Value::List(_))) {
                 let message = format!("`{key}` differs between the axes");
-                let help = format!("axes share their units and {key}: bring them to one unit, or take the greatest; {alone}");
+                let help = format!(
+                    "axes share their units and {key}: bring them to one unit, or take the greatest; {alone}"
+                );
                 self.wrong(key, Some(node.place), message, help);
             }
         }

@@ -56,11 +56,11 @@ impl<'a> Reader<'a> {
         let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
         match self.only_one(&["gains", "poles", "pi0"]) {
             Some(("gains", node)) => {
-                let node = self.first("gains", node, true);
+                let node = self.first("gains", node);
                 law.gains = self.gains(n, node).into_iter().collect();
             }
             Some(("poles", node)) => {
-                let node = self.first("poles", node, true);
+                let node = self.first("poles", node);
                 let (poles, gains) = self.pole_gains("poles", n, node);
                 (law.poles, law.gains) = (poles, fixed(gains));
             }
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
     /// The input gain; 1 is none at all.
     pub(super) fn input_gain(&mut self, n: usize, known: &[Parameter]) -> Option<Expression> {
         let node = self.keys.get("g").copied()?;
-        let node = self.first("g", node, false);
+        let node = self.first("g", node);
         let gain = self.input_gain_of(node, n, known)?;
         (gain != Expression::integer(1)).then_some(gain)
     }

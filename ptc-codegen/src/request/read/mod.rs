@@ -251,7 +251,9 @@ impl<'a> Reader<'a> {
             let message =
                 format!("n = {} is not an order that can be generated", shown(&node.value));
             let shared = match (&node.value, self.keys.contains_key("axes")) {
-                (Value::List(_), true) => "; axes share one order: make a controller for each order, armed at the same t0 with the same tau",
+                (Value::List(_), true) => {
+                    "; axes share one order: make a controller for each order, armed at the same t0 with the same tau"
+                }
                 _ => "",
             };
             let help = format!("n is an integer 1..={MAX_ORDER}{shared}");

@@ -24,8 +24,15 @@ impl Cpp<'_> {
         };
         for (header, needed) in [
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
-            ("cstddef", code.axes().is_some() || code.functions.iter().any(|function| function.has(loops))),
-            ("cstdint", code.axes().is_some() || code.fields.iter().any(|field| field.shape == Shape::Count)),
+            (
+                "cstddef",
+                code.axes().is_some() || code.functions.iter().any(|function| function.has(loops)),
+            ),
+            (
+                "cstdint",
+                code.axes().is_some()
+                    || code.fields.iter().any(|field| field.shape == Shape::Count),
+            ),
             ("limits", true),
         ] {
             if needed {

@@ -228,8 +228,10 @@ impl<'a> Cpp<'a> {
             let kinds: Vec<_> = kinds.iter().map(|kind| format!("class {kind}")).collect();
             self.out.line(format!("template <{}>", kinds.join(", ")));
         }
-        let typed =
-            matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing | Gives::Axes);
+        let typed = matches!(
+            self.gives,
+            Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing | Gives::Axes
+        );
         let discard = if typed { "" } else { "[[nodiscard]] " };
         let constant = if calls_library(function) { "" } else { "constexpr " };
         let access = if function.access == Access::Read { " const" } else { "" };

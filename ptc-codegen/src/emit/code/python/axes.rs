@@ -43,9 +43,7 @@ impl Python<'_> {
         for argument in &function.arguments {
             let Shape::Lists(count, length) = argument.shape else { continue };
             let name = &argument.name;
-            self.out.line(format!(
-                "of_{name} = _of_axes({name}, {count}, {length}, \"{name}\")"
-            ));
+            self.out.line(format!("of_{name} = _of_axes({name}, {count}, {length}, \"{name}\")"));
             own.push_str(&format!(", of_{name}[..., axis, :]"));
         }
         let own = match self.code.numbers_axes() {

@@ -33,7 +33,7 @@ for axis in 0..{count} {{
     let control = gains.axis({given});
     all.axes[axis] = control.map(|control| control.status);
     all.u[axis] = control.map_or(0.0, |control| control.u);
-    if all.status.is_ok() && !matches!(all.axes[axis], Ok({runtime}Status::Ok | {runtime}Status::Hold | {runtime}Status::After)) {{
+    if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok({runtime}Status::Saturated)) {{
         all.status = all.axes[axis];
     }}
 }}

@@ -220,7 +220,11 @@ impl Rust<'_> {
         else {
             return;
         };
-        if code.axes().is_some() || arm.arguments.len() > 1 || step.arguments.len() > 2 || !step.callbacks.is_empty() {
+        if code.axes().is_some()
+            || arm.arguments.len() > 1
+            || step.arguments.len() > 2
+            || !step.callbacks.is_empty()
+        {
             return;
         }
         let (real, array) = (self.type_of(Shape::Real), self.states());
