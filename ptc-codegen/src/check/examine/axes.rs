@@ -62,6 +62,14 @@ fn joined(axes: &[&Outcome]) -> Option<Outcome> {
     if rest.iter().all(|other| other == first) {
         return Some((*first).clone());
     }
+    let says = |outcome: &Outcome| (outcome.verdict, outcome.summary.clone(), outcome.fix.clone());
+    if rest.iter().all(|other| says(other) == says(first)) {
+        let of_axis = |(axis, outcome): (usize, &&Outcome)| {
+            outcome.details.iter().map(move |detail| format!("axis {axis}: {detail}")).collect()
+        };
+        let details: Vec<Vec<String>> = (1..).zip(axes).map(of_axis).collect();
+        return Some(Outcome { details: details.concat(), ..(*first).clone() });
+    }
     let gravest = axes.iter().map(|outcome| gravity(outcome.verdict)).max()?;
     let at = axes.iter().position(|outcome| gravity(outcome.verdict) == gravest)?;
     let mut outcome = axes[at].clone();
