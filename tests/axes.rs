@@ -47,7 +47,7 @@ fn specs() -> Vec<Spec> {
         with(&own, &[("axes", "3"), ("name", "trusting"), ("guard", "none")]),
         with(&own, &[("axes", "3"), ("name", "half_trusting"), ("guard", "result")]),
         with(
-            &[("n", "2"), ("mu", "tanh"), ("gains", "[[20,9],[42,13]]")],
+            &[("n", "2"), ("mu", "tanh(a=0.5)"), ("gains", "[[20,9],[42,13]]")],
             &[("axes", "2"), ("name", "two"), ("u_max", "inf"), ("g", "1/mass")],
         ),
     ]
