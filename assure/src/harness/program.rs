@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
-use ptc_codegen::expression::Expression;
+use ptc_codegen::expression::Node;
 use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::{After, Feedback, Reference, Spec, What};
 
@@ -146,7 +146,7 @@ pub fn has_gains(spec: &Spec) -> bool {
         && spec
             .input_gain
             .as_ref()
-            .is_none_or(|g| !g.any(&|e| matches!(e, Expression::Variable(_))))
+            .is_none_or(|g| !g.any(&|e| matches!(e.node(), Node::Variable(_))))
         && spec.drift.is_none()
         && spec.model.is_none()
         && !matches!(spec.reference, Some(Reference::Known(_)))

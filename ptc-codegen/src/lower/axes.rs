@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::rows::Rows;
 use super::{input_gain, rows};
-use crate::expression::Expression;
+use crate::expression::{Expression, Node};
 use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Op, Value};
@@ -21,7 +21,7 @@ pub(super) struct Shared {
 /// Whether what depends on time serves several axes: gains that are held after the deadline, with no
 /// f(x, t), g(x, t) and r(t) of one axis.
 pub(super) fn shares_time(spec: &Spec) -> bool {
-    let constant = |g: &Expression| !g.any(&|e| matches!(e, Expression::Variable(_)));
+    let constant = |g: &Expression| !g.any(&|e| matches!(e.node(), Node::Variable(_)));
     spec.drift.is_none()
         && spec.model.is_none()
         && spec.input_gain.as_ref().is_none_or(constant)
