@@ -1,7 +1,7 @@
 //! Several axes: how many, and what each has of its own.
 
 use super::{Reader, count, items, shown};
-use crate::expression::{Expression, Node};
+use crate::expression::{self, Expression};
 use crate::limits::AXES;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
             }
             return;
         };
-        let moves = |g: &Expression| g.any(&|e| matches!(e.node(), Node::Variable(_)));
+        let moves = |g: &Expression| g.any(&|e| matches!(e.node(), expression::Node::Variable(_)));
         let curved = spec.input_gain.iter().chain(&axes.input_gains).any(moves);
         let alone = "make a controller for each axis, armed at the same t0 with the same tau";
         let beside = [
