@@ -48,7 +48,6 @@ pub fn of_axes() -> [Spec; 2] {
             ("poles", "[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]"),
             ("limits", "40,40,15"),
             ("g", "[1/m, 1/m, 2]"),
-            ("reference", "input"),
             ("name", "ptc_exp3_axes3_own"),
         ]),
     ]
