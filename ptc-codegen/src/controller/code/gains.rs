@@ -102,7 +102,7 @@ impl Builder<'_> {
         if self.guarded() {
             statements.push(Statement::Require(Test::All(self.legal_time()), Status::Input));
         }
-        let body = self.body(Routine::Tick);
+        let body = self.body(Routine::Tick, &[]);
         statements.extend(body.statements);
         let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
         let mut values = gains.to_vec();
@@ -132,23 +132,18 @@ impl Builder<'_> {
     }
 
     pub(super) fn axis(&self) -> Function {
-        let mut statements = Vec::new();
-        let mut tests = Vec::new();
+        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
+        let mut inputs = self.inputs_of_axis(axis);
         if let Some(axes) = self.spec.axes.as_ref().filter(|axes| axes.differ()) {
             // Whatever is trusted, no element beyond the gains is read.
             let count = Expr::Count(u32::try_from(axes.count).unwrap_or(u32::MAX));
-            tests.push(Test::CountLess(Expr::local(AXIS), count));
+            inputs.first.insert(0, Test::CountLess(Expr::local(AXIS), count));
         }
-        if self.guarded() {
-            statements.extend(self.states("x"));
-            tests.extend(self.finite_states());
-        }
-        if !tests.is_empty() {
-            statements.push(Statement::Require(Test::All(tests), Status::Input));
-        }
-        let body = self.body(Routine::Axis);
+        let mut statements = self.locals(&inputs.local);
+        statements.extend(inputs.required());
+        let body = self.body(Routine::Axis, &inputs.local);
         statements.extend(body.statements);
-        let Some(u) = body.roots.first() else { fault("gains without an axis") };
+        let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
         let limit = match self.controller.program.bounds.is_empty() {
@@ -156,11 +151,14 @@ impl Builder<'_> {
             true => self.limits.u_max.map(|limit| self.field(limit)),
         };
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
-        let within = if self.guarded() {
-            Finish::choose(Test::Finite(v()), give, fail)
+        let finish = if self.guarded() && inputs.waiting.is_empty() {
+            self.clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)
+        } else if self.guarded() {
+            let hot = Self::within(limit.clone());
+            inputs.behind(hot, give, self.clipped_at(fail, limit))
         } else {
             let nothing = Expr::binary(Operator::Sub, v(), v());
-            Finish::choose(Test::NotNumber(nothing), fail, give)
+            self.clipped_at(Finish::choose(Test::NotNumber(nothing), fail, give), limit)
         };
         Function {
             name: "axis",
@@ -185,7 +183,7 @@ impl Builder<'_> {
                 false => vec![Status::Range],
             },
             body: statements,
-            finish: self.clipped_at(within, limit),
+            finish,
             guarded: self.guarded(),
         }
     }
