@@ -13,7 +13,7 @@ use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::{After, Feedback, Spec};
-use support::goldens::controllers;
+use support::goldens::{controllers, of_axes};
 use support::program::{Record, has_gains, in_c, in_rust};
 use support::specs::Values;
 use support::{STRICT, c_compiler, folder, in_pairs, run, rustc, write};
@@ -45,7 +45,7 @@ fn root() -> PathBuf {
 /// Every golden by its path in generated/.
 fn wanted() -> BTreeMap<PathBuf, String> {
     let mut wanted = BTreeMap::new();
-    for spec in controllers() {
+    for spec in controllers().into_iter().chain(of_axes()) {
         for language in LANGUAGES.into_iter().filter(|language| is_kept(*language, &spec)) {
             let folder = language.name();
             for file in ptc_codegen::generate(&spec, language).expect("a legal spec") {
@@ -98,7 +98,8 @@ fn generated_is_what_the_generator_writes() {
 #[test]
 fn every_golden_in_c_compiles_without_a_warning() {
     let folder = folder("golden_c");
-    in_pairs(&controllers(), |spec| {
+    let all: Vec<_> = controllers().into_iter().chain(of_axes()).collect();
+    in_pairs(&all, |spec| {
         for file in write(&folder, spec, Language::C) {
             if file.extension().is_some_and(|extension| extension == "c") {
                 let object = file.with_extension("o");
@@ -135,7 +136,8 @@ fn goldens_in_rust_are_formatted() {
 #[test]
 fn every_golden_in_rust_compiles_without_a_warning() {
     let folder = folder("golden_rust");
-    in_pairs(&controllers(), |spec| {
+    let all: Vec<_> = controllers().into_iter().chain(of_axes()).collect();
+    in_pairs(&all, |spec| {
         let source = write(&folder, spec, Language::Rust).remove(0);
         let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh))
             && spec.feedback == Feedback::Linear;
@@ -213,7 +215,7 @@ fn generating_twice_gives_the_same_bytes() {
 /// The macro expands to the items of the golden, on the types of the facade.
 #[test]
 fn the_macro_expands_to_the_golden() {
-    for spec in controllers() {
+    for spec in controllers().into_iter().chain(of_axes()) {
         let items = ptc_codegen::macro_items(&spec).expect("a legal spec");
         let file = ptc_codegen::generate(&spec, Language::Rust).expect("a legal spec").remove(0);
         assert!(items.contains("::ptc::"), "{}", spec.name());

@@ -83,6 +83,9 @@ table! {
     /// States of a model.
     STATES = 16 "states", "each is differentiated by in each derivative of the output",
         "leave out states that the output does not depend on";
+    /// Axes of a controller.
+    AXES = 16 "axes", "gains of its own for each are lines of the emitted step",
+        "make several controllers, armed at the same t0 with the same tau";
     /// Bits of a constant over or under its fraction bar.
     BITS = 4_096 "bits in a constant", "powers of powers multiply them",
         "write it with constants of fewer digits";

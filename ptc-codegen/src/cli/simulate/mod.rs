@@ -48,8 +48,10 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     for (source, x0) in all {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows =
-            spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
+        let knows = spec
+            .needs_law("simulate")
+            .and_then(|()| spec.needs_one_axis("simulate"))
+            .and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
