@@ -95,7 +95,9 @@ fn fits(text: &str, schema: &Value) -> Result<(), String> {
 fn shells_and_manuals_are_told_of_every_subcommand() {
     let page = stdout(&["man"]);
     let script = stdout(&["completions", "bash"]);
-    for name in ["emit", "check", "show", "simulate", "verify", "design", "new", "list", "schema"] {
+    for name in [
+        "emit", "check", "show", "simulate", "verify", "design", "new", "list", "explain", "schema",
+    ] {
         assert!(page.contains(name), "{name} in the manual");
         assert!(script.contains(&format!("ptc__codegen__subcmd__{name}")), "{name} for bash");
         let own = stdout(&["man", name]);

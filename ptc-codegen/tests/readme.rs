@@ -60,7 +60,7 @@ const AXES: &str = include_str!("../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 36] = [
+const PAGES: [(&str, &str); 37] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../docs/guide/period.md")),
@@ -72,6 +72,7 @@ const PAGES: [(&str, &str); 36] = [
     ("start.md", START),
     ("explorer.md", include_str!("../../docs/explorer.md")),
     ("catalogue.md", include_str!("../../docs/catalogue.md")),
+    ("messages.md", include_str!("../../docs/messages.md")),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
     ("languages.md", include_str!("../../docs/languages.md")),

@@ -24,6 +24,7 @@ Examples:
   ptc-codegen verify roll.toml                        its objectives, over scenarios
   ptc-codegen design wish.toml -o roll.toml           chooses mapping and poles for them
   ptc-codegen show matrix --n 4 --mu tanh             the matrix BB_4 and the row b_4
+  ptc-codegen explain missing-key                     what a message means, and its fix
 
 simulate, verify and design need a build with `--features lab`.";
 
@@ -75,6 +76,9 @@ pub(crate) enum Command {
     /// Write a design file to begin with, which explains every key
     #[command(after_help = with_exit_codes(super::new::EXAMPLES))]
     New(super::new::New),
+    /// Explain a message, a check or a status: what it means, an example, and its fix
+    #[command(after_help = with_exit_codes(super::explain::EXAMPLES))]
+    Explain(super::explain::Explain),
     /// Print what a shell needs to complete commands and flags
     #[command(after_help = with_exit_codes(super::manual::COMPLETIONS_EXAMPLES))]
     Completions(super::manual::Completions),

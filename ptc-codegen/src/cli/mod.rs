@@ -10,6 +10,7 @@ mod compare;
 mod design;
 mod emit;
 mod engine;
+mod explain;
 mod flags;
 mod fmu;
 #[cfg(feature = "lab")]
@@ -90,6 +91,7 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
             write::to_stdout(&manual::completions(&request, CommandLine::command()))
         }
         Command::Man(request) => write::to_stdout(&manual::page(&request, CommandLine::command())?),
+        Command::Explain(request) => write::to_stdout(&explain::explain(&request)?),
         Command::Schema => write::to_stdout(&schema::schema()),
         Command::List(request) => write::to_stdout(&list::list(&request)),
     }

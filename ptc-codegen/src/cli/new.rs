@@ -14,14 +14,15 @@ use super::report::Failure;
 use super::write;
 
 pub(crate) const EXAMPLES: &str = "\
-The file is a valid design: a comment explains every key and its legal values, or, with --from, the paper.
+The file is a valid design: a comment explains every key and its legal values.
+With --from it is a published controller, and its head names the paper.
 
 Examples:
-  ptc-codegen new                                design.toml
-  ptc-codegen new roll                           roll.toml, of a controller called roll
-  ptc-codegen new -                              to the standard output
-  ptc-codegen new --from power_scaling           power_scaling.toml, after Song et al. 2017
-  ptc-codegen new yaw --from power_scaling       the same as yaw.toml, of a controller called yaw";
+  ptc-codegen new                           design.toml
+  ptc-codegen new roll                      roll.toml, of a controller called roll
+  ptc-codegen new -                         to the standard output
+  ptc-codegen new --from power_scaling      after Song et al. 2017
+  ptc-codegen new yaw --from power_scaling  the same as yaw.toml";
 
 /// The flags of `new`.
 #[derive(Debug, Args)]

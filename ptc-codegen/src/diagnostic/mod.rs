@@ -1,5 +1,7 @@
 //! Diagnostics of wrong input.
 
+pub mod explain;
+
 use std::borrow::Cow;
 use std::fmt;
 
@@ -16,7 +18,7 @@ pub struct Place(pub usize);
 /// One thing that is wrong, with what is legal and the likely fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Stable short name of the kind of mistake, for example `unknown-family`.
+    /// Stable short name of the kind of mistake, for example `unknown-family`: [`explain`] has its meaning.
     pub code: &'static str,
     /// The key that is wrong, as the user knows it, for example `mu.a`.
     pub key: String,
@@ -55,6 +57,7 @@ impl Diagnostics {
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
+        debug_assert!(explain::find(code).is_some(), "{code} has no explanation");
         self.0.push(Diagnostic {
             code,
             key: key.into(),

@@ -1,0 +1,55 @@
+//! The statuses of the emitted controllers.
+
+use super::Explanation;
+
+pub(super) static STATUSES: [Explanation; 7] = [
+    Explanation {
+        code: "PTC_OK",
+        means: "The law is tracking. u is that of the law, within u_max.",
+        design: "",
+        example: "a step between t0 and t0 + tau - eps",
+        fix: "nothing is wrong",
+    },
+    Explanation {
+        code: "PTC_HOLD",
+        means: "The time-to-go is held at eps. The deadline is near or over, and u is that of the law with the last gains.",
+        design: "",
+        example: "a step from t0 + tau - eps on, and every step after the deadline with `after = hold`",
+        fix: "nothing is wrong; `arm` starts a new run",
+    },
+    Explanation {
+        code: "PTC_SATURATED",
+        means: "The law wanted more than u_max. u is clipped to it; this wins over PTC_HOLD and PTC_AFTER.",
+        design: "",
+        example: "a large initial state, or one that a disturbance moved away shortly before the deadline",
+        fix: "prolonged saturation voids the deadline: take a longer tau, slower poles, a larger eps or a stronger actuator; `simulate` shows how long it lasts",
+    },
+    Explanation {
+        code: "PTC_AFTER",
+        means: "The deadline is over. u is 0 with `after = zero`, and that of your function with `after = extern`.",
+        design: "",
+        example: "a step at t0 + tau or later of a controller with `after = zero`",
+        fix: "nothing is wrong; `arm` starts a new run",
+    },
+    Explanation {
+        code: "PTC_E_PARAM",
+        means: "A parameter is outside its domain. Or a coefficient that follows from the parameters overflows. `init` or `arm` changed nothing.",
+        design: "",
+        example: "eps >= tau, a tau that is not > 0, or params in C with a field that was forgotten and is 0",
+        fix: "the comment of the params in the header gives each domain; set every field",
+    },
+    Explanation {
+        code: "PTC_E_INPUT",
+        means: "An argument is not finite, t is before t0, or a pointer is NULL. u is 0 and nothing has changed.",
+        design: "",
+        example: "a sensor that returns NaN, or a clock that went back",
+        fix: "switch the actuator to its safe state, and find what the sensor or the clock returned; `arm` sets a new t0",
+    },
+    Explanation {
+        code: "PTC_E_RANGE",
+        means: "u is not a finite number. u is 0 and nothing has changed.",
+        design: "",
+        example: "a state of 1e300 with u_max infinite, or g(x, t) = 0",
+        fix: "give u_max, and keep the state where g is not 0; `check` with `x_max` finds an overflow before the first run",
+    },
+];

@@ -1,0 +1,177 @@
+//! Every message is explained: the table of `explain`, its examples, and docs/messages.md, which
+//! `UPDATE_GOLDEN=1` writes anew.
+#![cfg(all(unix, feature = "lab"))]
+
+mod support;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use ptc_codegen::diagnostic::explain::{self, Explanation, KINDS};
+use ptc_codegen::keys::CHECKS;
+use support::words::{stderr, stdout};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The sources of the generator and of the macro, without the table itself.
+fn sources() -> Vec<(PathBuf, String)> {
+    let mut folders = vec![root().join("ptc-codegen/src"), root().join("ptc-macros/src")];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() && !path.ends_with("diagnostic/explain") {
+                folders.push(path);
+            } else if path.extension().is_some_and(|own| own == "rs") {
+                let text = fs::read_to_string(&path).expect("text");
+                found.push((path, text));
+            }
+        }
+    }
+    found
+}
+
+/// The literal at the beginning of `text`, if there is one.
+fn literal(text: &str) -> Option<&str> {
+    text.trim_start().strip_prefix('"')?.split('"').next()
+}
+
+/// The codes that a source gives to messages: those that it writes where it makes one, and its constants.
+fn codes(text: &str) -> BTreeSet<&str> {
+    let mut found = BTreeSet::new();
+    for start in ["found.push(", ".wrong(", "refusal(", "code: ", "code: Some("] {
+        let after = text.split(start).skip(1).filter_map(literal);
+        // `wrong` of some readers takes a key first, in which there is no dash.
+        found.extend(
+            after.filter(|code| start != ".wrong(" && start != "refusal(" || code.contains('-')),
+        );
+    }
+    for constant in text.split("/// Code of").skip(1) {
+        found.extend(constant.split_once("&str = ").and_then(|(_, value)| literal(value)));
+    }
+    found
+}
+
+#[test]
+fn every_code_in_the_sources_is_explained() {
+    let mut seen = 0;
+    for (path, text) in sources() {
+        for code in codes(&text) {
+            assert!(explain::find(code).is_some(), "{}: `{code}` has no entry", path.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 60, "{seen} codes");
+    // What the scan would say of a code without an entry.
+    let made_up = "self.found.push(\n    \"made-up\", key, place, message, help);";
+    assert_eq!(codes(made_up), BTreeSet::from(["made-up"]));
+    assert!(explain::find("made-up").is_none());
+}
+
+#[test]
+fn nothing_is_explained_that_is_not_said() {
+    let sources: String = sources().into_iter().map(|(_, text)| text).collect();
+    let mut seen = BTreeSet::new();
+    for own in explain::all() {
+        assert!(seen.insert(own.code), "{} twice", own.code);
+        let word = format!("\"{}\"", own.code);
+        assert!(sources.contains(&word), "nothing says {}", own.code);
+        let whole = |text: &str| !text.is_empty() && !text.contains(['\u{2014}', '\n']);
+        assert!(whole(own.means) && whole(own.fix) && whole(own.example), "{own:?}");
+    }
+    let [checks, statuses, errors] = &KINDS;
+    assert_eq!(checks.all.iter().map(|own| own.code).collect::<Vec<_>>(), CHECKS);
+    let header = include_str!("../templates/status.h.txt");
+    let named =
+        header.lines().filter_map(|line| line.trim().strip_prefix("PTC_")?.split(' ').next());
+    let named: Vec<_> = named.map(|name| format!("PTC_{name}")).collect();
+    assert_eq!(statuses.all.iter().map(|own| own.code).collect::<Vec<_>>(), named);
+    assert!(errors.all.is_sorted_by_key(|own| own.code));
+}
+
+/// Runs the example of `own`, if it is a command, and shows what it says.
+fn example(own: &Explanation) -> Option<String> {
+    let words = own.example.strip_prefix("ptc-codegen ")?;
+    let folder = support::folder(&format!("messages_{}", own.code));
+    fs::write(folder.join("design.toml"), own.design).expect("a design");
+    let line = format!("'{}' {words}", env!("CARGO_BIN_EXE_ptc-codegen"));
+    let output = Command::new("sh").args(["-c", &line]).current_dir(folder).output();
+    let output = output.expect("a shell");
+    assert!(!output.status.success(), "{}: {words}", own.code);
+    let text = [output.stdout, output.stderr].concat();
+    Some(String::from_utf8(text).expect("UTF-8"))
+}
+
+#[test]
+fn each_example_causes_its_message() {
+    let [checks, _, errors] = &KINDS;
+    for own in checks.all {
+        let told = example(own).expect("a command");
+        let line = told.lines().find(|line| line.starts_with("refused: "));
+        assert_eq!(line, Some(&*format!("refused: {}", own.code)), "{told}");
+    }
+    let mut without = BTreeSet::new();
+    for own in errors.all {
+        match example(own) {
+            Some(told) => assert!(told.contains(&format!("error[{}]", own.code)), "{told}"),
+            None => assert!(without.insert(own.code)),
+        }
+    }
+    let expected = ["internal", "more", "no-digits", "selftest", "unreadable-design"];
+    assert_eq!(without, BTreeSet::from(expected));
+}
+
+#[test]
+fn the_command_explains() {
+    let listed = stdout(&["explain"]);
+    for own in explain::all() {
+        assert!(listed.contains(&format!("  {} ", own.code)), "{}", own.code);
+        let told = stdout(&["explain", own.code]);
+        for part in [own.code, own.means, own.example, own.fix] {
+            assert!(told.contains(part), "{told}");
+        }
+        for line in own.design.lines() {
+            assert!(told.contains(line), "{told}");
+        }
+    }
+    assert_eq!(stdout(&["explain", "ptc_hold"]), stdout(&["explain", "PTC_HOLD"]));
+    let told = stderr(&["explain", "mising-key"], 2);
+    assert!(told.contains("`mising-key`") && told.contains("`missing-key`"), "{told}");
+}
+
+/// The page as the table makes it.
+fn page() -> String {
+    let mut text = String::from(
+        "# Messages\n\nWhat each check, status and error means, an example that causes it, and its fix: \
+         `ptc-codegen explain CODE` prints the same.\n",
+    );
+    for kind in &KINDS {
+        text.push_str(&format!("\n## {}\n\n{}\n", kind.title, kind.about));
+        for Explanation { code, means, design, example, fix } in kind.all {
+            text.push_str(&format!("\n### {code}\n\n{means}\n\n"));
+            if !design.is_empty() {
+                text.push_str(&format!("```toml\n{design}```\n\n"));
+            }
+            match example.starts_with("ptc-codegen ") {
+                true => text.push_str(&format!("```sh\n{example}\n```\n")),
+                false => text.push_str(&format!("Example: {example}.\n")),
+            }
+            text.push_str(&format!("\nFix: {fix}.\n"));
+        }
+    }
+    text
+}
+
+#[test]
+fn the_page_is_the_table() {
+    let path = root().join("docs/messages.md");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, page()).expect("writable");
+    }
+    let there = fs::read_to_string(&path).unwrap_or_default();
+    assert!(there == page(), "docs/messages.md is not the table; UPDATE_GOLDEN=1 writes it");
+}
