@@ -1,5 +1,7 @@
 //! What a step gives.
 
+use crate::Error;
+
 /// How a valid u came about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -21,4 +23,17 @@ pub struct Control<R = f64> {
     pub u: R,
     /// How it came about.
     pub status: Status,
+}
+
+/// The control of one step of `M` axes, `axes = M`; `R` is the floating-point type of the controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Axes<const M: usize, R = f64> {
+    /// The inputs of the plants. All are 0 where `status` is an error.
+    pub u: [R; M],
+    /// How each came about, or why it did not.
+    pub axes: [Result<Status, Error>; M],
+    /// The error of the first axis that has one; else [`Status::Saturated`] where an axis is, else that
+    /// of the gains.
+    pub status: Result<Status, Error>,
 }

@@ -79,7 +79,7 @@ mod error;
 #[doc(hidden)]
 pub mod math;
 
-pub use control::{Control, Status};
+pub use control::{Axes, Control, Status};
 pub use controller::Controller;
 pub use error::Error;
 
@@ -90,6 +90,8 @@ pub use error::Error;
 /// | key | meaning | value | default |
 /// | --- | --- | --- | --- |
 /// | `n` | order of the chain of integrators | an integer 1..=16 | must be given, but beside a model |
+/// | `axes` | number of chains with one deadline that each call gives u for | an integer 1..=16 | one chain |
+/// | `limits` | bounds of \|u\| of each axis, in place of `u_max` | a number > 0 for each axis | `u_max` for all |
 /// | `mu` | mapping of time, with its parameters where they are fixed | `exp`, `rational`, `power`, `tan`, `tanh`, `algebraic`, `exp_sum`; `exp(a = 1)`, `power(m = 2)`, `exp_sum(3)` for three run-time rates, `exp_sum(rates = [0.5, 1.5])`; or an expression in stretched time: `tau*(1 - exp(-a*t))` | this or `kappa` must be given |
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
@@ -97,10 +99,10 @@ pub use error::Error;
 /// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `guard` | run-time checks of the inputs of `step` | `full`; `result`: one test on u catches x and t that are not finite; `none` | `full` |
-/// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]` | run time |
-/// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]` | |
+/// | `gains` | gains k_1..k_n of the law pi0 = -sum k_i xi_i, k_i in s^(i-1-n) | a list of n finite numbers: `[120, 74, 15]`; with `axes` also a list of them for each axis | run time |
+/// | `poles` | poles of the loop in stretched time, in place of `gains` | n numbers, complex ones in pairs: `[-4, -3+2*i, -3-2*i]`; with `axes` also a list of them for each axis | |
 /// | `pi0` | law of the infinite-time system, in place of `gains` | an expression in `xi1`..`xin`, `t` and latched `x1_0`, `xi1_0`; or `extern`: `step` takes a closure of xi and stretched time | the linear law |
-/// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range` | 1 |
+/// | `g` | input gain of the plant | an expression in `x1`..`xn` and `t`; where it is 0, `step` gives `Error::Range`; with `axes` an expression in parameters, or one for each axis | 1 |
 /// | `f` | known part of the plant, cancelled | an expression in `x1`..`xn` and `t`; a finite number with `clock = samples` | 0 |
 /// | `reference` | what x1, or the output of a model, follows in place of 0; with `clock = time` | an expression in `t`; or `input`: `step` takes r and its n derivatives behind x | 0 |
 /// | `states` | names of the states of a model of the plant, from which x1..xn, f and g follow | a list of names: `[angle, speed]` | |
@@ -195,6 +197,9 @@ pub use error::Error;
 /// }
 /// # }
 /// ```
+///
+/// With `axes = 6` `step` takes `x: &[[f64; 3]; 6]` and gives [`Axes<6>`](Axes): u and a status for each
+/// axis, and one for all.
 ///
 /// # Examples
 ///

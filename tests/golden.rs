@@ -14,7 +14,7 @@ use ptc_codegen::family::Family;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::{After, Feedback, Spec};
-use support::goldens::controllers;
+use support::goldens::{controllers, of_axes};
 use support::program::{Record, has_gains, in_c, in_rust};
 use support::specs::Values;
 use support::{folder, run, rustc, write};
@@ -48,7 +48,7 @@ static WANTED: LazyLock<BTreeMap<PathBuf, String>> = LazyLock::new(wanted);
 
 fn wanted() -> BTreeMap<PathBuf, String> {
     let mut wanted = BTreeMap::new();
-    for spec in controllers() {
+    for spec in controllers().into_iter().chain(of_axes()) {
         for language in LANGUAGES.into_iter().filter(|language| is_kept(*language, &spec)) {
             let folder = language.name();
             for file in ptc_codegen::generate(&spec, language).expect("a legal spec") {
@@ -133,7 +133,7 @@ fn goldens_in_rust_are_formatted() {
 fn goldens_without_a_function_compile_without_std() {
     let folder = folder("golden_rust");
     let mut modules = "#![no_std]\n".to_owned();
-    for spec in controllers() {
+    for spec in controllers().into_iter().chain(of_axes()) {
         let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh));
         if bare && spec.feedback == Feedback::Linear {
             write(&folder, &spec, Language::Rust);
@@ -211,7 +211,7 @@ fn generating_twice_gives_the_same_bytes() {
 /// The macro expands to the items of the golden, on the types of the facade.
 #[test]
 fn the_macro_expands_to_the_golden() {
-    for spec in controllers() {
+    for spec in controllers().into_iter().chain(of_axes()) {
         let items = ptc_codegen::macro_items(&spec).expect("a legal spec");
         let file = ptc_codegen::generate(&spec, Language::Rust).expect("a legal spec").remove(0);
         assert!(items.contains("::ptc::"), "{}", spec.name());

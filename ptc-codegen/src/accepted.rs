@@ -93,6 +93,7 @@ impl Accepted {
     /// # Errors
     /// A fault of the generator.
     pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        self.report.spec.needs_one_axis("a proof")?;
         within(|| match &self.staged {
             Some(_) => Ok(emit::emit_with_proof(&self.controller())),
             None => {

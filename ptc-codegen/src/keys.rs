@@ -16,12 +16,24 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 45] = [
+pub static KEYS: [KeyInfo; 47] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
         legal: "an integer 1..=16",
         example: "3",
+    },
+    KeyInfo {
+        key: "axes",
+        meaning: "number of chains with one deadline that each call gives u for",
+        legal: "an integer 1..=16",
+        example: "3",
+    },
+    KeyInfo {
+        key: "limits",
+        meaning: "bounds of |u| of each axis, in place of u_max",
+        legal: "a number > 0 for each axis",
+        example: "20,20,5",
     },
     KeyInfo {
         key: "mu",
@@ -68,13 +80,13 @@ pub static KEYS: [KeyInfo; 45] = [
     KeyInfo {
         key: "gains",
         meaning: "gains k_1..k_n of the law pi0 = -sum k_i xi_i",
-        legal: "n finite numbers",
+        legal: "n finite numbers; with axes also a list of them for each axis",
         example: "120,74,15",
     },
     KeyInfo {
         key: "poles",
         meaning: "poles of the loop in stretched time, in place of gains",
-        legal: "n numbers; complex ones in pairs",
+        legal: "n numbers, complex ones in pairs; with axes also a list of them for each axis",
         example: "-4,-3+2i,-3-2i",
     },
     KeyInfo {
@@ -86,7 +98,7 @@ pub static KEYS: [KeyInfo; 45] = [
     KeyInfo {
         key: "g",
         meaning: "input gain of the plant xn' = f + g*u",
-        legal: "an expression in x1..xn and t, not 0",
+        legal: "an expression in x1..xn and t, not 0; with axes an expression in parameters, or one for each axis",
         example: "2 + cos(x1)",
     },
     KeyInfo {

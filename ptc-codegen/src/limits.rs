@@ -74,7 +74,8 @@ table! {
     /// Arguments of min, max and mean.
     ARGUMENTS = 99 "arguments", "each is an operation in a row",
         "join parts: min(min(a, b), min(c, d))";
-    /// Operations and operands of an expression, its families written out.
+    /// Operations and operands of an expression, its families written out; of a derivative, each counted
+    /// once, as often as it occurs.
     SIZE = 10_000 "operations and operands", "families in families multiply it",
         "write it shorter";
     /// Coefficients of the expansion of a mapping: those of a triangle of the order for each operation.
@@ -83,6 +84,9 @@ table! {
     /// States of a model.
     STATES = 16 "states", "each is differentiated by in each derivative of the output",
         "leave out states that the output does not depend on";
+    /// Axes of a controller.
+    AXES = 16 "axes", "gains of its own for each are lines of the emitted step",
+        "make several controllers, armed at the same t0 with the same tau";
     /// Bits of a constant over or under its fraction bar.
     BITS = 4_096 "bits in a constant", "powers of powers multiply them",
         "write it with constants of fewer digits";
@@ -94,6 +98,32 @@ table! {
     KERNELS = 200 "names, calls and roots", "each is compared with all", "";
     /// Whole power of a sum that is multiplied out.
     POWER = 24 "as its power", "a sum to it has about as many terms as are kept", "";
+    /// Exponents of numbers that are folded.
+    FOLDED = 64 "as the exponent of a number", "the digits of a power grow with it, and so does the work on them", "";
+    /// Degrees of the roots of numbers that are sought.
+    ROOT = 64 "as the degree of a root", "a number of a spec that is a higher power is 1, or written as one", "";
+    /// Whole multiples in an exponent: e^(k u) is the power k of e^u.
+    MULTIPLE = 1_000 "times an exponent", "powers of one exponential cancel; larger multiples are constants of a fit, which do not", "";
+    /// Products of terms that a power of a sum is multiplied out to.
+    EXPANDED = 64 "products of terms", "as many terms as a polynomial may have", "";
+    /// Growth of a normal form.
+    GROWTH = 4 "times the size of what it stands for", "a larger one takes longer to compute, and to read", "";
+    /// Size by which a normal form may grow in any case.
+    ALWAYS = 48 "operations and operands", "the limit of a short expression is some times as long", "";
+    /// Terms of the polynomial part of a fraction.
+    PARTS = 16 "terms", "a mapping with more of them is no sum of a constant and what vanishes", "";
+    /// Powers of e^u in which 1 + h is put for it, to find a sign.
+    LIFTED = 16 "as its power", "a sum to the power k has k + 1 terms, in each of which there may be another", "";
+    /// Calls within calls that a sign is looked for in.
+    CALLS = 7 "calls in each other", "each takes a normal form, and some take two", "";
+    /// Operations on small coefficients of one search for leading terms.
+    SEARCH = 4_000 "operations", "a search takes a tenth of a second at most", "";
+    /// Size of two coefficients of leading terms that are combined.
+    COEFFICIENT = 150 "operations and operands", "the work of a normal form grows faster than what it is taken of", "";
+    /// Bounds that are kept of what follows the leading terms.
+    BOUNDS = 8 "bounds", "each is compared with all, and more than two are rare", "";
+    /// Operations on intervals for the values of one expression, a call counted as some.
+    ENCLOSURE = 60_000 "operations", "well below a second", "";
     /// Steps of the work on one expression, each of about a tenth of a microsecond.
     EFFORT = 5_000_000 "steps", "a refusal takes less than a second and 500 MB",
         "write it with fewer functions, powers and fractions in each other";

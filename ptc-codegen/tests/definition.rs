@@ -93,14 +93,17 @@ fn worst(spec: &Spec) -> f64 {
         }
         let allowed = tolerance::of(spec);
         worst = worst.max(expected.error(own.value(program.step)) / allowed);
-        if !program.gains.is_empty() {
+        // Those of a law with g are divided by it in `axis`.
+        if !program.gains.is_empty() && spec.input_gain.is_none() {
             let u: f64 = own.values(&program.gains).iter().zip(&x).map(|(k, x)| k * x).sum();
             worst = worst.max(expected.error(u) / allowed);
         }
         if let Some(axis) = program.axis {
             let gains = own.values(&program.gains);
+            let divisors = own.values(&program.divisors);
             let with_gains = |asked| match asked {
                 Input::Gain(j) => gains[j - 1],
+                Input::Divisor => divisors[0],
                 other => input(other),
             };
             let u = Interpreter::new(&program, &with_gains).value(axis);

@@ -32,6 +32,9 @@ const SAMPLES: &str = include_str!("../../docs/samples.md");
 /// The design of the README and of docs/start.md, which docs/samples.md uses too.
 const ENCODER: &str = include_str!("../../examples/encoder.toml");
 
+/// The design of several axes of the guide.
+const GANTRY: &str = include_str!("../../examples/gantry.toml");
+
 /// The design of a linear plant, which docs/samples.md shows.
 const MOTOR: &str = include_str!("../../examples/motor.toml");
 
@@ -266,6 +269,8 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("cart.toml"), CART).expect("writable");
     assert_eq!(blocks_of(REFERENCES, "toml"), [TRACK]);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
+    assert_eq!(blocks_of(AXES, "toml"), [GANTRY]);
+    fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
     for line in blocks_of(VERIFY, "sh").concat().lines() {
@@ -294,8 +299,9 @@ fn pages_show_what_is_printed() {
     }
     let [program] = &blocks_of(AXES, "c")[..] else { panic!("one program") };
     fs::write(folder.join("axes.c"), program).expect("writable");
-    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iaxes -c axes.c";
-    shell(strict, &folder);
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iaxes axes.c axes/gantry.c -lm -o gantry && ./gantry";
+    let [shown] = &blocks_of(AXES, "text")[..] else { panic!("one output") };
+    assert_eq!(&shell(strict, &folder), shown);
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
         let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
         let shown = blocks_of(page.expect("a page").1, "console").concat();

@@ -59,6 +59,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 
         Input::State(j) => record.x[j - 1],
         Input::Reference(order) => record.x[spec.states() + order],
         Input::Gain(j) => gains[j - 1],
+        Input::Divisor => gains[spec.n],
         Input::StateAtStart(_) | Input::Drift | Input::Control => f64::NAN,
     };
     let early = parameter(Parameter::StartTime).is_some_and(|t0| record.t < t0);
@@ -71,7 +72,7 @@ fn interpreted(program: &Program, spec: &Spec, record: &Record) -> [(i32, f64); 
     let u = step.value(program.step);
     let step = outcome(program, &mut step, u);
     let mut tick = Interpreter::new(program, &at_step);
-    let gains: Vec<_> = program.gains.iter().map(|gain: &Value| tick.value(*gain)).collect();
+    let gains: Vec<_> = program.handed_over().map(|gain: &Value| tick.value(*gain)).collect();
     let at_axis = |i| input(&gains, i);
     let u = Interpreter::new(program, &at_axis).value(program.axis.expect("a linear law"));
     [step, outcome(program, &mut tick, u)]
@@ -178,7 +179,8 @@ fn languages_and_passes_agree_bit_for_bit() {
     let following = ["f64", "f32"].map(|precision| {
         spec(&[("n", "3"), ("mu", "rational"), ("reference", "input"), ("precision", precision)])
     });
-    let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).collect();
+    let divided = ["2", "1/mass"].map(|g| spec(&[("n", "2"), ("mu", "exp"), ("g", g)]));
+    let specs: Vec<_> = specs.into_iter().chain(looped).chain(following).chain(divided).collect();
     let folder = folder("bits");
     let programs: Vec<_> =
         specs.iter().zip(in_c(&folder, &specs)).zip(in_rust(&folder, &specs)).enumerate().collect();

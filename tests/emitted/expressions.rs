@@ -61,7 +61,11 @@ fn errors(family: Family, make: &dyn Fn(usize) -> Spec) -> BTreeMap<usize, (f64,
             Input::StartTime => vector.t0,
             Input::Time => vector.t,
             Input::State(i) | Input::StateAtStart(i) => vector.x[i - 1],
-            Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => f64::NAN,
         };
         let law =
             |arguments: &[f64]| -vector.k.iter().zip(arguments).map(|(k, xi)| k * xi).sum::<f64>();

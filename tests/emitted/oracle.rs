@@ -134,6 +134,7 @@ fn gain(program: &Program, vector: &Vector, j: usize, eps: f64) -> f64 {
         Input::Reference(_)
         | Input::StateAtStart(_)
         | Input::Gain(_)
+        | Input::Divisor
         | Input::Drift
         | Input::Control => f64::NAN,
     };

@@ -82,7 +82,11 @@ impl<'a> Loop<'a> {
             Input::StartTime => -(self.values)(Parameter::Tau),
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
-            Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => f64::NAN,
         }
     }
 

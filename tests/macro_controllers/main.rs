@@ -1,6 +1,7 @@
 //! Controllers that `ptc_controller!` writes: in closed loop against exact solutions, and at the
 //! edges of what they accept.
 
+mod axes;
 mod edges;
 mod exact;
 mod keys;

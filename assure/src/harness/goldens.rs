@@ -37,6 +37,22 @@ pub fn controllers() -> Vec<Spec> {
     all
 }
 
+/// Controllers of several axes, the calls of which are others.
+pub fn of_axes() -> [Spec; 2] {
+    [
+        spec(&[("n", "2"), ("axes", "3"), ("mu", "exp"), ("name", "ptc_exp2_axes3")]),
+        spec(&[
+            ("n", "3"),
+            ("axes", "3"),
+            ("mu", "exp(a=1)"),
+            ("poles", "[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]"),
+            ("limits", "40,40,15"),
+            ("g", "[1/m, 1/m, 2]"),
+            ("name", "ptc_exp3_axes3_own"),
+        ]),
+    ]
+}
+
 /// User-defined mappings, laws, ends and divisors, and latched states.
 fn features() -> [Spec; 5] {
     [

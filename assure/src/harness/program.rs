@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::emit::Language;
+use ptc_codegen::expression::Node;
 use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::{After, Feedback, Reference, Spec, What};
 
@@ -142,8 +143,12 @@ pub(super) fn numbers(spec: &Spec) -> usize {
 /// Whether `tick` and `axis` are emitted.
 pub fn has_gains(spec: &Spec) -> bool {
     spec.feedback == Feedback::Linear
-        && spec.input_gain.is_none()
+        && spec
+            .input_gain
+            .as_ref()
+            .is_none_or(|g| !g.any(&|e| matches!(e.node(), Node::Variable(_))))
         && spec.drift.is_none()
+        && spec.model.is_none()
         && !matches!(spec.reference, Some(Reference::Known(_)))
         && spec.after == After::Hold
         && spec.what == What::Controller

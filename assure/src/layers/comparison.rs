@@ -201,7 +201,11 @@ impl Reference {
             Input::Time => record.t,
             Input::State(j) => record.x[j - 1],
             Input::Reference(order) => record.x[self.spec.states() + order],
-            Input::StateAtStart(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::StateAtStart(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => f64::NAN,
         };
         let mut interpreter = Interpreter::new(&self.program, &input);
         let terms = self.program.gains.iter().zip(&record.x);

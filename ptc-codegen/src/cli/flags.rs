@@ -42,7 +42,7 @@ impl FromArgMatches for SpecFlags {
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
         for info in &KEYS {
-            if let Some(text) = matches.get_one::<String>(info.key) {
+            for text in matches.get_many::<String>(info.key).into_iter().flatten() {
                 self.0.give(info.key, text);
             }
         }

@@ -130,6 +130,19 @@ impl Source {
         values.split(',').map(one).collect()
     }
 
+    /// The same with one of the flags of `key`, for each time that it is given.
+    #[cfg(feature = "lab")]
+    pub(crate) fn each_flag(&self, key: &str) -> Vec<Self> {
+        let of_key: Vec<_> = (0..self.given.len()).filter(|i| self.given[*i].key == key).collect();
+        let one = |kept: &usize| {
+            let mut source = self.clone();
+            let mut index = 0..;
+            source.given.retain(|flag| index.next() == Some(*kept) || flag.key != key);
+            source
+        };
+        if of_key.is_empty() { vec![self.clone()] } else { of_key.iter().map(one).collect() }
+    }
+
     /// The same flags over the keys of a design file, if one is given.
     pub(crate) fn with_design(&self, path: Option<&Path>) -> Result<Self, Failure> {
         let mut source = self.clone();

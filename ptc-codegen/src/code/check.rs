@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use num_traits::Zero;
 
 use super::{
-    Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Variable,
+    AXIS, Access, Code, Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement,
+    Variable,
 };
 use crate::algebra::BigRational;
 use crate::program::number;
@@ -69,7 +70,37 @@ impl Code {
             Shape::Gains => self.gains.iter().map(elements).sum(),
             _ => elements(result),
         });
+        if let Finish::Axes(count) = function.finish {
+            return self.gives_axes(function, count);
+        }
         seen.finish(&function.finish, given.sum(), function.owner)
+    }
+
+    /// Whether a function gives what `tick` and `axis` give for each of so many axes.
+    fn gives_axes(&self, function: &Function, count: usize) -> Result<(), String> {
+        let (Some(tick), Some(axis)) = (self.function("tick"), self.function("axis")) else {
+            return Err("there is no tick or no axis".to_owned());
+        };
+        let own = axis.arguments.iter().filter(|argument| argument.shape != Shape::Count);
+        let lists = own.map(|argument| match argument.shape {
+            Shape::Reals(length) => Ok((argument.name.as_str(), Shape::Lists(count, length))),
+            _ => Err(format!("{} is no array", argument.name)),
+        });
+        let time = tick.arguments.iter().map(|a| Ok((a.name.as_str(), a.shape)));
+        let wanted: Vec<_> = time.chain(lists).collect::<Result<_, _>>()?;
+        let shapes = |list: &[Variable]| list.iter().map(|v| v.shape).collect::<Vec<_>>();
+        let given: Vec<_> = function.arguments.iter().map(|a| (a.name.as_str(), a.shape)).collect();
+        let gives = [Shape::Reals(count), Shape::Statuses(count)];
+        let plain = function.body.is_empty()
+            && function.callbacks.is_empty()
+            && (function.owner, function.access) == (Owner::Controller, Access::Read)
+            && (axis.owner, axis.access) == (Owner::Gains, Access::Read)
+            && shapes(&axis.results) == [Shape::Real]
+            && shapes(&tick.results) == [Shape::Gains];
+        match plain && given == wanted && shapes(&function.results) == gives {
+            true => Ok(()),
+            false => Err("it is not tick and axis for each".to_owned()),
+        }
     }
 
     /// A number of the program that its precision does not hold: it is not 0 and rounds to 0, or to
@@ -182,6 +213,7 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))
             }
             Finish::Fail(_) => self.may_fail(),
+            Finish::Axes(_) => Err("axes are the whole of a function".to_owned()),
         }
     }
 
@@ -216,6 +248,9 @@ impl Seen<'_> {
             Expr::Local(name) | Expr::Element(name, _) => (self.locals.contains(name), name),
             Expr::Field(name) | Expr::FieldElement(name, _) => {
                 (self.fields.contains(name.as_str()), name)
+            }
+            Expr::OfAxis(name, ..) => {
+                (self.fields.contains(name.as_str()) && self.locals.contains(AXIS), name)
             }
             Expr::Parameter(name) | Expr::ParameterElement(name, _) => {
                 (self.parameters.contains(name.as_str()), name)

@@ -8,6 +8,9 @@ use num_traits::{One, Signed, Zero};
 use crate::algebra::{BigRational, integer};
 use crate::expression::Function;
 
+/// The argument that is the number of an axis, from 0.
+pub const AXIS: &str = "axis";
+
 /// An operation on two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
@@ -36,6 +39,9 @@ pub enum Expr {
     Field(String),
     /// An element of such a field, from 0.
     FieldElement(String, usize),
+    /// An element of such a field that has several for each axis: how many, and which, from 0. The axis
+    /// is the argument [`AXIS`].
+    OfAxis(String, usize, usize),
     /// A parameter given to `init`.
     Parameter(String),
     /// An element of a parameter, from 0.

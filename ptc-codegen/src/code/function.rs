@@ -68,6 +68,10 @@ pub enum Finish {
     Give(Vec<Expr>, Ending),
     /// A negative status; the results are 0, or nothing where they are arrays.
     Fail(Status),
+    /// For so many axes what `axis` gives with the gains of `tick`: all u, and the status of each. The
+    /// status of the call is that of the first axis that fails, and then every u is 0; else that u was
+    /// clipped, where one was; else that of the gains.
+    Axes(usize),
 }
 
 /// The status of a call that does not fail.
@@ -120,7 +124,7 @@ impl Finish {
                 no.give_all(results);
             }
             Self::Give(values, _) => *values = results.to_vec(),
-            Self::Fail(_) => {}
+            Self::Fail(_) | Self::Axes(_) => {}
         }
     }
 

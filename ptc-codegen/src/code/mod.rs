@@ -13,7 +13,7 @@ mod interpret;
 mod visit;
 
 pub use branch::{Branch, Taken};
-pub use expression::{Expr, Operator, Test};
+pub use expression::{AXIS, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
@@ -75,6 +75,10 @@ pub enum Shape {
     Count,
     /// An array of floating-point numbers.
     Reals(usize),
+    /// An array of arrays: so many of so many numbers each.
+    Lists(usize, usize),
+    /// The statuses of so many axes.
+    Statuses(usize),
     /// The gains at one time, [`Code::gains`], and their status.
     Gains,
 }
@@ -192,10 +196,11 @@ impl Solve {
 }
 
 impl Shape {
-    /// The number of elements of an array; none for one value.
+    /// The number of all elements of an array; none for one value.
     pub fn length(self) -> Option<usize> {
         match self {
-            Self::Reals(length) => Some(length),
+            Self::Reals(length) | Self::Statuses(length) => Some(length),
+            Self::Lists(count, length) => Some(count * length),
             Self::Real | Self::Count | Self::Gains => None,
         }
     }
@@ -224,6 +229,20 @@ impl Code {
     /// What it is, in a word.
     pub fn noun(&self) -> &'static str {
         if self.function("update").is_some() { "observer" } else { "controller" }
+    }
+
+    /// The number of its axes, where `step` is that of several.
+    pub fn axes(&self) -> Option<usize> {
+        match self.function("step")?.finish {
+            Finish::Axes(count) => Some(count),
+            _ => None,
+        }
+    }
+
+    /// Whether `axis` is given the number of its axis, which has gains, limits or g of its own.
+    pub fn numbers_axes(&self) -> bool {
+        let axis = self.function("axis");
+        axis.is_some_and(|axis| axis.arguments.iter().any(|a| a.shape == Shape::Count))
     }
 
     /// The function called `name`.

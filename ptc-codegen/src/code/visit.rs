@@ -40,7 +40,7 @@ impl Finish {
                 no.visit(look);
             }
             Self::Give(values, _) => values.iter().for_each(|value| value.visit(look)),
-            Self::Fail(_) => {}
+            Self::Fail(_) | Self::Axes(_) => {}
         }
     }
 }

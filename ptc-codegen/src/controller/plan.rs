@@ -82,7 +82,7 @@ impl<'a> Plan<'a> {
             let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
             kept.extend(definition.op.operands().into_iter().filter(earlier));
         }
-        let results = program.gains.iter().chain([&program.step]).chain(&program.axis);
+        let results = program.handed_over().chain([&program.step]).chain(&program.axis);
         kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {
@@ -127,7 +127,7 @@ impl<'a> Plan<'a> {
                 roots
             }
             Routine::Tick => {
-                self.program.gains.iter().copied().chain([self.program.limits.late]).collect()
+                self.program.handed_over().copied().chain([self.program.limits.late]).collect()
             }
             Routine::Axis => self.program.axis.into_iter().collect(),
         }
@@ -167,5 +167,6 @@ fn input_name(input: Input) -> String {
         Input::Drift => "f".to_owned(),
         Input::Control => "u".to_owned(),
         Input::Gain(j) => format!("gain{j}"),
+        Input::Divisor => "input_gain".to_owned(),
     }
 }

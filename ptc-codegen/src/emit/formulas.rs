@@ -124,7 +124,9 @@ pub(super) fn of_plant(spec: &Spec) -> Vec<String> {
     let coordinates = spec.model.iter().flat_map(|model| &model.coordinates);
     let x = (1..).zip(coordinates).map(|(j, e)| format!("  x_{j} = {}", text(e)));
     let f = spec.drift.iter().map(|f| format!("  f = {}", text(f)));
-    x.chain(f).chain(spec.input_gain.iter().map(|g| format!("  g = {}", text(g)))).collect()
+    let own = spec.axes.as_ref().is_some_and(|axes| !axes.input_gains.is_empty());
+    let g = spec.input_gain.iter().filter(|_| !own).map(|g| format!("  g = {}", text(g)));
+    x.chain(f).chain(g).collect()
 }
 
 /// What the reference is, and what the law sees of it.
@@ -156,7 +158,8 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
     let less = if spec.drift.is_some() { " - f" } else { "" };
     let less = format!("{rate}{less}");
     let x = if spec.reference.is_some() { "e" } else { "x" };
-    let over_gain = if spec.input_gain.is_some() { "/g" } else { "" };
+    let of_axes = spec.axes.iter().any(|axes| !axes.input_gains.is_empty());
+    let over_gain = if spec.input_gain.is_some() || of_axes { "/g" } else { "" };
     let mut lines = vec![
         String::new(),
         format!("Law, Theorem 1, with xi = BB_n {x} and t_kappa = kappa(Dt) + t0:"),

@@ -1,7 +1,7 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::{Controller, Language, formulas, plant};
+use super::{Controller, Language, axes, formulas, plant};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
@@ -34,6 +34,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
         rest.extend(formulas::mapping(controller));
     } else {
         rest.extend(purpose(spec));
+        rest.extend(axes::lines(spec));
         rest.extend(sample_period(controller));
         rest.extend(parameters(controller, language));
         rest.extend(formulas::mapping(controller));
@@ -151,6 +152,9 @@ fn parameters(controller: &Controller<'_>, language: Language) -> Vec<String> {
     let mut lines = vec![String::new(), "Parameters:".to_owned()];
     for parameter in spec.parameters() {
         let Some(value) = spec.fixed.get(&parameter) else { continue };
+        if axes::have_own(spec, parameter) {
+            continue;
+        }
         let meaning = match parameter {
             Parameter::Gain(i) => format!("gain of xi_{i}"),
             _ => meaning(spec, parameter),
@@ -246,8 +250,11 @@ pub(super) fn checks(report: &Report) -> Vec<String> {
 }
 
 fn count(controller: &Controller<'_>) -> Vec<String> {
-    let program = controller.program;
-    let step = cost::count(program, &[program.step], Stage::Tick);
+    let (spec, program) = (controller.spec(), controller.program);
+    let step = match &spec.axes {
+        Some(axes) => cost::of_axes(program, axes.count),
+        None => cost::count(program, &[program.step], Stage::Tick),
+    };
     let several = |count: usize, one: &str, many: &str| match count {
         0 => None,
         1 => Some(format!("1 {one}")),

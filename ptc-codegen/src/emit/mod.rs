@@ -5,6 +5,7 @@
 
 mod acsl;
 mod apart;
+mod axes;
 mod c;
 mod code;
 mod cpp;
@@ -179,6 +180,14 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
     if spec.what == What::Observer {
         let message = format!("{what} holds a controller, not an observer alone");
         against("what", message, "leave `what` out, or emit the observer in a language");
+    }
+    if spec.axes.is_some() {
+        let message = format!("{what} holds a controller of one chain, not of several axes");
+        against(
+            "axes",
+            message,
+            "leave `axes` out, or emit it in a language and call it from your own program",
+        );
     }
     if spec.feedback == Feedback::Extern {
         against("pi0", format!("{what} cannot call a user-defined pi0"), own);

@@ -19,8 +19,9 @@ pub(super) struct Outline {
     pub(super) associated: bool,
     /// Whether the law is a function of the user's.
     pub(super) extern_law: bool,
-    /// Whether the gains hold u_max.
+    /// Whether the gains hold u_max, and g.
     pub(super) run_time_limit: bool,
+    pub(super) divides: bool,
     /// The run-time parameters one by one: local name, and place in the parameters.
     pub(super) locals: Vec<Local>,
     pub(super) fields: Vec<Variable>,
@@ -54,6 +55,7 @@ impl Outline {
             associated: spec.what == What::Associated,
             extern_law: spec.feedback == Feedback::Extern,
             run_time_limit: program.gains.iter().any(|field| field.name == "u_max"),
+            divides: program.gains.iter().any(|field| field.name == "input_gain"),
             locals: program.init.iter().filter_map(copy).collect(),
             fields: program.fields.clone(),
             gains: program.gains.clone(),

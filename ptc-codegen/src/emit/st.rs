@@ -50,6 +50,15 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
             "it is for simulation, not for a controller: emit it in another language",
         );
     }
+    if spec.axes.is_some() {
+        found.push(
+            "unsupported",
+            "axes",
+            None,
+            "several axes are not emitted in st",
+            "leave `axes` out, and make an instance of the function block for each axis, armed at the same start_time",
+        );
+    }
     let mut seen = BTreeSet::new();
     for key in spec.run_time_parameters().map(Parameter::key).collect::<BTreeSet<_>>() {
         if !seen.insert(key.to_lowercase()) {

@@ -4,7 +4,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, integer};
-use crate::limits::BITS;
+use crate::limits::{BITS, FOLDED};
 use crate::parameter::Parameter;
 
 /// About the bits of a power of a number.
@@ -141,8 +141,10 @@ impl Expression {
         match (self.node(), exponent.small_integer()) {
             (_, Some(0)) => Self::from(BigRational::one()),
             (_, Some(1)) => self,
-            (Node::Number(a), Some(k @ -64..=64))
-                if !(a.is_zero() && k < 0) && BITS.admits(power_bits(a, k) / 2) =>
+            (Node::Number(a), Some(k))
+                if FOLDED.admits(k.unsigned_abs() as usize)
+                    && !(a.is_zero() && k < 0)
+                    && BITS.admits(power_bits(a, k) / 2) =>
             {
                 Self::from(a.pow(k))
             }

@@ -13,7 +13,7 @@ impl Expression {
     /// Whether it may occur twice in what follows: what nests doubles each time, and many that do so
     /// may occur side by side.
     pub(super) fn twice(&self) -> bool {
-        let size = 2 * self.size();
+        let size = self.size().saturating_mul(2);
         SIZE.admits(size) && keep(size).is_some()
     }
 }

@@ -2,22 +2,18 @@
 
 use super::effort::keep;
 use super::{Expression, Found, Function, Node, Variable};
+use crate::limits::{HEIGHT, SIZE};
 
 impl Expression {
-    /// Takes the effort of a derivative, which repeats the operands of products, quotients, powers and
-    /// calls beside their derivatives; `None` if it is not left.
+    /// Takes the effort of a derivative, which makes a few operations of each; `None` if it is not
+    /// left.
     pub(crate) fn differentiable(&self) -> Option<()> {
-        keep(self.size_and_repeated().1)
+        keep(self.nodes())
     }
 
-    /// Its size, and about that of its derivative.
-    fn size_and_repeated(&self) -> (usize, usize) {
-        let (size, repeated) = self
-            .operands()
-            .map(Self::size_and_repeated)
-            .fold((1, 1), |(size, repeated), (s, r)| (size + s, repeated + r));
-        let alone = matches!(self.node(), Node::Neg(_) | Node::Add(..) | Node::Sub(..));
-        (size, if alone { repeated } else { repeated + size })
+    /// Whether a derivative is small enough to be kept: what walks it recurses as deep as it is high.
+    pub(crate) fn is_kept(&self) -> bool {
+        SIZE.admits(self.nodes()) && HEIGHT.admits(self.height())
     }
 
     /// Whether it is abs, sign, min or max.
@@ -31,25 +27,32 @@ impl Expression {
     /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
     /// side or their mean: whether there is a kink is for the caller to ask.
     pub fn derivative(&self, wrt: Variable) -> Self {
-        self.derived(wrt, &mut Found::default())
+        self.along(&|variable| Self::integer(i64::from(variable == wrt)))
     }
 
-    /// The derivative, with those of its parts that are found.
-    fn derived(&self, wrt: Variable, found: &mut Found<Self>) -> Self {
+    /// The derivative along a curve on which each variable has the rate that `rate` gives. What occurs
+    /// often is differentiated once, and derivatives of derivatives share what they have in common.
+    pub(crate) fn along(&self, rate: &dyn Fn(Variable) -> Self) -> Self {
+        self.along_with(rate, &mut Found::default())
+    }
+
+    fn along_with(&self, rate: &dyn Fn(Variable) -> Self, found: &mut Found<Self>) -> Self {
         if let Some(known) = found.get(self) {
             return known.clone();
         }
-        let slope = self.slope(&mut |e| e.derived(wrt, found), wrt);
-        found.insert(self.clone(), slope.clone());
-        slope
+        let own = match self.variable() {
+            Some(variable) => rate(variable),
+            None => self.slope(&mut |e| e.along_with(rate, found)),
+        };
+        found.insert(self.clone(), own.clone());
+        own
     }
 
     /// The derivative from those of the operands.
-    fn slope(&self, d: &mut dyn FnMut(&Self) -> Self, wrt: Variable) -> Self {
+    fn slope(&self, d: &mut dyn FnMut(&Self) -> Self) -> Self {
         let two = || Self::integer(2);
         match self.node() {
-            Node::Number(_) | Node::Pi | Node::Parameter(_) => Self::integer(0),
-            Node::Variable(variable) => Self::integer(i64::from(*variable == wrt)),
+            Node::Number(_) | Node::Pi | Node::Parameter(_) | Node::Variable(_) => Self::integer(0),
             Node::Neg(a) => d(a).neg(),
             Node::Add(a, b) => d(a).add(d(b)),
             Node::Sub(a, b) => d(a).sub(d(b)),

@@ -45,6 +45,10 @@ pub(crate) fn spend(steps: usize) -> Option<()> {
 /// Steps of the effort that an operation or an operand takes that is copied, and kept until a normal
 /// form of the whole is found: beside the time that is some 100 bytes, two or three times.
 const KEPT: usize = 8;
+/// Steps that an operation of a search for leading terms takes the time of.
+pub(super) const WALKED: usize = 25;
+/// Steps that an operation on long intervals takes the time of.
+pub(super) const ENCLOSED: usize = 300;
 
 /// Takes the effort of so many operations and operands; `None` where it is not left.
 pub(crate) fn keep(size: usize) -> Option<()> {

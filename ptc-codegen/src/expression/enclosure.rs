@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 use astro_float_num::Consts;
 
 use super::interval::Interval;
-use super::{Expression, Function, Node};
+use super::{Expression, Found, Function, Node};
+use crate::limits::ENCLOSURE;
 
-/// Most work for one mapping, in operations on intervals: well below a second.
-const MAX_OPERATIONS: usize = 60_000;
 /// What a function or a power costs, in such operations.
 const COST_OF_CALL: usize = 32;
 
@@ -17,6 +16,8 @@ pub(crate) struct Evaluator {
     cache: Option<Consts>,
     left: usize,
     existence: Existence,
+    /// The values of the parts of an expression in which some may occur often.
+    found: Option<Found<Interval>>,
 }
 
 /// For which of the arguments an expression has a value; the worst of its parts decides.
@@ -45,13 +46,14 @@ pub(crate) type Names = BTreeMap<Expression, Interval>;
 
 impl Evaluator {
     pub(crate) fn new() -> Self {
-        Self { cache: Consts::new().ok(), left: MAX_OPERATIONS, existence: Existence::Certain }
+        let existence = Existence::Certain;
+        Self { cache: Consts::new().ok(), left: ENCLOSURE.size(), existence, found: None }
     }
 
     /// The same with all of the work left; the constants of its functions, which take long, are kept.
     #[cfg(feature = "lab")]
     pub(crate) fn again(&mut self) -> &mut Self {
-        self.left = MAX_OPERATIONS;
+        self.left = ENCLOSURE.size();
         self
     }
 
@@ -82,6 +84,7 @@ impl Evaluator {
     /// The values of an expression; none for an unknown name or where the work is used up.
     pub(crate) fn value(&mut self, expression: &Expression, names: &Names) -> Option<Value> {
         self.existence = Existence::Certain;
+        self.found = (!expression.is_small()).then(Found::default);
         let interval = self.enclose(expression, names)?;
         Some(Value { interval, existence: self.existence })
     }
@@ -92,6 +95,9 @@ impl Evaluator {
 
     /// The values of an expression, of which every operation notes for which arguments it exists.
     fn enclose(&mut self, e: &Expression, names: &Names) -> Option<Interval> {
+        if let Some(known) = self.found.as_ref().and_then(|found| found.get(e)) {
+            return Some(known.clone());
+        }
         let cost =
             if matches!(e.node(), Node::Call(..) | Node::Power(..)) { COST_OF_CALL } else { 1 };
         let left = self.left.checked_sub(cost);
@@ -122,6 +128,9 @@ impl Evaluator {
         };
         if !interval.is_within_doubles() {
             self.note(Existence::ButAtPoles);
+        }
+        if let Some(found) = self.found.as_mut().filter(|_| e.height() > 0) {
+            found.insert(e.clone(), interval.clone());
         }
         Some(interval)
     }

@@ -5,7 +5,7 @@
 //! that of sqrt(x)^2 does for x < 0. The reader asks the same list before it drops a part.
 
 use super::interval::Interval;
-use super::{Expression, Function, Node};
+use super::{Expression, Found, Function, Node};
 
 /// What a part of an expression has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,11 +59,18 @@ impl Condition {
 /// The conditions under which `expression` has a value: each part, and what it has to be.
 pub(crate) fn needs(expression: &Expression) -> Vec<(Expression, Condition)> {
     let mut found = Vec::new();
-    collect(expression, &mut found);
+    collect(expression, &mut Found::default(), &mut found);
     found
 }
 
-fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
+fn collect(
+    expression: &Expression,
+    seen: &mut Found<()>,
+    found: &mut Vec<(Expression, Condition)>,
+) {
+    if seen.insert(expression.clone(), ()).is_some() {
+        return;
+    }
     use Expression as E;
     let own = match expression.node() {
         Node::Div(_, b) => Some((b.clone(), Condition::NotZero)),
@@ -87,7 +94,7 @@ fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
         }
         _ => None,
     };
-    expression.operands().for_each(|operand| collect(operand, found));
+    expression.operands().for_each(|operand| collect(operand, seen, found));
     let constant = |(part, condition): &(E, Condition)| {
         let number = part.number().map(Interval::exact);
         number.is_some_and(|number| condition.is_certain(&number))

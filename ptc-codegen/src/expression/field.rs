@@ -5,9 +5,9 @@ use num_traits::{One, Signed, ToPrimitive};
 use super::compact::{Measure, is_negative, negative};
 use super::effort::spend;
 use super::ratio::{Ratio, content};
-use super::{Expression, Function, Node, Variable};
+use super::{Expression, Found, Function, Node, Variable};
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
-use crate::limits::{KERNELS, POWER, SIZE, TERMS};
+use crate::limits::{EXPANDED, KERNELS, MULTIPLE, POWER, ROOT, SIZE, TERMS};
 use crate::parameter::Parameter;
 
 /// What one symbol stands for.
@@ -31,6 +31,8 @@ pub(super) struct Field {
     kernels: Vec<Kernel>,
     /// What each of them is written out.
     measures: Vec<Measure>,
+    /// The normal forms of the expressions met so far.
+    found: Found<Terms>,
 }
 
 impl Field {
@@ -99,6 +101,10 @@ impl Field {
     /// The normal form of an expression; `None` if it grows beyond the bounds.
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
         spend(1)?;
+        if let Some(known) = self.found.get(expression) {
+            spend(known.len())?;
+            return Some(known.clone());
+        }
         let terms = match expression.node() {
             Node::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
             Node::Pi | Node::Parameter(_) | Node::Variable(_) => {
@@ -131,7 +137,12 @@ impl Field {
             }
             Node::Call(function, a) => vec![self.call(*function, a)?],
         };
-        terms.into_iter().map(|term| self.with_unit_squares(term)).collect()
+        let terms = terms.into_iter().map(|term| self.with_unit_squares(term));
+        let terms: Terms = terms.collect::<Option<_>>()?;
+        if expression.height() > 0 {
+            self.found.insert(expression.clone(), terms.clone());
+        }
+        Some(terms)
     }
 
     /// The expression as one fraction.
@@ -156,7 +167,8 @@ impl Field {
             };
             for part in parts {
                 let Some((_, c)) = part.num.terms().next() else { continue };
-                let whole = c.numer().to_i32().filter(|p| p.abs() <= 1000);
+                let whole =
+                    c.numer().to_i32().filter(|p| MULTIPLE.admits(p.unsigned_abs() as usize));
                 let times = whole.unwrap_or(if c.is_negative() { -1 } else { 1 });
                 let unit = part.scaled(&integer(i64::from(times)).recip());
                 result = result.times(&self.power_of(Kernel::Exp(unit), times)?)?;
@@ -199,8 +211,8 @@ impl Field {
             return self.root(inner, exponent.numer().to_i32()?, exponent.denom().to_i32()?);
         }
         if q == 1 {
-            let many =
-                base.num.len() > 1 && base.num.len().pow(2) * (p.unsigned_abs() as usize) > 64;
+            let products = base.num.len().pow(2) * (p.unsigned_abs() as usize);
+            let many = base.num.len() > 1 && !EXPANDED.admits(products);
             if u64::from(p.unsigned_abs()) > POWER.most || (p > 0 && many) {
                 return self.power_of(Kernel::Root(base, Expression::integer(1)), p);
             }
@@ -293,7 +305,7 @@ impl Field {
 /// The q-th root of a positive number, where it is a rational one.
 fn exact_root(number: &BigRational, q: i32) -> Option<BigRational> {
     let q = u32::try_from(q).ok()?;
-    if !number.is_positive() || q > 64 {
+    if !number.is_positive() || !ROOT.admits(q as usize) {
         return None;
     }
     let root = BigRational::new(number.numer().nth_root(q), number.denom().nth_root(q));

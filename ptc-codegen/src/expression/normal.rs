@@ -8,11 +8,8 @@ use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
+use crate::limits::{ALWAYS, GROWTH, PARTS, SIZE};
 use crate::parameter::Parameter;
-
-/// A normal form may be this much larger than what it stands for; a larger one is not used.
-const GROWTH: usize = 4;
-const ALWAYS: usize = 48;
 
 /// The complement tau - mu(t). Parameters are taken as positive, and t >= 0.
 pub(crate) fn complement(mu: &Expression) -> Expression {
@@ -30,8 +27,11 @@ fn complement_of(mu: &Expression) -> Expression {
     within(form, &plain)
 }
 
-/// The shorter one of an expression and its normal form.
+/// The shorter one of an expression and its normal form, which is not sought of what is very long.
 pub(crate) fn shorter(expression: Expression) -> Expression {
+    if !SIZE.admits(expression.size()) {
+        return expression;
+    }
     let form = normal(&expression);
     if form.size() <= expression.size() { form } else { expression }
 }
@@ -47,8 +47,8 @@ pub(crate) fn normal(expression: &Expression) -> Expression {
 }
 
 pub(super) fn within(form: Option<Expression>, plain: &Expression) -> Expression {
-    form.filter(|form| form.size() <= GROWTH * plain.size() + ALWAYS)
-        .unwrap_or_else(|| plain.clone())
+    let most = plain.size().saturating_mul(GROWTH.size()).saturating_add(ALWAYS.size());
+    form.filter(|form| form.size() <= most).unwrap_or_else(|| plain.clone())
 }
 
 /// atanh(s) as a logarithm, in which 1 - s is formed before it is rounded.
@@ -157,7 +157,7 @@ fn proper(field: &Field, term: &Ratio) -> Option<Terms> {
     let collected = denominator.collect(x);
     let (top, lead) = collected.iter().next_back()?;
     let (mut rest, mut polynomial) = (term.num.clone(), Poly::zero());
-    for _ in 0..16 {
+    for _ in 0..PARTS.most {
         let by_exponent = rest.collect(x);
         let Some((exponent, coefficient)) = by_exponent.iter().next_back() else { break };
         if exponent < top {

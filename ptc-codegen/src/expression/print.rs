@@ -1,10 +1,12 @@
-//! The spelling of an expression, which reads back as the same expression.
+//! The spelling of an expression, which reads back as the same expression; of one that is longer than
+//! a text may be, what it has in place of it.
 
 use std::fmt;
 
 use num_traits::Signed;
 
 use super::{Expression, Node, Variable};
+use crate::limits::TEXT;
 
 impl fmt::Display for Variable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -49,6 +51,11 @@ fn list(items: &[&Expression]) -> String {
 }
 
 impl Expression {
+    /// Whether it is short enough to be written out.
+    pub fn is_written(&self) -> bool {
+        TEXT.admits(self.size())
+    }
+
     /// The arguments of a min of several, which is the min of the first ones and the last.
     fn least_of(&self) -> Vec<&Self> {
         let Node::Min(a, b) = self.node() else { return vec![self] };
@@ -68,6 +75,9 @@ impl Expression {
 
 impl fmt::Display for Expression {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.is_written() {
+            return write!(f, "({} operations, too long to be written out)", self.nodes());
+        }
         match self.node() {
             Node::Number(number) => write!(f, "{number}"),
             Node::Pi => f.write_str("pi"),

@@ -7,6 +7,7 @@ use super::field::{Field, Kernel};
 use super::ratio::Ratio;
 use super::{Expression, Function, Node};
 use crate::algebra::{Monomial, Poly, Symbol, integer};
+use crate::limits::{CALLS, LIFTED};
 
 /// What is known of a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,9 +23,6 @@ pub(crate) enum Sign {
     /// > 0.
     Positive,
 }
-
-/// Most calls within calls.
-const MAX_DEPTH: usize = 7;
 
 use Sign::{Negative, NotNegative, NotPositive, Positive, Zero};
 
@@ -70,7 +68,7 @@ pub(crate) fn positive_parameters(name: &Expression) -> Option<Sign> {
 
 /// The sign of an expression; `None` if it is not found.
 pub(crate) fn sign(expression: &Expression, names: Names<'_>) -> Option<Sign> {
-    bounded(|| of(expression, Context { names, depth: MAX_DEPTH }))
+    bounded(|| of(expression, Context { names, depth: CALLS.size() }))
 }
 
 /// The signs of names, and how many calls within calls are looked into.
@@ -143,7 +141,7 @@ fn above_one(field: &Field, poly: &Poly, known: Context<'_>) -> Option<Sign> {
     let least = poly.terms().map(|(m, _)| m.exponent(*growing)).min()?;
     let lifted = poly.shifted(&Monomial::power(*growing, -least));
     let greatest = lifted.terms().map(|(m, _)| m.exponent(*growing)).max()?;
-    if greatest > 16 {
+    if !LIFTED.admits(usize::try_from(greatest).ok()?) {
         return None;
     }
     // h may be 0: terms without it decide whether the sum can be 0.

@@ -11,6 +11,11 @@ use crate::parameter::Parameter;
 const SMALL: usize = 48;
 
 impl Expression {
+    /// Whether a walk may come by its parts again rather than remember them.
+    pub(crate) fn is_small(&self) -> bool {
+        self.size() <= SMALL
+    }
+
     /// The same operation, its operands replaced by what `of` makes of them, from the left.
     pub(crate) fn rebuilt(&self, mut of: impl FnMut(&Self) -> Self) -> Self {
         match self.node() {
@@ -49,8 +54,8 @@ impl Expression {
     }
 
     /// What `find` gives first, from the outside in and from the left.
-    fn first<T>(&self, find: &mut dyn FnMut(&Self) -> Option<T>) -> Option<T> {
-        if self.size() <= SMALL {
+    pub(crate) fn first<T>(&self, find: &mut dyn FnMut(&Self) -> Option<T>) -> Option<T> {
+        if self.is_small() {
             return self.first_written(find);
         }
         let mut seen = Seen::default();
@@ -73,8 +78,8 @@ impl Expression {
         find(self).or_else(|| self.operands().find_map(|e| e.first_written(find)))
     }
 
-    /// Does `visit` for it and everything in it, at least once for each.
-    fn each(&self, visit: &mut dyn FnMut(&Self)) {
+    /// Does `visit` for it and everything in it, from the outside in, at least once for each.
+    pub(crate) fn each(&self, visit: &mut dyn FnMut(&Self)) {
         self.first::<()>(&mut |e| {
             visit(e);
             None
@@ -94,7 +99,6 @@ impl Expression {
     }
 
     /// Number of its operations and leaves, each counted once however often it occurs.
-    #[cfg_attr(not(test), allow(dead_code))]
     pub(crate) fn nodes(&self) -> usize {
         let mut seen = Seen::default();
         let mut left = vec![self];

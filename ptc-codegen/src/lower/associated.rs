@@ -25,7 +25,7 @@ pub(super) fn lower(spec: &Spec, law: &Law) -> Option<Program> {
     let zero = b.integer(0);
     let limits =
         Limits { start_time, u_max: None, past: None, late: zero, hold_from: zero, eps: zero };
-    Some(b.finish(last, Vec::new(), None, limits))
+    Some(b.finish(last, limits))
 }
 
 #[cfg(test)]
@@ -59,7 +59,7 @@ mod tests {
             Input::State(j) => xi[j - 1],
             Input::StateAtStart(j) => [1.0, -3.0][j - 1],
             Input::Drift => f,
-            Input::Reference(_) | Input::Gain(_) | Input::Control => f64::NAN,
+            Input::Reference(_) | Input::Gain(_) | Input::Divisor | Input::Control => f64::NAN,
         };
         Interpreter::new(&program, &input).value(program.step)
     }

@@ -29,6 +29,8 @@ pub(super) struct Builder<'a> {
     complement: Option<Expression>,
     /// The plant, where time is time-to-go.
     pub(super) plant: Option<PlantPoint>,
+    /// The axis whose values are being named, from 1, where each has its own.
+    pub(super) axis: Option<usize>,
 }
 
 /// Where the plant is.
@@ -56,6 +58,8 @@ impl<'a> Builder<'a> {
             },
             step: nothing,
             gains: Vec::new(),
+            divisors: Vec::new(),
+            bounds: Vec::new(),
             axis: None,
             watched: Vec::new(),
         };
@@ -70,6 +74,7 @@ impl<'a> Builder<'a> {
             at_start: false,
             complement: None,
             plant: None,
+            axis: None,
         }
     }
 
@@ -78,14 +83,18 @@ impl<'a> Builder<'a> {
         Self { expanded: law.expanded.as_ref(), ..Self::new(spec) }
     }
 
-    pub(super) fn finish(
-        self,
-        step: Value,
-        gains: Vec<Value>,
-        axis: Option<Value>,
-        limits: Limits,
-    ) -> Program {
-        Program { step, gains, axis, limits, ..self.program }
+    pub(super) fn finish(self, step: Value, limits: Limits) -> Program {
+        Program { step, limits, ..self.program }
+    }
+
+    /// From here on values are those of one axis, from 1, by its own spec.
+    pub(super) fn of_axis(&mut self, spec: &'a Spec, index: usize) {
+        (self.spec, self.axis) = (spec, Some(index));
+    }
+
+    /// From here on values are those of all axes again.
+    pub(super) fn of_all(&mut self, spec: &'a Spec) {
+        (self.spec, self.axis) = (spec, None);
     }
 
     /// The value of an operation: one that stands already where there is one, so that what is asked
@@ -144,6 +153,14 @@ impl<'a> Builder<'a> {
     /// Names a value, with its meaning for the reader of the emitted code. An input has a name of
     /// its own, and values at the start keep theirs apart from those of a tick.
     pub(super) fn name(&mut self, value: Value, name: &str, meaning: &str) -> Value {
+        let own =
+            self.axis.map(|axis| (format!("{name}_axis{axis}"), format!("{meaning}, axis {axis}")));
+        let (name, meaning) = match &own {
+            // What several axes share keeps the name that it has.
+            Some(_) if self.program.values[value.0].name.is_some() => return value,
+            Some((name, meaning)) => (name.as_str(), meaning.as_str()),
+            None => (name, meaning),
+        };
         let of_tick = self.at_start && !name.ends_with("_0");
         if of_tick || matches!(self.program.values[value.0].op, Op::Input(_)) {
             return value;

@@ -118,7 +118,7 @@ pub fn closed_loop(spec: &Spec, f: &Expression, g: Option<&Expression>) -> Close
     let mut watched = vec![pace, associated, taylor.stretched, control, below, wanted, free];
     watched.extend(xi);
     let limits = no_limits(&mut b);
-    let program = Program { watched, ..b.finish(rate, Vec::new(), None, limits) };
+    let program = Program { watched, ..b.finish(rate, limits) };
     ClosedLoop { program }
 }
 
@@ -131,7 +131,7 @@ pub fn mapped_back(spec: &Spec) -> Program {
     let watched = states(&mut b, &scaled, taylor.base_inverse);
     let limits = no_limits(&mut b);
     let step = limits.late;
-    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
+    Program { watched, ..b.finish(step, limits) }
 }
 
 /// The plant by itself: the `rates` of its states, of the states, the time and the control, all watched.
@@ -140,7 +140,7 @@ pub fn plant(spec: &Spec, rates: &[Expression]) -> Program {
     let watched = rates.iter().map(|rate| b.scalar(rate)).collect();
     let limits = no_limits(&mut b);
     let step = limits.late;
-    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
+    Program { watched, ..b.finish(step, limits) }
 }
 
 /// `expressions` of the plant's time, state and control, all watched: inputs are T as the time, x as
@@ -152,7 +152,7 @@ pub fn observed(spec: &Spec, expressions: &[&Expression]) -> Program {
     let watched = expressions.iter().map(|expression| b.scalar(expression)).collect();
     let limits = no_limits(&mut b);
     let step = limits.late;
-    Program { watched, ..b.finish(step, Vec::new(), None, limits) }
+    Program { watched, ..b.finish(step, limits) }
 }
 
 /// x_j = r_1^-(j-1) times its scaled value, with the reference that it follows.

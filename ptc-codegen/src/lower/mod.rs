@@ -5,6 +5,7 @@
 //! happens here or earlier; the passes after it keep every bit.
 
 mod associated;
+mod axes;
 mod builder;
 mod closed_loop;
 mod coefficient;
@@ -22,14 +23,16 @@ mod time;
 
 use std::collections::BTreeMap;
 
+use axes::{Shared, shares_time};
 use builder::Builder;
 use rows::{Factor, Rows, factor};
 
 use crate::algebra::Poly;
+use crate::expression::Expression;
 use crate::law::{Form, Law};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::{Input, Limits, Op, Program, Value};
-use crate::request::{After, Guard, Reference, Spec, What};
+use crate::request::{After, Guard, Spec, What};
 
 pub use closed_loop::{ClosedLoop, closed_loop, mapped_back, observed, plant};
 
@@ -44,6 +47,7 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
 }
 
 fn controller(spec: &Spec, law: &Law) -> Program {
+    let designs = spec.designs();
     let mut b = Builder::of(spec, law);
     let rows = rows(&mut b, law);
     let step = match &rows {
@@ -52,12 +56,10 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let step = without_drift(&mut b, step);
     let step = over_input_gain(&mut b, step);
-    // Gains that are held after the deadline, with no f(x, t), g(x, t) and r(t) of one axis, serve several.
-    let of_plant = spec.drift.is_some() || spec.input_gain.is_some() || spec.model.is_some();
-    let own = of_plant || matches!(spec.reference, Some(Reference::Known(_)));
-    let alone = !own && spec.after == After::Hold;
-    let gains = rows.filter(|_| alone).map(|rows| rows.gains(&mut b)).unwrap_or_default();
-    let axis = (!gains.is_empty()).then(|| axis(&mut b));
+    let shared = match rows {
+        Some(rows) if shares_time(spec) => axes::shared(&mut b, law, &designs, &rows),
+        _ => Shared::default(),
+    };
     let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
     let u_max = match spec.fixed.get(&Parameter::UMax) {
         Some(Fixed::Infinite) => None,
@@ -65,7 +67,11 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
-    b.finish(step, gains, axis, Limits { start_time, u_max, past, late, hold_from, eps })
+    // Several axes have no step of one.
+    let step = shared.axis.filter(|_| spec.axes.is_some()).unwrap_or(step);
+    let program = b.finish(step, Limits { start_time, u_max, past, late, hold_from, eps });
+    let Shared { gains, divisors, bounds, axis } = shared;
+    Program { gains, divisors, bounds, axis, ..program }
 }
 
 /// The rows of the gains; empty for a law that is not a sum of gains.
@@ -103,29 +109,21 @@ fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
 
 /// u divided by g(x, t): never by zero, where no number is known.
 fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
-    let Some(gain) = &b.spec.input_gain else { return u };
-    let divisor = b.scalar(gain);
-    if gain.number().is_some() {
-        return b.div(u, divisor);
+    let Some(divisor) = input_gain(b) else { return u };
+    match b.spec.input_gain.as_ref().and_then(Expression::number) {
+        Some(_) => b.div(u, divisor),
+        None => b.push(Op::Quotient(u, divisor)),
     }
-    let divisor = b.name(divisor, "input_gain", "g(x, t)");
-    b.push(Op::Quotient(u, divisor))
 }
 
-/// u = sum_j gain_j x_j, of the tracking error where there is a reference.
-fn axis(b: &mut Builder<'_>) -> Value {
-    let mut sum = None;
-    for j in 1..=b.spec.n {
-        let gain = b.push(Op::Input(Input::Gain(j)));
-        let x = b.coordinate(j);
-        let product = b.mul(gain, x);
-        sum = b.sum(sum, Some(product));
-    }
-    let sum = sum.unwrap_or_else(|| b.integer(0));
-    match b.reference(b.spec.n) {
-        Some(rate) => b.add(sum, rate),
-        None => sum,
-    }
+/// g(x, t); `None` for 1.
+fn input_gain(b: &mut Builder<'_>) -> Option<Value> {
+    let gain = b.spec.input_gain.as_ref()?;
+    let divisor = b.scalar(gain);
+    Some(match gain.number() {
+        Some(_) => divisor,
+        None => b.name(divisor, "input_gain", "g(x, t)"),
+    })
 }
 
 /// One row: a polynomial in at most one tick quantity, by Horner's rule; `None` for 0.

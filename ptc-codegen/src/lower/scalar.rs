@@ -4,13 +4,29 @@ use num_traits::Signed;
 
 use super::builder::Builder;
 use super::coefficient::pi_power;
-use crate::expression::{Expression, Function, Node, Variable};
+use crate::expression::{Expression, Found, Function, Node, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 
 impl Builder<'_> {
     /// The value of an expression.
     pub(super) fn scalar(&mut self, expression: &Expression) -> Value {
+        self.part(expression, &mut Found::default())
+    }
+
+    /// The value of a part of an expression, with those of the parts that are found.
+    fn part(&mut self, expression: &Expression, found: &mut Found<Value>) -> Value {
+        if let Some(known) = found.get(expression) {
+            return *known;
+        }
+        let value = self.operation(expression, found);
+        if expression.height() > 0 {
+            found.insert(expression.clone(), value);
+        }
+        value
+    }
+
+    fn operation(&mut self, expression: &Expression, found: &mut Found<Value>) -> Value {
         match expression.node() {
             Node::Number(number) => self.number(number.clone()),
             Node::Pi => self.number(pi_power(1)),
@@ -19,15 +35,15 @@ impl Builder<'_> {
             Node::Parameter(parameter) => self.parameter(*parameter),
             Node::Variable(variable) => self.variable(*variable),
             Node::Neg(a) => {
-                let a = self.scalar(a);
+                let a = self.part(a, found);
                 self.push(Op::Neg(a))
             }
             Node::Power(a, exponent) => {
-                let a = self.scalar(a);
+                let a = self.part(a, found);
                 self.scalar_power(a, exponent)
             }
             Node::Call(function, a) => {
-                let a = self.scalar(a);
+                let a = self.part(a, found);
                 self.push(Op::Call(*function, a))
             }
             Node::Add(a, b)
@@ -36,7 +52,7 @@ impl Builder<'_> {
             | Node::Div(a, b)
             | Node::Min(a, b)
             | Node::Max(a, b) => {
-                let (a, b) = (self.scalar(a), self.scalar(b));
+                let (a, b) = (self.part(a, found), self.part(b, found));
                 self.push(match expression.node() {
                     Node::Add(..) => Op::Add(a, b),
                     Node::Sub(..) => Op::Sub(a, b),

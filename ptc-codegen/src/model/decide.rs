@@ -6,6 +6,7 @@ use crate::expression::enclosure::{Evaluator, Existence, Names};
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
+use crate::limits::SIZE;
 
 /// Points at which an expression that is not 0 is looked for.
 const POINTS: i64 = 12;
@@ -14,9 +15,12 @@ const POINTS: i64 = 12;
 /// its normal form is 0, and does not where it is certainly not 0 at one point.
 pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> {
     let known = with(expression, values);
-    let form = normal(&known);
-    if let Some(number) = form.number() {
-        return Some(*number == BigRational::default());
+    let zero = |form: &Expression| form.number().map(|number| *number == BigRational::default());
+    // The normal form of what is too long to be written out takes long, and a value away from 0 does not.
+    let long = !SIZE.admits(known.size());
+    let form = if long { known.clone() } else { normal(&known) };
+    if let Some(decided) = zero(&form) {
+        return Some(decided);
     }
     let mut names: Vec<_> = form.parameters().into_iter().map(Expression::from).collect();
     let variables = (1..=crate::limits::STATES.size()).map(Variable::State);
@@ -33,7 +37,10 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
         let found = Evaluator::new().value(&form, &names);
         found.is_some_and(|v| v.existence == Existence::Certain && !v.interval.has_zero())
     };
-    (0..POINTS).any(apart).then_some(false)
+    if (0..POINTS).any(apart) {
+        return Some(false);
+    }
+    if long { zero(&normal(&known)) } else { None }
 }
 
 /// The expression with the values that are known.

@@ -2,13 +2,10 @@
 
 use super::decide::is_zero;
 use super::{Values, named};
-use crate::diagnostic::Place;
 use crate::expression::effort::bounded;
 use crate::expression::normal::shorter;
 use crate::expression::{Expression, Variable};
-use crate::limits::SIZE;
 use crate::parameter::Name;
-use crate::syntax::parse;
 
 /// An output as a chain of integrators.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,22 +108,18 @@ impl<'a> Affine<'a> {
     /// The derivative of order `order` of the output along a vector field.
     fn along(&self, e: &Expression, field: &[Expression], order: usize) -> Result<Expression, Ill> {
         e.differentiable().ok_or(Ill::TooLarge(order))?;
-        let sum = (1..).zip(field).fold(Expression::integer(0), |sum, (j, rate)| {
-            let slope = e.derivative(Variable::State(j));
-            if slope == Expression::integer(0) { sum } else { sum.add(slope.mul(rate.clone())) }
-        });
-        if !SIZE.admits(sum.size()) {
-            return Err(Ill::TooLarge(order));
-        }
-        let sum = shorter(sum);
-        // What walks an expression recurses as deep as one that a user may write.
-        match parse("dynamics", &sum.to_string(), &mut |_| Place(0)) {
-            Ok(_) => Ok(sum),
-            Err(_) => Err(Ill::TooLarge(order)),
-        }
+        let rate = |variable| match variable {
+            Variable::State(j) => field[j - 1].clone(),
+            _ => Expression::integer(0),
+        };
+        let derivative = shorter(e.along(&rate));
+        if derivative.is_kept() { Ok(derivative) } else { Err(Ill::TooLarge(order)) }
     }
 
     fn text(&self, expression: &Expression) -> String {
         named(self.names.0, self.names.1, expression).to_string()
     }
 }
+
+#[cfg(test)]
+mod tests;

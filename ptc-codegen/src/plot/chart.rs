@@ -9,7 +9,7 @@ use plotters::prelude::DrawingBackend;
 use plotters::series::{DashedLineSeries, LineSeries};
 use plotters::style::ShapeStyle;
 
-use super::style;
+use super::style::{self, Pen, SMALL, TITLE};
 
 type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
@@ -17,26 +17,29 @@ type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf
 pub(super) fn around<'a, 'b, B: DrawingBackend>(
     area: &'a DrawingArea<B, Shift>,
     title: &str,
+    pen: Pen,
 ) -> ChartBuilder<'a, 'b, B> {
     let mut chart = ChartBuilder::on(area);
     chart
-        .margin(10)
-        .margin_right(22)
-        .x_label_area_size(42)
-        .y_label_area_size(62)
-        .caption(title, style::text(17));
+        .margin(pen.px(10))
+        .margin_right(pen.px(22))
+        .x_label_area_size(pen.px(54))
+        .y_label_area_size(pen.px(80))
+        .caption(title, pen.text(TITLE));
     chart
 }
 
 /// The mesh of a chart, before its axes are named.
 pub(super) fn mesh<'a, 'b, B: DrawingBackend>(
     chart: &'b mut Chart<'a, B>,
+    pen: Pen,
 ) -> MeshStyle<'a, 'b, RangedCoordf64, RangedCoordf64, B> {
     let mut mesh = chart.configure_mesh();
     mesh.light_line_style(style::PAGE)
-        .bold_line_style(style::GRID)
-        .axis_style(style::FRAME)
-        .label_style(style::text(14))
+        .bold_line_style(pen.thin(style::GRID))
+        .axis_style(pen.thin(style::FRAME))
+        .set_all_tick_mark_size(pen.px(5))
+        .label_style(pen.text(SMALL))
         .x_labels(7)
         .y_labels(6);
     mesh

@@ -6,7 +6,8 @@ use plotters::element::PathElement;
 use plotters::series::LineSeries;
 
 use super::chart::dashed;
-use super::{PANEL, chart, range, style};
+use super::style::{self, Pen};
+use super::{PANEL, chart, range};
 
 /// A curve, and what its values should not exceed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,11 +32,14 @@ impl Curve {
     pub fn svg(&self) -> Result<String, String> {
         style::register_letters()?;
         let mut text = String::new();
-        self.draw(SVGBackend::with_string(&mut text, PANEL)).map_err(|error| error.to_string())?;
-        Ok(style::with_dark_page(&text))
+        let pen = Pen::FINE;
+        let size = (pen.px(PANEL.0), pen.px(PANEL.1));
+        let drawn = self.draw(SVGBackend::with_string(&mut text, size), pen);
+        drawn.map_err(|error| error.to_string())?;
+        Ok(style::finished(&text, PANEL))
     }
 
-    fn draw(&self, back: SVGBackend<'_>) -> Result<(), Box<dyn std::error::Error + '_>> {
+    fn draw(&self, back: SVGBackend<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error + '_>> {
         let area = back.into_drawing_area();
         area.fill(&style::PAGE)?;
         // Drawn by the powers of ten.
@@ -48,22 +52,22 @@ impl Curve {
             true => range::power_of_ten(*power),
             false => String::new(),
         };
-        let mut chart =
-            chart::around(&area, &self.title).build_cartesian_2d(across.0..across.1, up.0..up.1)?;
-        chart::mesh(&mut chart)
+        let mut chart = chart::around(&area, &self.title, pen)
+            .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
+        chart::mesh(&mut chart, pen)
             .x_label_formatter(&label)
             .y_label_formatter(&label)
             .x_desc(&self.across)
             .draw()?;
         if let Some(limit) = limit {
             let line = vec![(across.0, limit), (across.1, limit)];
-            dashed(&mut chart, line, (4, 3), style::bound())?;
+            dashed(&mut chart, line, pen.dash_of_bound(), pen.bound())?;
         }
         if let Some(x) = self.chosen.map(f64::log10).filter(|x| (across.0..=across.1).contains(x)) {
-            let line = PathElement::new(vec![(x, up.0), (x, up.1)], style::deadline(0));
+            let line = PathElement::new(vec![(x, up.0), (x, up.1)], pen.deadline(0));
             chart.draw_series([line])?;
         }
-        chart.draw_series(LineSeries::new(points, style::line(0)))?;
+        chart.draw_series(LineSeries::new(points, pen.line(0)))?;
         area.present()?;
         Ok(())
     }

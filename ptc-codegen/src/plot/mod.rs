@@ -1,20 +1,22 @@
 //! Pictures of runs: states, control and bounds over time, and the view in stretched time.
 //!
-//! The same drawing becomes SVG and PNG. The page is white, which prints; where a reader's page is
+//! The same drawing becomes SVG, PNG and PDF. The page is white, which prints; where a reader's page is
 //! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
 
 mod chart;
 mod curve;
 mod panel;
+mod pdf;
+mod pixels;
 mod range;
 mod style;
 
-use plotters::backend::BitMapBackend;
 use plotters::drawing::DrawingArea;
 use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 
 pub use curve::Curve;
 use panel::Panel;
+use style::Pen;
 
 /// What is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,9 +71,10 @@ pub struct Trace {
     pub held: bool,
 }
 
-/// Size of a panel, and of the line above all, in pixels.
-const PANEL: (u32, u32) = (460, 250);
-const HEAD: u32 = 56;
+/// Size of a panel, of what is above all, and of a row of the legend, in pixels.
+const PANEL: (u32, u32) = (480, 290);
+const HEAD: u32 = 38;
+const LEGEND: u32 = 26;
 
 impl Figure {
     /// As the text of an SVG file.
@@ -80,8 +83,10 @@ impl Figure {
     /// A drawing that cannot be made, such as one of values that are no numbers.
     pub fn svg(&self) -> Result<String, String> {
         let mut text = String::new();
-        self.draw(SVGBackend::with_string(&mut text, self.size()).into_drawing_area())?;
-        Ok(style::with_dark_page(&text))
+        let (width, height) = self.size(Pen::FINE)?;
+        let size = (Pen::FINE.px(width), Pen::FINE.px(height));
+        self.draw(SVGBackend::with_string(&mut text, size).into_drawing_area(), Pen::FINE)?;
+        Ok(style::finished(&text, (width, height)))
     }
 
     /// As the bytes of a PNG file.
@@ -89,19 +94,17 @@ impl Figure {
     /// # Errors
     /// As [`Self::svg`].
     pub fn png(&self) -> Result<Vec<u8>, String> {
-        let (width, height) = self.size();
-        let mut pixels = vec![0; 3 * width as usize * height as usize];
-        self.draw(BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area())?;
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        let written = encoder.write_header().and_then(|mut writer| {
-            writer.write_image_data(&pixels)?;
-            writer.finish()
-        });
-        written.map_err(|error| error.to_string())?;
-        Ok(bytes)
+        pixels::png(self.size(Pen::PIXELS)?, |area| self.draw(area, Pen::PIXELS))
+    }
+
+    /// As the bytes of a PDF file of one page.
+    ///
+    /// # Errors
+    /// As [`Self::svg`].
+    pub fn pdf(&self) -> Result<Vec<u8>, String> {
+        let mut page = pdf::Page::new(self.size(Pen::FINE)?, &self.title)?;
+        self.draw(page.backend().into_drawing_area(), Pen::FINE)?;
+        Ok(page.finish())
     }
 
     /// What it shows, in words.
@@ -116,24 +119,26 @@ impl Figure {
         format!("States and control over time in s{stretched}. Thin lines are deadlines{bounds}.")
     }
 
-    fn size(&self) -> (u32, u32) {
+    fn size(&self, pen: Pen) -> Result<(u32, u32), String> {
+        style::register_letters()?;
         let rows = u32::try_from(Panel::all(self).len().div_ceil(2)).unwrap_or(1);
-        (2 * PANEL.0, HEAD + rows * PANEL.1)
+        Ok((2 * PANEL.0, style::head_height(self, pen)? + rows * PANEL.1))
     }
 
     fn draw<B: DrawingBackend>(
         &self,
         area: DrawingArea<B, plotters::coord::Shift>,
+        pen: Pen,
     ) -> Result<(), String> {
         style::register_letters()?;
         let told = |error: &dyn std::fmt::Display| error.to_string();
         area.fill(&style::PAGE).map_err(|e| told(&e))?;
-        let (head, body) = area.split_vertically(HEAD);
-        style::head(self, &head).map_err(|e| told(&e))?;
+        let (head, body) = area.split_vertically(pen.px(style::head_height(self, pen)?));
+        style::head(self, &head, pen)?;
         let panels = Panel::all(self);
         let places = body.split_evenly((panels.len().div_ceil(2), 2));
         for (panel, place) in panels.iter().zip(&places) {
-            panel.draw(self, place)?;
+            panel.draw(self, place, pen)?;
         }
         area.present().map_err(|e| told(&e))
     }
@@ -238,7 +243,7 @@ mod tests {
         let mut reader = decoder.read_info().expect("a head");
         let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
         let frame = reader.next_frame(&mut pixels).expect("pixels");
-        assert_eq!((frame.width, frame.height), figure().size());
+        assert_eq!((frame.width, frame.height), figure().size(Pen::PIXELS).expect("a size"));
         let of = |colour: [u8; 3]| pixels.chunks(3).filter(|pixel| **pixel == colour).count();
         assert!(of([255, 255, 255]) > 100_000, "a white page");
         assert!(of([0x1b, 0x5f, 0xa8]) > 1000 && of([0xa0, 0x20, 0x30]) > 300, "lines and bounds");

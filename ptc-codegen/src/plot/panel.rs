@@ -2,11 +2,13 @@
 
 use plotters::coord::Shift;
 use plotters::drawing::DrawingArea;
-use plotters::element::PathElement;
+use plotters::element::{PathElement, Text};
 use plotters::prelude::DrawingBackend;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::chart::dashed;
-use super::{Figure, Trace, chart, range, style};
+use super::style::{Pen, SMALL};
+use super::{Figure, Trace, chart, range};
 
 /// What a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +25,12 @@ pub(super) enum Panel {
 
 /// Part of the horizontal axis over which a bound is drawn that holds at one instant alone.
 const TICK: f64 = 0.04;
+
+/// Part of the horizontal axis between a deadline and its name.
+const GAP: f64 = 0.015;
+
+/// Part of the horizontal axis that the name of a deadline takes.
+const NAME: f64 = 0.2;
 
 /// Part of tau at the start in which u may be so large that the rest would be a flat line.
 const OUTSET: f64 = 0.02;
@@ -43,13 +51,14 @@ impl Panel {
         self,
         figure: &Figure,
         area: &DrawingArea<B, Shift>,
+        pen: Pen,
     ) -> Result<(), String> {
         let told = |error: &dyn std::fmt::Display| error.to_string();
         let (across, (up, cut)) = (self.across(figure), self.up(figure));
-        let mut chart = chart::around(area, &self.title(figure, cut))
+        let mut chart = chart::around(area, &self.title(figure, cut), pen)
             .build_cartesian_2d(across.0..across.1, up.0..up.1)
             .map_err(|e| told(&e))?;
-        chart::mesh(&mut chart)
+        chart::mesh(&mut chart, pen)
             .x_label_formatter(&|x| range::label(*x))
             .y_label_formatter(&|y| self.label(figure, *y))
             .x_desc(if self == Self::Stretched { "stretched time since t0 in s" } else { "t in s" })
@@ -58,25 +67,50 @@ impl Panel {
         if let Some(bound) = self.bound(figure) {
             for level in [bound, -bound].into_iter().filter(|y| (up.0..=up.1).contains(y)) {
                 let points = vec![(across.0, level), (across.1, level)];
-                dashed(&mut chart, points, (4, 3), style::bound())?;
+                dashed(&mut chart, points, pen.dash_of_bound(), pen.bound())?;
+                let below = if level > 0.0 { VPos::Top } else { VPos::Bottom };
+                let text = pen.bound_text().pos(Pos::new(HPos::Left, below));
+                let label =
+                    Text::new(format!("bound {}", range::label(level)), (across.0, level), text);
+                chart.draw_series([label]).map_err(|e| told(&e))?;
             }
         }
         for points in self.bounds(figure, across) {
             let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
-            dashed(&mut chart, points, (4, 3), style::bound())?;
+            dashed(&mut chart, points, pen.dash_of_bound(), pen.bound())?;
         }
         for (index, trace) in figure.traces.iter().enumerate() {
             if self != Self::Stretched {
                 let line = vec![(trace.deadline, up.0), (trace.deadline, up.1)];
-                let line = PathElement::new(line, style::deadline(index));
+                let line = PathElement::new(line, pen.deadline(index));
                 chart.draw_series([line]).map_err(|e| told(&e))?;
             }
             let inside = |(x, y): &(f64, f64)| *x <= across.1 && y.is_finite();
             let points: Vec<_> = self.points(figure, trace).into_iter().filter(inside).collect();
             let points = points.into_iter().map(|(x, y)| (x, y.clamp(up.0, up.1))).collect();
-            dashed(&mut chart, points, style::dash(index), style::line(index))?;
+            dashed(&mut chart, points, pen.dash(index), pen.line(index))?;
+        }
+        for at in self.named_deadlines(figure, across) {
+            let text = pen.text(SMALL).pos(Pos::new(HPos::Right, VPos::Top));
+            let label = Text::new("deadline", (at - GAP * (across.1 - across.0), up.1), text);
+            chart.draw_series([label]).map_err(|e| told(&e))?;
         }
         Ok(())
+    }
+
+    /// The deadlines that have room for their name beside them.
+    fn named_deadlines(self, figure: &Figure, across: (f64, f64)) -> Vec<f64> {
+        let mut all: Vec<_> = figure.traces.iter().map(|trace| trace.deadline).collect();
+        all.sort_by(f64::total_cmp);
+        let room = NAME * (across.1 - across.0);
+        let mut last = across.0;
+        all.retain(|at| {
+            self != Self::Stretched && *at - last >= room && {
+                last = *at;
+                true
+            }
+        });
+        all
     }
 
     fn title(self, figure: &Figure, cut: bool) -> String {

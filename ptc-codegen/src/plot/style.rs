@@ -1,12 +1,12 @@
 //! Colours, dashes and letters.
 
 use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
+use plotters::drawing::DrawingArea;
 use plotters::element::PathElement;
 use plotters::prelude::DrawingBackend;
 use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle, register_font};
 
-use super::Figure;
+use super::{Figure, HEAD, LEGEND, PANEL};
 
 pub(super) const PAGE: RGBColor = RGBColor(0xff, 0xff, 0xff);
 pub(super) const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
@@ -39,7 +39,7 @@ const DARK: [(RGBColor, &str); 10] = [
 const DASHES: [(u32, u32); 5] = [(1, 0), (9, 4), (3, 3), (14, 4), (6, 6)];
 
 /// DejaVu Sans with the letters of figures alone: the same widths on any machine.
-const LETTERS: &[u8] = include_bytes!("font/ptc_sans.ttf");
+pub(super) const LETTERS: &[u8] = include_bytes!("font/ptc_sans.ttf");
 
 /// The font family of the figures, which every reader of SVG has in some shape.
 pub(super) const FAMILY: &str = "sans-serif";
@@ -49,33 +49,78 @@ pub(super) fn register_letters() -> Result<(), String> {
         .map_err(|_| "the letters cannot be read".to_owned())
 }
 
-/// Line of a bound.
-pub(super) fn bound() -> ShapeStyle {
-    BOUND.stroke_width(1)
+/// How fine a drawing is: its units per pixel. Points are drawn at whole units, so that lines of
+/// one unit a pixel would be jagged.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen(u32);
+
+impl Pen {
+    /// For drawings whose coordinates may have fractions of a pixel.
+    pub(super) const FINE: Self = Self(10);
+    /// For pixels, each of which becomes the mean of 3 by 3.
+    pub(super) const PIXELS: Self = Self(3);
+
+    /// A length in pixels.
+    pub(super) fn px(self, pixels: u32) -> u32 {
+        self.0 * pixels
+    }
+
+    /// A place in pixels.
+    pub(super) fn at(self, pixels: u32) -> i32 {
+        i32::try_from(self.px(pixels)).unwrap_or(i32::MAX)
+    }
+
+    /// Line of a bound.
+    pub(super) fn bound(self) -> ShapeStyle {
+        BOUND.stroke_width(self.px(1))
+    }
+
+    /// Line of the run with this index.
+    pub(super) fn line(self, index: usize) -> ShapeStyle {
+        TRACES[index % TRACES.len()].stroke_width(self.px(2))
+    }
+
+    /// Thin line of its deadline.
+    pub(super) fn deadline(self, index: usize) -> ShapeStyle {
+        TRACES[index % TRACES.len()].stroke_width(self.px(1))
+    }
+
+    /// Thin line of axes and mesh.
+    pub(super) fn thin(self, colour: RGBColor) -> ShapeStyle {
+        colour.stroke_width(self.px(1))
+    }
+
+    /// Dash and gap of the run with this index.
+    pub(super) fn dash(self, index: usize) -> (u32, u32) {
+        self.dashes(DASHES[index % DASHES.len()])
+    }
+
+    /// Dash and gap of bounds.
+    pub(super) fn dash_of_bound(self) -> (u32, u32) {
+        self.dashes((4, 3))
+    }
+
+    fn dashes(self, (dash, gap): (u32, u32)) -> (u32, u32) {
+        (self.px(dash), self.px(gap))
+    }
+
+    /// Text of a size in pixels.
+    pub(super) fn text(self, size: u32) -> TextStyle<'static> {
+        (FAMILY, self.px(size)).into_font().color(&TEXT)
+    }
+
+    /// Text beside a bound.
+    pub(super) fn bound_text(self) -> TextStyle<'static> {
+        (FAMILY, self.px(SMALL)).into_font().color(&BOUND)
+    }
 }
 
-/// Line of the run with this index.
-pub(super) fn line(index: usize) -> ShapeStyle {
-    TRACES[index % TRACES.len()].stroke_width(2)
-}
-
-/// Thin line of its deadline.
-pub(super) fn deadline(index: usize) -> ShapeStyle {
-    TRACES[index % TRACES.len()].stroke_width(1)
-}
-
-/// Dash and gap of the run with this index.
-pub(super) fn dash(index: usize) -> (u32, u32) {
-    DASHES[index % DASHES.len()]
-}
-
-/// Text of a size in pixels.
-pub(super) fn text(size: u32) -> TextStyle<'static> {
-    (FAMILY, size).into_font().color(&TEXT)
-}
+/// Letters of axes and notes, 12 pt, and of titles; a size is 1.24 em.
+pub(super) const SMALL: u32 = 20;
+pub(super) const TITLE: u32 = 22;
 
 /// A straight line from `from` to `to` on one row or column, dashed.
-pub(super) fn dashes(from: i32, to: i32, (dash, gap): (u32, u32)) -> Vec<(i32, i32)> {
+fn dashes(from: i32, to: i32, (dash, gap): (u32, u32)) -> Vec<(i32, i32)> {
     if gap == 0 {
         return vec![(from, to)];
     }
@@ -84,26 +129,53 @@ pub(super) fn dashes(from: i32, to: i32, (dash, gap): (u32, u32)) -> Vec<(i32, i
     (from..to).step_by(period).map(|at| (at, (at + dash).min(to))).collect()
 }
 
+/// Where the entries of the legend begin, as row and distance from the left, and the number of rows.
+fn legend(figure: &Figure, pen: Pen) -> Result<(Vec<(u32, i32)>, u32), String> {
+    let (width, mut row, mut left) = (pen.at(2 * PANEL.0), 0, pen.at(16));
+    let mut places = Vec::with_capacity(figure.traces.len());
+    for trace in &figure.traces {
+        let text = (FAMILY, pen.px(SMALL)).into_font().box_size(&trace.label);
+        let text = text.map_err(|error| error.to_string())?.0;
+        let entry = pen.at(78) + i32::try_from(text).unwrap_or(0);
+        if left + entry > width && left > pen.at(16) {
+            (row, left) = (row + 1, pen.at(16));
+        }
+        places.push((row, left));
+        left += entry;
+    }
+    Ok((places, row + 1))
+}
+
+/// The height of title and legend in pixels.
+pub(super) fn head_height(figure: &Figure, pen: Pen) -> Result<u32, String> {
+    Ok(HEAD + LEGEND * legend(figure, pen)?.1)
+}
+
 /// The title and the legend.
 pub(super) fn head<B: DrawingBackend>(
     figure: &Figure,
     area: &DrawingArea<B, Shift>,
-) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
-    area.draw_text(&figure.title, &text(20), (16, 8))?;
-    let mut left = 16;
-    for (index, trace) in figure.traces.iter().enumerate() {
-        for (from, to) in dashes(left, left + 40, dash(index)) {
-            area.draw(&PathElement::new(vec![(from, 42), (to, 42)], line(index)))?;
+    pen: Pen,
+) -> Result<(), String> {
+    let told = |error: &dyn std::fmt::Display| error.to_string();
+    let title = (pen.at(16), pen.at(8));
+    area.draw_text(&figure.title, &pen.text(TITLE), title).map_err(|e| told(&e))?;
+    let (places, _) = legend(figure, pen)?;
+    for (index, (trace, (row, left))) in figure.traces.iter().zip(places).enumerate() {
+        let top = pen.at(HEAD + row * LEGEND);
+        let middle = top + pen.at(9);
+        for (from, to) in dashes(left, left + pen.at(40), pen.dash(index)) {
+            let line = PathElement::new(vec![(from, middle), (to, middle)], pen.line(index));
+            area.draw(&line).map_err(|e| told(&e))?;
         }
-        area.draw_text(&trace.label, &text(16), (left + 48, 34))?;
-        let width = area.estimate_text_size(&trace.label, &text(16))?.0;
-        left += 78 + i32::try_from(width).unwrap_or(0);
+        let place = (left + pen.at(48), top);
+        area.draw_text(&trace.label, &pen.text(SMALL), place).map_err(|e| told(&e))?;
     }
     Ok(())
 }
 
-/// The SVG with other colours where the reader's page is dark.
-pub(super) fn with_dark_page(svg: &str) -> String {
+/// A drawing of [`Pen::FINE`], of this size in pixels, with other colours where the reader's page is dark.
+pub(super) fn finished(svg: &str, (width, height): (u32, u32)) -> String {
     let mut rules = String::new();
     for (RGBColor(r, g, b), dark) in DARK {
         let light = format!("#{r:02X}{g:02X}{b:02X}");
@@ -111,11 +183,13 @@ pub(super) fn with_dark_page(svg: &str) -> String {
             "[fill=\"{light}\"]{{fill:{dark}}}[stroke=\"{light}\"]{{stroke:{dark}}}\n"
         ));
     }
-    let style = format!("<style>\n@media (prefers-color-scheme: dark) {{\n{rules}}}\n</style>\n");
-    match svg.find('>') {
-        Some(end) => {
-            format!("{}\n{style}{}", &svg[..=end], svg[end + 1..].trim_start_matches('\n'))
-        }
-        None => svg.to_owned(),
-    }
+    let pen = Pen::FINE;
+    let head = format!(
+        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" xmlns=\"http://www.w3.org/2000/svg\">\n\
+         <style>\n@media (prefers-color-scheme: dark) {{\n{rules}}}\n</style>\n",
+        pen.px(width),
+        pen.px(height)
+    );
+    let drawn = svg.split_once('>').map_or(svg, |(_, drawn)| drawn);
+    head + drawn.trim_start_matches('\n')
 }

@@ -44,6 +44,20 @@ impl Cost {
     }
 }
 
+/// The operations of one step of so many axes: those of `tick` once, and those of `axis` for each.
+pub fn of_axes(program: &Program, axes: usize) -> Cost {
+    let handed: Vec<_> = program.handed_over().copied().collect();
+    let tick = count(program, &handed, Stage::Tick);
+    let axis = count(program, program.axis.as_slice(), Stage::Step);
+    Cost {
+        add: tick.add + axes * axis.add,
+        mul: tick.mul + axes * axis.mul,
+        div: tick.div + axes * axis.div,
+        sqrt: tick.sqrt + axes * axis.sqrt,
+        calls: tick.calls + axes * axis.calls,
+    }
+}
+
 /// The operations that computing `roots` takes at `from` and later stages, one round of each loop.
 pub fn count(program: &Program, roots: &[Value], from: Stage) -> Cost {
     let mut cost = Cost::default();

@@ -76,5 +76,6 @@ fn input_text(input: Input) -> String {
         Input::Drift => "drift f".to_owned(),
         Input::Control => "control u".to_owned(),
         Input::Gain(j) => format!("gain {j}"),
+        Input::Divisor => "input gain g".to_owned(),
     }
 }

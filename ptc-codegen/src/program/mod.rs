@@ -66,6 +66,8 @@ pub enum Input {
     StateAtStart(usize),
     /// Feedback gain of x_j, from 1, as `tick` left it.
     Gain(usize),
+    /// Input gain g as `tick` left it.
+    Divisor,
     /// The plant's own f, where the associated system is computed.
     Drift,
     /// The control u, where the plant is computed.
@@ -79,9 +81,12 @@ impl Input {
             Self::Parameter(_) => Stage::Init,
             Self::StartTime | Self::StateAtStart(_) => Stage::Arm,
             Self::Time => Stage::Tick,
-            Self::State(_) | Self::Reference(_) | Self::Gain(_) | Self::Drift | Self::Control => {
-                Stage::Step
-            }
+            Self::State(_)
+            | Self::Reference(_)
+            | Self::Gain(_)
+            | Self::Divisor
+            | Self::Drift
+            | Self::Control => Stage::Step,
         }
     }
 }
@@ -268,8 +273,13 @@ pub struct Program {
     pub limits: Limits,
     /// u of one call of `step`, before it is clipped.
     pub step: Value,
-    /// Feedback gains of x_1..x_n, for `tick`; `None` if the law is not a sum of gains.
+    /// Feedback gains of x_1..x_n, for `tick`, one axis after the other where each has its own; empty if
+    /// the law is not a sum of gains.
     pub gains: Vec<Value>,
+    /// Input gains g, for `tick`: one, or one for each axis; empty where g is a number or 1.
+    pub divisors: Vec<Value>,
+    /// Bounds of |u| of each axis, for `tick`; empty where they share one.
+    pub bounds: Vec<Value>,
     /// u from the gains that `tick` left, before it is clipped; `None` if there are no gains.
     pub axis: Option<Value>,
     /// What a simulation reads beside these; none in a program that is emitted.
@@ -294,6 +304,17 @@ pub struct Limits {
 }
 
 impl Program {
+    /// What `tick` hands over to `axis`.
+    pub fn handed_over(&self) -> impl Iterator<Item = &Value> {
+        self.gains.iter().chain(&self.divisors).chain(&self.bounds)
+    }
+
+    /// How many gains `axis` reads: where `tick` gives more, each axis has its own.
+    pub fn gains_of_axis(&self) -> usize {
+        let is_gain = |d: &&Definition| matches!(d.op, Op::Input(Input::Gain(_)));
+        self.values.iter().filter(is_gain).count()
+    }
+
     /// The definition of `value`.
     pub fn get(&self, value: Value) -> &Definition {
         &self.values[value.0]
@@ -304,7 +325,7 @@ impl Program {
         let Limits { late, hold_from, eps, .. } = self.limits;
         let mut outputs = vec![self.step, late, hold_from, eps];
         outputs.extend(self.axis);
-        outputs.extend(&self.gains);
+        outputs.extend(self.handed_over());
         outputs.extend(&self.watched);
         outputs.extend(self.limits.past);
         outputs.extend(self.limits.start_time);

@@ -3,7 +3,7 @@
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, below, raised};
-use crate::expression::{Expression, Function, Node, Variable};
+use crate::expression::{Expression, Found, Function, Node, Variable};
 use crate::parameter::Parameter;
 
 /// A value, and the size of the terms that it consists of: what one relative error of each term
@@ -31,7 +31,33 @@ impl Arithmetic {
     /// The value of an expression. Constants and parameters are exact; each operation is as wrong
     /// as its operands make it, and by one unit of its own.
     pub(super) fn term(&mut self, expression: &Expression, leaves: &Leaves<'_>) -> Term {
-        let mut inner = |e: &Expression| self.term(e, leaves);
+        self.part(expression, leaves, &mut Found::default())
+    }
+
+    /// The value of a part of an expression, with those of the parts that are found.
+    fn part(
+        &mut self,
+        expression: &Expression,
+        leaves: &Leaves<'_>,
+        found: &mut Found<Term>,
+    ) -> Term {
+        if let Some(known) = found.get(expression) {
+            return known.clone();
+        }
+        let term = self.operation(expression, leaves, found);
+        if expression.height() > 0 {
+            found.insert(expression.clone(), term.clone());
+        }
+        term
+    }
+
+    fn operation(
+        &mut self,
+        expression: &Expression,
+        leaves: &Leaves<'_>,
+        found: &mut Found<Term>,
+    ) -> Term {
+        let mut inner = |e: &Expression| self.part(e, leaves, found);
         let exact = |own: &Self, value| Term { value, size: own.integer(0) };
         let (value, size) = match expression.node() {
             Node::Number(number) => return exact(self, self.exact(number)),
@@ -66,7 +92,7 @@ impl Arithmetic {
                 let size = self.add(&sizes[0], &sizes[1].abs());
                 (value, self.div(&size, &b.value.abs()))
             }
-            Node::Power(a, b) => return self.power_term(a, b, leaves),
+            Node::Power(a, b) => return self.power_term(a, b, leaves, found),
             Node::Min(a, b) | Node::Max(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 let least = matches!(expression.node(), Node::Min(..));
@@ -81,8 +107,14 @@ impl Arithmetic {
         Term { size: larger(&size, &value), value }
     }
 
-    fn power_term(&mut self, a: &Expression, b: &Expression, leaves: &Leaves<'_>) -> Term {
-        let (base, exponent) = (self.term(a, leaves), self.term(b, leaves));
+    fn power_term(
+        &mut self,
+        a: &Expression,
+        b: &Expression,
+        leaves: &Leaves<'_>,
+        found: &mut Found<Term>,
+    ) -> Term {
+        let (base, exponent) = (self.part(a, leaves, found), self.part(b, leaves, found));
         let value = match b.small_integer() {
             Some(k) => {
                 let one = self.integer(1);

@@ -1,6 +1,6 @@
 //! The command line that gives a spec.
 
-use super::{After, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
+use super::{After, Axes, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
 use crate::expression::Subject;
 use crate::family::Family;
@@ -11,7 +11,9 @@ use crate::syntax::constant;
 impl Spec {
     /// The command line (without the program's name and `--lang`) that gives this spec.
     pub fn command(&self) -> String {
-        let mut words = vec![format!("--n {}", self.n), self.mapping_words()];
+        let mut words = vec![format!("--n {}", self.n)];
+        words.extend(self.axes.as_ref().map(|axes| format!("--axes {}", axes.count)));
+        words.push(self.mapping_words());
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
         }
@@ -37,10 +39,16 @@ impl Spec {
             (Parameter::Eps, "--eps"),
             (Parameter::UMax, "--u-max"),
         ] {
+            let own = |axes: &Axes| parameter == Parameter::UMax && !axes.limits.is_empty();
+            if self.axes.as_ref().is_some_and(own) {
+                continue;
+            }
             if let Some(value) = self.fixed.get(&parameter) {
                 words.push(format!("{flag}={value}"));
             }
         }
+        let limits = self.axes.as_ref().and_then(|axes| list(axes.limits.iter()));
+        words.extend(limits.map(|limits| format!("--limits={limits}")));
         words.extend(self.law_words());
         for (parameter, value) in &self.fixed {
             let beside_mu = matches!(parameter, Parameter::Rate(_)) && !self.all_rates_are_fixed();
@@ -76,7 +84,7 @@ impl Spec {
             words.push(format!("--dynamics=\"{}\"", list(rates)));
         } else {
             words.extend(self.drift.iter().map(|f| format!("--f=\"{f}\"")));
-            words.extend(self.input_gain.iter().map(|g| format!("--g=\"{g}\"")));
+            words.extend(self.input_gain_words());
         }
         words.extend(match &self.reference {
             Some(Reference::Known(derivatives)) => {
@@ -91,6 +99,18 @@ impl Spec {
             After::Extern => words.push("--after extern".to_owned()),
         }
         words
+    }
+
+    fn input_gain_words(&self) -> Option<String> {
+        let own = self.axes.as_ref().map(|axes| &axes.input_gains).filter(|own| !own.is_empty());
+        let text = match own {
+            Some(own) => {
+                let each: Vec<_> = own.iter().map(ToString::to_string).collect();
+                format!("[{}]", each.join(", "))
+            }
+            None => self.input_gain.as_ref()?.to_string(),
+        };
+        Some(format!("--g=\"{text}\""))
     }
 
     fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
@@ -135,6 +155,13 @@ impl Spec {
     }
 
     fn gain_words(&self) -> Option<String> {
+        if let Some(axes) = self.axes.as_ref().filter(|axes| !axes.gains.is_empty()) {
+            let (flag, rows): (_, Vec<_>) = match axes.poles.as_slice() {
+                [] => ("gains", axes.gains.iter().filter_map(|row| list(row.iter())).collect()),
+                poles => ("poles", poles.iter().map(|row| written(row)).collect()),
+            };
+            return Some(format!("--{flag}=\"[[{}]]\"", rows.join("],[")));
+        }
         if !self.poles.is_empty() {
             return Some(format!("--poles={}", self.written_poles()));
         }

@@ -1,5 +1,6 @@
 //! The user's request. Every front end ends in a [`Spec`].
 
+mod axes;
 mod command;
 mod needs;
 mod poles;
@@ -7,6 +8,7 @@ mod promises;
 mod read;
 mod sampled;
 
+pub use axes::Axes;
 pub use poles::{Pole, PoleError, gains};
 pub use promises::{PlantBounds, Promises, one_or_each};
 pub use read::{Entry, read};
@@ -129,6 +131,8 @@ pub struct Spec {
     pub input_gain: Option<Expression>,
     /// What x_1 follows; none for 0.
     pub reference: Option<Reference>,
+    /// The axes that share the deadline; none for one chain.
+    pub axes: Option<Axes>,
     /// The model of the plant from which n, f and g follow; none where they were given.
     pub model: Option<Box<Model>>,
     /// What follows the deadline.
@@ -167,6 +171,7 @@ impl Spec {
             drift: None,
             input_gain: None,
             reference: None,
+            axes: None,
             model: None,
             after: After::Hold,
             fixed: BTreeMap::new(),
@@ -261,7 +266,8 @@ impl Spec {
         let model = self.model.iter().flat_map(|model| &model.coordinates);
         let reference = (0..=self.n).filter_map(|order| self.derivative(order));
         let of_plant = model.chain(&self.drift).chain(&self.input_gain);
-        given.into_iter().chain(law).chain(of_plant).chain(reference)
+        let of_axes = self.axes.iter().flat_map(|axes| &axes.input_gains);
+        given.into_iter().chain(law).chain(of_plant).chain(of_axes).chain(reference)
     }
 
     /// Whether states are latched at the start.

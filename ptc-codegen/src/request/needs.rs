@@ -45,6 +45,21 @@ impl Spec {
         unless(self.reference.is_some(), ("reference", "reference"), message, help)
     }
 
+    /// Refuses several axes for what knows one chain alone.
+    ///
+    /// # Errors
+    /// That `what` knows one.
+    pub fn needs_one_axis(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} knows one chain, not several axes");
+        let help = match self.axes.as_ref().is_some_and(super::Axes::differ) {
+            true => {
+                "leave `axes` out, and give the gains, limit and g of one axis: each is a chain of its own"
+            }
+            false => "leave `axes` out: each axis is the same chain",
+        };
+        unless(self.axes.is_some(), ("axes", "axes"), message, help)
+    }
+
     /// Refuses an observer alone for what runs a law.
     ///
     /// # Errors

@@ -107,6 +107,7 @@ impl SelfTest {
                 "leave out `--selftest`, or `what = associated`",
             ));
         }
+        spec.needs_one_axis("a self-test")?;
         let chosen = parameters::Chosen::new(controller);
         let machine = Machine::new(controller.program, &[]);
         let trials = Trials::new(controller);

@@ -54,6 +54,7 @@ impl Trial<'_> {
             Input::Reference(order) => self.x[self.spec().states() + order],
             Input::StateAtStart(j) => self.x0[j - 1],
             Input::Gain(j) => gains[j - 1],
+            Input::Divisor => gains[self.spec().n],
             Input::Drift | Input::Control => f64::NAN,
         }
     }
@@ -109,7 +110,8 @@ impl Trial<'_> {
             () => Status::Ok,
         };
         let axis = program.axis.map(|axis| {
-            let gains = step.values(&program.gains);
+            let handed: Vec<_> = program.handed_over().copied().collect();
+            let gains = step.values(&handed);
             let input = |input| self.input(input, &gains);
             let mut own = Interpreter::on(program, self.machine.clone(), &input);
             status(own.value(axis))

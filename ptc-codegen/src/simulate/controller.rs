@@ -46,7 +46,8 @@ impl Controller {
         let spec = Spec { what: What::Controller, ..spec.clone() };
         let program = passes::optimise(lower(&spec, &Law::of(&spec)), &mut |_, _| {});
         let mut outputs = program.outputs();
-        outputs.retain(|value| Some(*value) != program.axis && !program.gains.contains(value));
+        let of_axis = |value: &Value| program.handed_over().any(|handed| handed == value);
+        outputs.retain(|value| Some(*value) != program.axis && !of_axis(value));
         outputs.push(program.step);
         let machine = Machine::new(&program, &outputs);
         let checks = digits::checks(&spec, &program);

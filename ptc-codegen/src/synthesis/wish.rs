@@ -234,6 +234,7 @@ fn read_spec(entries: &[Entry], choice: &Choice) -> Result<(Spec, Vec<Entry>), V
 fn read(entries: &[Entry], choice: &Choice) -> Result<(Spec, Campaign), Vec<Diagnostic>> {
     let (spec, all) = read_spec(entries, choice)?;
     spec.needs_chain("design")?;
+    spec.needs_one_axis("design")?;
     let campaign = verify::read_with_plant(&all, &spec)?;
     Ok((spec, campaign))
 }

@@ -39,6 +39,35 @@ fn rows(csv: &str) -> Vec<Vec<f64>> {
 }
 
 #[test]
+fn starts_and_mappings_are_overlaid() {
+    let folder = folder("overlaid");
+    let asked = ["stage.toml", "--x0=1,0", "--x0=0,1", "--mu", "exp(a=1)", "--mu", "tan(a=2)"];
+    let (code, csv, told) =
+        run(&folder, &[&asked[..], &["--at", "0,0.5", "--plot", "run.pdf"]].concat());
+    assert_eq!(code, Some(0), "{told}");
+    assert!(csv.starts_with("run,tau,t,x1,x2,u\n"), "{csv}");
+    let seen = rows(&csv);
+    assert_eq!(seen.iter().map(|row| row[0]).collect::<Vec<_>>(), [1., 1., 2., 2., 3., 3., 4., 4.]);
+    assert!(told.contains("note: run 3: tan(a=2), tau = 1 s, x0 = (1,0)"), "{told}");
+    for (run, (mu, x0)) in
+        [("exp(a=1)", "1,0"), ("exp(a=1)", "0,1"), ("tan(a=2)", "1,0"), ("tan(a=2)", "0,1")]
+            .into_iter()
+            .enumerate()
+    {
+        let alone = stdout(&folder, &["stage.toml", "--mu", mu, "--x0", x0, "--at", "0,0.5"]);
+        for (one, row) in rows(&alone).iter().zip(&seen[2 * run..]) {
+            assert_eq!(one[..], row[1..], "{mu} {x0}");
+        }
+    }
+    let pdf = fs::read(folder.join("run.pdf")).expect("a picture");
+    assert!(pdf.starts_with(b"%PDF-") && pdf.ends_with(b"%%EOF"));
+    let twice = run(&folder, &["stage.toml", "--x0=1,0", "--x0=1,0"]);
+    assert!(twice.0 == Some(2) && twice.2.contains("is given twice"), "{twice:?}");
+    let page = run(&folder, &[&asked[..], &["--report", "run.html"]].concat());
+    assert!(page.0 == Some(2) && page.2.contains("a report is of one mapping"), "{page:?}");
+}
+
+#[test]
 fn the_csv_holds_what_was_asked_for() {
     let folder = folder("csv");
     let asked = ["stage.toml", "--x0", "1,0", "--at", "0.9,0.5,0.999999999"];

@@ -86,7 +86,7 @@ fn in_interpreter(
         let real = if design.code.precision == Precision::F32 { "float32" } else { "float64" };
         // 0 is a count, 1 a number, and n + 1 an array of n.
         let length = |shape| match shape {
-            Shape::Gains => unreachable!("no parameter"),
+            Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => unreachable!("no parameter"),
             Shape::Count => 0,
             Shape::Real => 1,
             Shape::Reals(length) => length + 1,

@@ -47,7 +47,7 @@ fn tables(count: usize) -> String {
 fn c_parameters(design: &Design) -> String {
     let real = design.real();
     let each = design.parameters().map(|(name, shape)| match shape {
-        Shape::Gains => unreachable!("no parameter"),
+        Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => unreachable!("no parameter"),
         Shape::Count => format!("p.{name} = (uint32_t)number(); "),
         Shape::Real => format!("p.{name} = ({real})number(); "),
         Shape::Reals(n) => (0..n).map(|i| format!("p.{name}[{i}] = ({real})number(); ")).collect(),

@@ -68,7 +68,9 @@ pub(crate) fn in_rust(folder: &Path, designs: &[Design]) -> Option<Vec<String>> 
         let fields: String = design
             .parameters()
             .map(|(field, shape)| match shape {
-                Shape::Gains => unreachable!("no parameter"),
+                Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {
+                    unreachable!("no parameter")
+                }
                 Shape::Count => format!("{field}: number(words) as u32, "),
                 Shape::Real => format!("{field}: {}, ", value(0)),
                 Shape::Reals(n) => {

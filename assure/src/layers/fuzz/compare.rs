@@ -187,7 +187,11 @@ fn interpreter(spec: &Spec, records: &[Record], c: &[Outcome]) -> Option<Differe
             Input::Time => record.t,
             Input::State(j) => record.x[j - 1],
             Input::StateAtStart(j) => record.x0[j - 1],
-            Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => f64::NAN,
         };
         let mut own = Interpreter::new(&program, &input).with_law(&law);
         let u = own.value(program.step);

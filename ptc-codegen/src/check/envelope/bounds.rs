@@ -71,8 +71,13 @@ impl<'a> Bounds<'a> {
     /// Gives the gains, once computed, to what `axis` takes as inputs.
     pub(crate) fn hand_over_gains(&mut self) {
         for (index, definition) in self.program.values.iter().enumerate() {
-            if let Op::Input(Input::Gain(j)) = definition.op {
-                self.known[index] = Some(self.get(self.program.gains[j - 1]));
+            let given = match definition.op {
+                Op::Input(Input::Gain(j)) => self.program.gains.get(j - 1),
+                Op::Input(Input::Divisor) => self.program.divisors.first(),
+                _ => None,
+            };
+            if let Some(given) = given {
+                self.known[index] = Some(self.get(*given));
             }
         }
     }

@@ -69,6 +69,7 @@ pub fn scan(
     // The program's own time-to-go has a rounding or two, but is never below eps.
     let slack = 2.0 * epsilon(program.precision);
     let (mut step, mut axis) = (None, None);
+    let handed: Vec<_> = program.handed_over().copied().collect();
     let mut high = tau;
     for piece in 1..=pieces {
         let low = if piece == pieces {
@@ -80,7 +81,7 @@ pub fn scan(
         let found = |value: Value| Found { value, time_to_go: (low, high) };
         step = step.or_else(|| bounds.first_excess(&[program.step]).map(found));
         axis = axis.or_else(|| {
-            let gain = bounds.first_excess(&program.gains);
+            let gain = bounds.first_excess(&handed);
             bounds.hand_over_gains();
             gain.or_else(|| bounds.first_excess(program.axis.as_slice())).map(found)
         });
@@ -146,12 +147,14 @@ fn overflow(
         };
         let mut interpreter = Interpreter::new(program, &early);
         let gains: Vec<_> = program.gains.iter().map(|gain| interpreter.value(*gain)).collect();
+        let divisor = program.divisors.first().map(|value| interpreter.value(*value));
         let aligned = |asked: Input| match asked {
             Input::State(_) if middle => settle(f64::midpoint(input(asked).low, input(asked).high)),
             Input::State(j) => {
                 end(input(asked), gains.get(j - 1).map_or(upper, |gain| *gain >= 0.0))
             }
             Input::Gain(j) => gains.get(j - 1).copied().unwrap_or(f64::NAN),
+            Input::Divisor => divisor.unwrap_or(f64::NAN),
             other => early(other),
         };
         let finite = Interpreter::new(program, &aligned).value(root).is_finite();
@@ -202,7 +205,12 @@ mod tests {
             Input::Parameter(_) => Interval::point(1.0),
             Input::StartTime => Interval::point(0.0),
             Input::State(_) | Input::StateAtStart(_) => Interval::new(-state, state),
-            Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
+            Input::Time
+            | Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => {
                 panic!("{input:?} is not asked for")
             }
         }
@@ -328,7 +336,8 @@ mod tests {
             let input = inputs(eps, 10.0, Interval::new(1.0, 20.0));
             let time_to_go = 1.0 - f64::from(t);
             let mut bounds = Bounds::new(&program, &input).at(0.99 * time_to_go, 1.01 * time_to_go);
-            bounds.first_excess(&program.gains);
+            let handed: Vec<_> = program.handed_over().copied().collect();
+            bounds.first_excess(&handed);
             bounds.first_excess(&[program.step]);
             let at = |asked: Input| match asked {
                 Input::Time => f64::from(t),

@@ -59,6 +59,7 @@ pub(super) fn input_name(input: Input) -> String {
         Input::Drift => "f".to_owned(),
         Input::Control => "u".to_owned(),
         Input::Gain(j) => format!("gain{j}"),
+        Input::Divisor => "g".to_owned(),
     }
 }
 

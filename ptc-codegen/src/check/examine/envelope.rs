@@ -56,9 +56,12 @@ pub(super) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> Outcome {
         Input::StateAtStart(j) => around(&promises.x0_max, j)
             .or_else(|| around(&promises.x_max, j))
             .unwrap_or(Interval::ANY),
-        Input::Time | Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => {
-            Interval::ANY
-        }
+        Input::Time
+        | Input::Reference(_)
+        | Input::Gain(_)
+        | Input::Divisor
+        | Input::Drift
+        | Input::Control => Interval::ANY,
     };
     let (eps, tau) = (parameter(Parameter::Eps).low, parameter(Parameter::Tau).high);
     let pieces = (PIECES * (tau / eps).log10()).clamp(1.0, 400.0);

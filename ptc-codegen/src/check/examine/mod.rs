@@ -1,5 +1,6 @@
 //! All checks on one design, and what follows from them for the guard eps.
 
+mod axes;
 mod envelope;
 mod growth;
 mod guard;
@@ -39,6 +40,9 @@ pub fn examine(spec: &Spec) -> Report {
 
 /// The same of what is made from the closed forms of another engine, where they are given.
 pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
+    if spec.axes.is_some() {
+        return axes::of_axes(spec, expanded.as_ref());
+    }
     if spec.sampled().is_some() {
         return in_samples::in_samples(spec);
     }

@@ -51,7 +51,11 @@ impl<'a> Numbers<'a> {
             Input::StartTime => -self.tau,
             Input::Time => -time_to_go,
             Input::State(j) | Input::StateAtStart(j) => state(j),
-            Input::Reference(_) | Input::Gain(_) | Input::Drift | Input::Control => f64::NAN,
+            Input::Reference(_)
+            | Input::Gain(_)
+            | Input::Divisor
+            | Input::Drift
+            | Input::Control => f64::NAN,
         }
     }
 

@@ -16,9 +16,18 @@ pub(super) struct Need {
 /// All conditions under which `expression` is smooth in `v`.
 pub(super) fn needs(expression: &Expression, v: Variable) -> Vec<Need> {
     let mut found = Vec::new();
+    expression.each(&mut |part| own(part, v, &mut found));
+    found
+}
+
+/// Those of the outermost operation.
+fn own(expression: &Expression, v: Variable, found: &mut Vec<Need>) {
     let mut need = |part: Expression, positive: bool, why: String| {
         if part.contains(v) {
-            found.push(Need { part, positive, why });
+            let need = Need { part, positive, why };
+            if !found.contains(&need) {
+                found.push(need);
+            }
         }
     };
     let one = || Expression::integer(1);
@@ -50,12 +59,4 @@ pub(super) fn needs(expression: &Expression, v: Variable) -> Vec<Need> {
         }
         _ => {}
     }
-    for operand in expression.operands() {
-        for inner in needs(operand, v) {
-            if !found.contains(&inner) {
-                found.push(inner);
-            }
-        }
-    }
-    found
 }

@@ -7,7 +7,7 @@ use ptc_codegen::parameter::Parameter;
 
 use super::element::{
     APPLIED, Math, applied, fenced, fraction, name, number, operator, relation, root, row,
-    sequence, sub, sup,
+    sequence, sub, sup, words,
 };
 
 /// Greek letters by their names.
@@ -42,6 +42,9 @@ const DIGITS: u32 = 9;
 
 /// The expression.
 pub(crate) fn of_expression(expression: &Expression) -> Math {
+    if !expression.is_written() {
+        return words(&expression.to_string());
+    }
     let tight = |e: &Expression, least: u8| operand(e, least);
     match expression.node() {
         Node::Number(value) => of_number(value),

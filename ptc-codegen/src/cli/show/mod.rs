@@ -19,7 +19,7 @@ use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::law::Law;
 use ptc_codegen::mapping::Mapping;
 use ptc_codegen::parameter::{Fixed, Parameter};
-use ptc_codegen::request::{MAX_ORDER, Spec};
+use ptc_codegen::request::{Axes, MAX_ORDER, Spec};
 use ptc_codegen::syntax::{Node, Value};
 
 use args::Format;
@@ -99,7 +99,9 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
         return flags.finish(None, vec![only_abstract()]);
     }
     let spec = flags.read()?;
-    if let Err(found) = spec.needs_time("show") {
+    let own = spec.axes.as_ref().is_some_and(Axes::differ);
+    let of_one = if own { spec.needs_one_axis("show") } else { Ok(()) };
+    if let Err(found) = spec.needs_time("show").and(of_one) {
         return flags.finish(None, found);
     }
     match (spec.family(), spec.ring()) {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{ArgAction, Args};
 
 use crate::cli::flags::{Design, SpecFlags};
 
@@ -21,13 +21,18 @@ time-to-go falls to 1e-9 tau. With
 design) the emitted controller itself is in the loop, bit for bit, and u is held in between; every
 sample is reported. Noise is uniform within its bounds.
 
+--tau may list several values, --x0 and --mu may be given several times: a run for each combination,
+all in one picture.
+
 CSV: a line `tau,t,x1,...,xn,u`, of a model the names of its states and its input, then one line for
-each instant; all numbers read back as they were.
+each instant; all numbers read back as they were. With several --x0 or --mu the first column is the
+number of the run.
 The sampled loop adds the measurements y1,...,ym and the status of step; u is the input that acts.
 
 Examples:
   ptc-codegen simulate stage.toml --x0 0.1,0 -o run.csv --plot run.svg
   ptc-codegen simulate stage.toml --x0 0.1,0 --tau 0.5,1,2 --at 0.1,0.5,0.9
+  ptc-codegen simulate stage.toml --x0 0.1,0 --mu 'exp(a=1)' --mu 'tan(a=2)' --plot run.pdf
   ptc-codegen simulate stage.toml --x0 0.1,0 --at 0,0.5,0.9,0.999999 --report run.html
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --noise 1e-4,1e-3 --seed 7
   ptc-codegen simulate stage.toml --x0 0.1,0 --sample-time 1e-3 --until 3 --arm-at 2
@@ -35,12 +40,13 @@ Examples:
 
 /// The flags of `simulate`.
 #[derive(Debug, Args)]
+#[command(mut_arg("mu", |mu| mu.action(ArgAction::Append)))]
 pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) design: Design,
-    /// State at the start: x1..xn, or the states of the model in their order
-    #[arg(long, value_name = "X1,...,XN", allow_hyphen_values = true)]
-    pub(crate) x0: String,
+    /// State at the start: x1..xn, or the states of the model in their order; repeatable, a run each
+    #[arg(long, value_name = "X1,...,XN", allow_hyphen_values = true, required = true)]
+    pub(crate) x0: Vec<String>,
     #[command(flatten)]
     pub(crate) spec: SpecFlags,
     /// A key of [plant]: f, g, dynamics, or a symbol that they use; repeatable
@@ -53,7 +59,7 @@ pub(crate) struct Simulate {
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub(crate) out: PathBuf,
     /// Picture of the runs: states, u and bounds over time and, of a continuous run, x1 in stretched
-    /// time; .svg or .png
+    /// time; .svg, .png or .pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// Report of design, formulas, checks, runs and code, as one self-contained page of HTML

@@ -26,10 +26,10 @@ pub(super) struct Asked {
 /// Most samples of a run: what is more is a period that was mistyped.
 const MAX_SAMPLES: f64 = 1e7;
 
-/// Reads the flags.
-pub(super) fn read(request: &Simulate, spec: &Spec) -> Result<Asked, Failure> {
+/// Reads the flags, for the run from `x0`.
+pub(super) fn read(request: &Simulate, x0: &str, spec: &Spec) -> Result<Asked, Failure> {
     let states = spec.state_names();
-    let x0 = List::new("--x0", &request.x0)?;
+    let x0 = List::new("--x0", x0)?;
     if x0.items.len() != states.len() {
         let message = format!("--x0 has {} of the {} states", x0.items.len(), states.len());
         let help =

@@ -14,6 +14,7 @@ use run::{Run, continuous, sampled};
 use super::output::{self, Outputs};
 use super::page as html;
 use super::report::{Failure, note};
+use super::source::Source;
 use super::write;
 
 /// Runs `simulate`.
@@ -31,11 +32,26 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     request.plant.iter().for_each(|text| source.give_plant(text));
     let mut runs = Vec::new();
     let mut drawn = None;
-    for source in source.each("tau") {
+    let mappings = source.each_flag("mu");
+    if let (true, Some(path)) = (mappings.len() > 1, &request.report) {
+        return Err(Failure::because(
+            format!(
+                "--report {}: a report is of one mapping, and --mu is given {} times",
+                path.display(),
+                mappings.len()
+            ),
+            "give --mu once, or --plot for a picture of all",
+        ));
+    }
+    let sources = mappings.iter().flat_map(|source| source.each("tau"));
+    let all = sources.flat_map(|source| request.x0.iter().map(move |x0| (source.clone(), x0)));
+    for (source, x0) in all {
         let given = source.parse();
         let (spec, plant) = given.read_with_plant()?;
-        let knows =
-            spec.needs_law("simulate").and_then(|()| spec.needs_known_reference("simulate"));
+        let knows = spec
+            .needs_law("simulate")
+            .and_then(|()| spec.needs_one_axis("simulate"))
+            .and_then(|()| spec.needs_known_reference("simulate"));
         if let Err(found) = knows {
             return given.finish(None, found);
         }
@@ -51,16 +67,27 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             note(&format!("the design has no [plant]: the plant is {plant}"));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
-        let asked = input::read(request, &spec)?;
-        let run = match &asked.around {
+        let asked = input::read(request, x0, &spec)?;
+        let mut run = match &asked.around {
             None => continuous(&spec, &plant, &asked)?,
             Some(around) => sampled(&spec, &plant, &asked, around)?,
         };
-        if runs.iter().any(|other: &Run| other.tau.to_bits() == run.tau.to_bits()) {
+        if mappings.len() > 1 {
+            let text = source.flags().find_map(|(name, text)| (name == "--mu").then_some(text));
+            run.mapping = text.unwrap_or(&run.mapping).to_owned();
+            run.label = format!("{}, {}", run.mapping, run.label);
+        }
+        if request.x0.len() > 1 {
+            run.label.push_str(&format!(", x0 = ({x0})"));
+        }
+        if runs.iter().any(|other: &Run| other.label == run.label) {
             return Err(Failure::because(
-                format!("tau = {} is given twice", run.tau),
-                "give each tau once: --tau 1,2,5",
+                format!("{} is given twice", run.label),
+                "give each tau, --mu and --x0 once: --tau 1,2,5",
             ));
+        }
+        if numbered(request, &mappings) {
+            note(&format!("run {}: {}", runs.len() + 1, run.label));
         }
         if let Some(told) = run.tracking() {
             note(&told);
@@ -68,7 +95,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         runs.push(run);
         drawn = Some((spec, plant));
     }
-    let csv = csv(&runs);
+    let csv = csv(&runs, numbered(request, &mappings));
     let mut files = Vec::new();
     let picture = match (kind, &drawn) {
         (Some(kind), Some((spec, _))) => kind.file(spec, &runs)?,
@@ -87,11 +114,18 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     if printed { Ok(()) } else { write::to_stdout(&told) }
 }
 
-fn csv(runs: &[Run]) -> String {
+/// Whether tau does not tell the runs apart.
+fn numbered(request: &Simulate, mappings: &[Source]) -> bool {
+    mappings.len() > 1 || request.x0.len() > 1
+}
+
+fn csv(runs: &[Run], numbered: bool) -> String {
     // All runs are of one kind.
     let columns = runs.first().map(Run::columns).unwrap_or_default();
-    let mut text = format!("tau,t,{}\n", columns.join(","));
-    for run in runs {
+    let first = if numbered { "run," } else { "" };
+    let mut text = format!("{first}tau,t,{}\n", columns.join(","));
+    for (number, run) in (1..).zip(runs) {
+        let first = if numbered { format!("{number},") } else { String::new() };
         for row in run.rows.iter().filter(|row| row.reported) {
             let (measured, status) = match run.held {
                 true => (&row.measured[..], format!(",{}", row.status.c_name())),
@@ -100,7 +134,7 @@ fn csv(runs: &[Run]) -> String {
             let given = [run.tau, row.t];
             let values = given.iter().chain(&row.x).chain([&row.u]).chain(measured);
             let values: Vec<_> = values.map(|value| format!("{value:?}")).collect();
-            text.push_str(&format!("{}{status}\n", values.join(",")));
+            text.push_str(&format!("{first}{}{status}\n", values.join(",")));
         }
     }
     text

@@ -27,14 +27,16 @@ pub(super) fn text(
         [Run { report: Some(report), .. }] => report.clone(),
         [_] => examine(&spec),
         _ => {
-            // One controller made all of them: the one that takes tau at run time.
-            spec.fixed.remove(&Parameter::Tau);
+            if runs.windows(2).any(|pair| pair[0].tau.to_bits() != pair[1].tau.to_bits()) {
+                // One controller made all of them: the one that takes tau at run time.
+                spec.fixed.remove(&Parameter::Tau);
+            }
             examine(&spec)
         }
     };
     let seed = (request.seed != 0).then(|| request.seed.to_string());
-    let flags =
-        [("--x0", Some(request.x0.clone())), ("--at", request.at.clone()), ("--seed", seed)];
+    let mut flags: Vec<_> = request.x0.iter().map(|x0| ("--x0", Some(x0.clone()))).collect();
+    flags.extend([("--at", request.at.clone()), ("--seed", seed)]);
     let content = Content {
         spec: &spec,
         report: &report,
@@ -62,8 +64,9 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
     if held {
         told.extend(around(request, spec));
     }
-    let starts = "The state at the start is x0 = ";
-    told.push(format!("{starts}({}).", request.x0.replace(',', ", ")));
+    let starts: Vec<_> =
+        request.x0.iter().map(|x0| format!("({})", x0.replace(',', ", "))).collect();
+    told.push(format!("The state at the start is x0 = {}.", starts.join(", ")));
     if request.at.is_none() {
         told.push(format!("The table has {SHOWN} instants of a run at most; `-o` writes all."));
     }

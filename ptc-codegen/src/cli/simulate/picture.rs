@@ -15,6 +15,7 @@ use crate::cli::report::Failure;
 pub(super) enum Kind {
     Svg,
     Png,
+    Pdf,
 }
 
 impl Kind {
@@ -24,9 +25,10 @@ impl Kind {
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
+            Some("pdf") => Ok(Self::Pdf),
             _ => Err(Failure::because(
                 format!("`{}`: unsupported image type", path.display()),
-                "give a file that ends in .svg or .png, for example --plot run.svg",
+                "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
             )),
         }
     }
@@ -37,6 +39,7 @@ impl Kind {
         let drawn = match self {
             Self::Svg => figure.svg().map(String::into_bytes),
             Self::Png => figure.png(),
+            Self::Pdf => figure.pdf(),
         };
         drawn.map_err(|wrong| undrawn(&wrong))
     }
@@ -46,8 +49,10 @@ pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
     let bound = runs.first().map(|run| run.u_max).filter(|bound| bound.is_finite());
     let loops = if runs.iter().any(|run| run.held) { "sampled" } else { "continuous" };
     let bounds = spec.promises.x_max.iter().filter_map(|bound| bound.number()?.to_f64());
+    let several = runs.windows(2).any(|pair| pair[0].mapping != pair[1].mapping);
+    let mapping = if several { String::new() } else { format!("{}, ", spec.mapping_name()) };
     Figure {
-        title: format!("{}: n = {}, {}, {loops}", spec.name(), spec.n, spec.mapping_name()),
+        title: format!("{}: n = {}, {mapping}{loops}", spec.name(), spec.n),
         states: spec.state_names(),
         input: spec.input_name(),
         traces: runs.iter().map(trace).collect(),
@@ -60,7 +65,7 @@ pub(super) fn figure(spec: &Spec, runs: &[Run]) -> Figure {
 fn trace(run: &Run) -> Trace {
     let column = |of: &dyn Fn(&super::run::Row) -> f64| run.rows.iter().map(of).collect::<Vec<_>>();
     Trace {
-        label: format!("tau = {} s", run.tau),
+        label: run.label.clone(),
         start: run.t0,
         deadline: run.t0 + run.tau,
         t: column(&|row| row.t),

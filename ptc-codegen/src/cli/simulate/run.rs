@@ -16,6 +16,9 @@ use crate::cli::report::{self, Failure, Notice};
 
 /// A run.
 pub(super) struct Run {
+    /// What tells it from the others.
+    pub(super) label: String,
+    pub(super) mapping: String,
     pub(super) tau: f64,
     /// The names of the states and of the input of the plant.
     pub(super) states: Vec<String>,
@@ -43,7 +46,8 @@ impl Run {
         let last = rows.last().map(|row| tracking_error(spec, values, row.t, &row.x));
         let error = last.transpose().map_err(|failure| ended(failure, tau))?.flatten();
         let (states, input) = (spec.state_names(), spec.input_name());
-        Ok(Self { tau, states, input, t0, u_max, report, held, rows, error })
+        let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
+        Ok(Self { label, mapping, tau, states, input, t0, u_max, report, held, rows, error })
     }
 
     /// The tracking error in the end, in words.

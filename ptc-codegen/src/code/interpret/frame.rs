@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use super::{Called, Held, Outcome};
 use crate::code::branch::Taken;
 use crate::code::{
-    Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
+    AXIS, Ending, Expr, Finish, Function, Operator, Place, Shape, Solve, Statement, Status, Test,
     Variable,
 };
 use crate::internal::fault;
@@ -44,6 +44,7 @@ impl<'b> Frame<'_, 'b> {
                 Finish::Give(values, Ending::Known(status)) => break (values, *status),
                 Finish::Give(values, Ending::OfGains) => break (values, standing),
                 Finish::Fail(status) => return failed(*status),
+                Finish::Axes(_) => fault("axes are called one by one".to_owned()),
             }
         };
         let mut values = values.iter().map(|value| self.real(value));
@@ -181,6 +182,15 @@ impl<'b> Frame<'_, 'b> {
             Expr::Choose(test, a, b) => self.real(if self.test(test) { a } else { b }),
             Expr::Count(_) | Expr::CountSub(..) | Expr::CountLeft(..) | Expr::CountHalf(_) => {
                 f64::from(self.count(value))
+            }
+            Expr::OfAxis(field, stride, index) => {
+                let axis = self.count(&Expr::local(AXIS)) as usize;
+                match self.fields.get(field.as_str()) {
+                    Some(Held::Reals(values)) => {
+                        values.get(stride * axis + index).copied().unwrap_or(f64::NAN)
+                    }
+                    _ => fault(format!("{field} is no array")),
+                }
             }
             name => match self.held(name) {
                 (Held::Real(value), _) => *value,

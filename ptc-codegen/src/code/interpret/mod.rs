@@ -1,5 +1,6 @@
 //! The interpreter: whole controllers, in the operations and the precision of the emitted code.
 
+mod axes;
 mod frame;
 
 use std::borrow::Cow;
@@ -7,7 +8,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use super::branch::Taken;
-use super::{Access, Code, Shape, Status, Variable};
+use super::{Access, Code, Finish, Shape, Status, Variable};
 use crate::internal::fault;
 use crate::parameter::{Parameter, Precision};
 use crate::program::number;
@@ -35,7 +36,8 @@ pub struct Instance<'a> {
     taken: Option<Taken>,
 }
 
-/// What a call gave: its status, and its results, none of them where it failed.
+/// What a call gave: its status, and its results, none of them where it failed. A call for several axes
+/// gives them all the same: every u, 0 where it failed, and the status of each as a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Its status.
@@ -142,6 +144,9 @@ impl<'a> Instance<'a> {
         callbacks: &[Called<'_>],
     ) -> Outcome {
         let Some(function) = self.code.function(name) else { fault(format!("no function {name}")) };
+        if let Finish::Axes(count) = function.finish {
+            return axes::each(self, function, count, arguments);
+        }
         let mut changed = self.fields.clone();
         let mut frame = Frame {
             precision: self.code.precision,
@@ -198,10 +203,10 @@ fn held(variable: &Variable, values: &[f64], precision: Precision) -> Held {
         Shape::Real => Held::Real(number::settle(first, precision)),
         // A count beyond 2^32 is given modulo 2^32, as a counter wraps.
         Shape::Count => Held::Count(first as u64 as u32),
-        Shape::Reals(_) => {
+        Shape::Reals(_) | Shape::Lists(..) => {
             Held::Reals(values.iter().map(|v| number::settle(*v, precision)).collect())
         }
-        Shape::Gains => fault("gains are no value".to_owned()),
+        Shape::Gains | Shape::Statuses(_) => fault("gains and statuses are no values".to_owned()),
     }
 }
 

@@ -168,7 +168,16 @@ impl Writer<'_> {
             }
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
-            Input::Gain(j) => Expr::FieldElement("gain".to_owned(), j - 1),
+            Input::Gain(j) => match self.plan.program.gains_of_axis() {
+                own if own < self.plan.program.gains.len() => {
+                    Expr::OfAxis("gain".to_owned(), own, j - 1)
+                }
+                _ => Expr::FieldElement("gain".to_owned(), j - 1),
+            },
+            Input::Divisor => match self.plan.program.divisors.len() {
+                1 => Expr::field("input_gain"),
+                _ => Expr::OfAxis("input_gain".to_owned(), 1, 0),
+            },
             Input::Drift => Expr::local("f"),
             Input::Control => fault("a controller does not take u"),
         }

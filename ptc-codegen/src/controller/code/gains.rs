@@ -1,12 +1,15 @@
-//! `tick` and `axis`: the gains at one time, for several axes that share one deadline, and u from them.
+//! `tick` and `axis`: the gains at one time, for several axes that share one deadline, and u from them;
+//! and the `step` of all axes.
 
 use super::Builder;
 use crate::code::{
-    Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
+    AXIS, Access, Ending, Expr, Finish, Function, Operator, Owner, Shape, Statement, Status, Test,
     Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
+use crate::program::Value;
+use crate::request::Axes;
 
 impl Builder<'_> {
     /// What `tick` gives and `axis` knows.
@@ -19,12 +22,74 @@ impl Builder<'_> {
             0 => ("x", String::new()),
             _ => ("e", format!(" + r[{n}], e[i] = x[i] - r[i]")),
         };
-        let about = format!("u = gain[0] {of}[0] + ... + gain[{}] {of}[{}]{rate}", n - 1, n - 1);
-        let mut gains = vec![Variable::new("gain", Shape::Reals(n), about)];
-        if self.run_time_limit() {
+        let program = self.controller.program;
+        let shape = |values: &[Value]| match values.len() {
+            1 => Shape::Real,
+            several => Shape::Reals(several),
+        };
+        let last = n - 1;
+        let (first, last_gain) = match program.gains.len() > n {
+            true => (format!("{n}*axis"), format!("{n}*axis + {last}")),
+            false => ("0".to_owned(), last.to_string()),
+        };
+        let sum = format!("gain[{first}] {of}[0] + ... + gain[{last_gain}] {of}[{last}]{rate}");
+        let about = match program.divisors.is_empty() {
+            true => format!("u = {sum}"),
+            false => format!("u input_gain = {sum}"),
+        };
+        let mut gains = vec![Variable::new("gain", Shape::Reals(program.gains.len()), about)];
+        if !program.divisors.is_empty() {
+            gains.push(Variable::new("input_gain", shape(&program.divisors), "g"));
+        }
+        if !program.bounds.is_empty() {
+            let of_each = Shape::Reals(program.bounds.len());
+            gains.push(Variable::new("u_max", of_each, "bound of |u| of each axis"));
+        } else if self.run_time_limit() {
             gains.push(Variable::new("u_max", Shape::Real, "bound of |u|"));
         }
         gains
+    }
+
+    /// Whether `axis` has to know which axis it is.
+    fn numbers_axes(&self) -> bool {
+        self.spec.axes.as_ref().is_some_and(Axes::differ)
+    }
+
+    /// `step` of all axes.
+    pub(super) fn all_axes(&self, count: usize) -> Function {
+        let axis = self.axis();
+        let rows = axis.arguments.into_iter().filter_map(|argument| match argument.shape {
+            Shape::Reals(length) => Some(Variable {
+                shape: Shape::Lists(count, length),
+                about: format!("for each axis its {}", argument.about),
+                ..argument
+            }),
+            _ => None,
+        });
+        let time = Variable::new("t", Shape::Real, "time, s");
+        Function {
+            name: "step",
+            about: match self.reference() {
+                None => format!(
+                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) of each."
+                ),
+                Some(_) => format!(
+                    "u of {count} axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...) of each."
+                ),
+            } + " Its status is that of the first axis that fails, and then every u is 0; else SATURATED where an axis is.",
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: std::iter::once(time).chain(rows).collect(),
+            callbacks: Vec::new(),
+            results: vec![
+                Variable::new("u", Shape::Reals(count), "inputs of the plants"),
+                Variable::new("axes", Shape::Statuses(count), "status of each axis"),
+            ],
+            failures: axis.failures,
+            body: Vec::new(),
+            finish: Finish::Axes(count),
+            guarded: self.guarded(),
+        }
     }
 
     /// Whether the bound of |u| is a field.
@@ -41,14 +106,19 @@ impl Builder<'_> {
         statements.extend(body.statements);
         let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
         let mut values = gains.to_vec();
-        if let Some(limit) = self.limits.u_max.filter(|_| self.run_time_limit()) {
+        let shared = self.controller.program.bounds.is_empty() && self.run_time_limit();
+        if let Some(limit) = self.limits.u_max.filter(|_| shared) {
             values.push(self.field(limit));
         }
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let give = |status| Finish::give(values.clone(), status);
         Function {
             name: "tick",
-            about: "The gains at time t [s], for several axes that share one deadline: tick once, then axis for each. The result of tick and axis may differ from that of step in the last bits.".to_owned(),
+            about: match self.spec.axes {
+                Some(_) => "The gains at time t [s] for all axes, with which step calls axis for each.",
+                None => "The gains at time t [s], for several axes that share one deadline: tick once, then axis for each. The result of tick and axis may differ from that of step in the last bits.",
+            }
+            .to_owned(),
             owner: Owner::Controller,
             access: Access::Read,
             arguments: vec![Variable::new("t", Shape::Real, "time, s")],
@@ -63,7 +133,12 @@ impl Builder<'_> {
 
     pub(super) fn axis(&self) -> Function {
         let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
-        let inputs = self.inputs_of_axis(axis);
+        let mut inputs = self.inputs_of_axis(axis);
+        if let Some(axes) = self.spec.axes.as_ref().filter(|axes| axes.differ()) {
+            // Whatever is trusted, no element beyond the gains is read.
+            let count = Expr::Count(u32::try_from(axes.count).unwrap_or(u32::MAX));
+            inputs.first.insert(0, Test::CountLess(Expr::local(AXIS), count));
+        }
         let mut statements = self.locals(&inputs.local);
         statements.extend(inputs.required());
         let body = self.body(Routine::Axis, &inputs.local);
@@ -71,14 +146,19 @@ impl Builder<'_> {
         let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
+        let limit = match self.controller.program.bounds.is_empty() {
+            false => Some(Expr::OfAxis("u_max".to_owned(), 1, 0)),
+            true => self.limits.u_max.map(|limit| self.field(limit)),
+        };
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
         let finish = if self.guarded() && inputs.waiting.is_empty() {
-            self.clipped(Finish::choose(Test::Finite(v()), give, fail))
+            self.clipped_at(Finish::choose(Test::Finite(v()), give, fail), limit)
         } else if self.guarded() {
-            inputs.behind(self.within_bounds(), give, self.clipped(fail))
+            let hot = Self::within(limit.clone());
+            inputs.behind(hot, give, self.clipped_at(fail, limit))
         } else {
             let nothing = Expr::binary(Operator::Sub, v(), v());
-            self.clipped(Finish::choose(Test::NotNumber(nothing), fail, give))
+            self.clipped_at(Finish::choose(Test::NotNumber(nothing), fail, give), limit)
         };
         Function {
             name: "axis",
@@ -89,12 +169,19 @@ impl Builder<'_> {
             .to_owned(),
             owner: Owner::Gains,
             access: Access::Read,
-            arguments: std::iter::once(self.array("x", "state: x1, its rate, ..."))
+            arguments: self
+                .numbers_axes()
+                .then(|| Variable::new(AXIS, Shape::Count, "number of the axis, from 0"))
+                .into_iter()
+                .chain([self.array("x", "state: x1, its rate, ...")])
                 .chain(self.reference())
                 .collect(),
             callbacks: Vec::new(),
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
-            failures: self.failures(),
+            failures: match self.guarded() || self.numbers_axes() {
+                true => vec![Status::Input, Status::Range],
+                false => vec![Status::Range],
+            },
             body: statements,
             finish,
             guarded: self.guarded(),

@@ -103,11 +103,14 @@ impl Builder<'_> {
 
     /// That u, the local value v, is finite and within its bound.
     pub(super) fn within_bounds(&self) -> Vec<Test> {
+        Self::within(self.limits.u_max.map(|limit| self.field(limit)))
+    }
+
+    /// The same with this bound, if there is one.
+    pub(super) fn within(limit: Option<Expr>) -> Vec<Test> {
         let v = || Expr::local("v");
-        let bound = self
-            .limits
-            .u_max
-            .map(|limit| Test::AtMost(Expr::Call(Function::Abs, Box::new(v())), self.field(limit)));
+        let bound =
+            limit.map(|limit| Test::AtMost(Expr::Call(Function::Abs, Box::new(v())), limit));
         std::iter::once(Test::Finite(v())).chain(bound).collect()
     }
 }

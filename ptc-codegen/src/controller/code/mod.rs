@@ -71,7 +71,13 @@ impl Builder<'_> {
             functions.push(self.rate());
             return functions;
         }
-        functions.push(self.step());
+        match &self.spec.axes {
+            Some(axes) => {
+                return [functions, vec![self.tick(), self.axis(), self.all_axes(axes.count)]]
+                    .concat();
+            }
+            None => functions.push(self.step()),
+        }
         if !self.controller.program.gains.is_empty() {
             functions.extend([self.tick(), self.axis()]);
         }

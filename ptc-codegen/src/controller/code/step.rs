@@ -116,8 +116,13 @@ impl Builder<'_> {
 
     /// The end of a call that gives `v`, where v is within its bound.
     pub(super) fn clipped(&self, within: Finish) -> Finish {
-        let Some(limit) = self.limits.u_max else { return within };
-        let (limit, v) = (self.field(limit), Expr::local("v"));
+        self.clipped_at(within, self.limits.u_max.map(|limit| self.field(limit)))
+    }
+
+    /// The same with this bound, if there is one.
+    pub(super) fn clipped_at(&self, within: Finish, limit: Option<Expr>) -> Finish {
+        let Some(limit) = limit else { return within };
+        let v = Expr::local("v");
         let least = Expr::Neg(Box::new(limit.clone()));
         let give = |value: &Expr| Finish::give(vec![value.clone()], Status::Saturated);
         let (above, below) = (give(&limit), give(&least));

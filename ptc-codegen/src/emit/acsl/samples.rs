@@ -71,7 +71,7 @@ fn trusted(function: &Function) -> Vec<String> {
     let argument = |(name, shape): (&str, Shape)| match shape {
         Shape::Reals(count) => (0..count).map(|j| format!("{name}[{j}]")).collect(),
         Shape::Real => vec![name.to_owned()],
-        Shape::Count | Shape::Gains => Vec::new(),
+        Shape::Count | Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => Vec::new(),
     };
     let places = function.arguments.iter().flat_map(|a| argument((a.name.as_str(), a.shape)));
     places.map(|place| format!("requires \\is_finite({place});")).collect()

@@ -1,6 +1,6 @@
 //! What a call gives, and whether it needs the mathematical library.
 
-use crate::code::{Expr, Function, Shape, Statement, Status};
+use crate::code::{Expr, Finish, Function, Shape, Statement, Status};
 use crate::expression::Function as Math;
 use crate::internal::fault;
 
@@ -23,6 +23,8 @@ pub(super) enum Gives {
     Array,
     /// A number.
     Number,
+    /// The inputs of several axes, and their statuses.
+    Axes,
 }
 
 impl Gives {
@@ -30,6 +32,7 @@ impl Gives {
         let shape = function.results.first().map(|result| result.shape);
         let ranges = function.failures.contains(&Status::Range);
         match shape {
+            _ if matches!(function.finish, Finish::Axes(_)) => Self::Axes,
             None if function.failures.is_empty() => Self::Nothing,
             None if ranges => Self::Progress,
             None => Self::Status,

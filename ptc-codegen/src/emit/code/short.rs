@@ -166,6 +166,7 @@ impl Short {
             Expr::Element(name, _) => name.len() + 3,
             Expr::Field(name) => name.len() + 6,
             Expr::FieldElement(name, _) => name.len() + 9,
+            Expr::OfAxis(name, ..) => name.len() + 20,
             Expr::Call(function, a) => function.name().len() + self.width(a) + 2,
             Expr::Pow(a, b) => self.width(a) + self.width(b) + 7,
             Expr::Quotient(a, b) => self.width(a) + 3 * self.width(b) + 30,

@@ -1,6 +1,6 @@
 //! What the printers share: how an expression is written, by the words of a language.
 
-use crate::code::{Expr, Operator, Test};
+use crate::code::{AXIS, Expr, Operator, Test};
 use crate::expression::Function;
 use crate::parameter::Precision;
 use crate::program::number;
@@ -57,6 +57,16 @@ pub(in crate::emit) trait Text {
     /// Element `index`, from 0, of an array.
     fn element(&self, array: &str, index: usize) -> String {
         format!("{array}[{index}]")
+    }
+
+    /// Element `index` of the `stride` elements of a field that belong to the axis of the argument.
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match (stride, index) {
+            (1, _) => AXIS.to_owned(),
+            (stride, 0) => format!("{stride}U * {AXIS}"),
+            (stride, index) => format!("({stride}U * {AXIS}) + {index}U"),
+        };
+        format!("{}[{place}]", self.field(name))
     }
 
     /// a - b of counts, modulo 2^32.
@@ -139,6 +149,7 @@ pub(in crate::emit) trait Text {
             Expr::Element(name, index) => (Level::Atom, self.element(&self.local(name), *index)),
             Expr::Field(name) => (Level::Atom, self.field(name)),
             Expr::FieldElement(name, index) => (Level::Atom, self.field_element(name, *index)),
+            Expr::OfAxis(name, stride, index) => (Level::Atom, self.of_axis(name, *stride, *index)),
             Expr::Parameter(name) => (Level::Atom, self.parameter(name)),
             Expr::ParameterElement(name, index) => {
                 (Level::Atom, self.element(&self.parameter(name), *index))

@@ -20,18 +20,10 @@ use super::enclosure::{Evaluator, Existence, Names};
 use super::normal::normal;
 use super::sign::{Sign, positive_parameters, sign};
 use super::{Expression, Variable};
+use crate::limits::{COEFFICIENT, SEARCH};
 
-/// Most work of one search, in operations on small coefficients.
-const MAX_WORK: usize = 4000;
-/// Largest size of two coefficients that are combined.
-const MAX_SIZE: usize = 150;
 /// The numbers of terms with which a leading one is sought: where they cancel, more are needed.
 const TERMS: [usize; 4] = [1, 2, 4, 7];
-
-/// Steps of the effort that an operation of a search takes the time of, at 5 million a second.
-const WALKED: usize = 25;
-/// Steps of the effort that an operation on long intervals takes the time of.
-const ENCLOSED: usize = 300;
 
 /// How an expression in positive parameters compares with 0.
 pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
@@ -45,7 +37,7 @@ pub(crate) fn ordering(expression: &Expression) -> Option<Ordering> {
         return None;
     }
     // A constant such as ln 3 - 1.
-    effort::spend(ENCLOSED * expression.size())?;
+    effort::spend(expression.nodes().saturating_mul(effort::ENCLOSED))?;
     let value = Evaluator::new().value(expression, &Names::new())?;
     let known = value.existence == Existence::Certain;
     match (known, value.interval.is_positive(), value.interval.is_negative()) {
@@ -91,10 +83,10 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// Takes the work of an operation on two coefficients from what is left.
     fn charge(&self, a: &Expression, b: &Expression) -> Option<()> {
-        let size = a.size() + b.size();
+        let size = a.size().saturating_add(b.size());
         effort::spend(size)?;
         // The work of a normal form grows faster than what it is taken of.
-        self.spend(if size > MAX_SIZE { MAX_WORK } else { 1 + size / 4 })
+        self.spend(if COEFFICIENT.admits(size) { 1 + size / 4 } else { SEARCH.size() })
     }
 
     fn goes_on(&self) -> bool {
@@ -102,7 +94,7 @@ impl Walk<'_> {
     }
 
     fn spend(&self, work: usize) -> Option<()> {
-        effort::spend(WALKED * work)?;
+        effort::spend(effort::WALKED * work)?;
         let left = self.left.get().checked_sub(work);
         self.left.set(left.unwrap_or(0));
         left.map(|_| ())
@@ -111,7 +103,7 @@ impl Walk<'_> {
 
 /// What `of` gives for the expansion with the fewest terms with which it gives something.
 fn search<T>(expression: &Expression, v: Variable, of: &dyn Fn(Series) -> Option<T>) -> Option<T> {
-    let left = Cell::new(MAX_WORK);
+    let left = Cell::new(SEARCH.size());
     let with = |most| expand::series(expression, &Walk { v, most, left: &left });
     bounded(|| TERMS.into_iter().map(with).find_map(|found| of(found?)))
 }

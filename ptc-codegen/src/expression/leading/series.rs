@@ -6,6 +6,7 @@ use super::scale::{Product, Scale};
 use super::{Walk, ordering, zero};
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Function, Node};
+use crate::limits::BOUNDS;
 
 /// A coefficient times a scale. Only the coefficient's sign is known where the scale is open.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -152,7 +153,7 @@ impl Series {
                 rest.push(scale);
             }
         }
-        (rest.len() <= 8).then_some(Self { terms: self.terms, rest })
+        BOUNDS.admits(rest.len()).then_some(Self { terms: self.terms, rest })
     }
 
     pub(super) fn times(&self, other: &Self, walk: &Walk<'_>) -> Option<Self> {

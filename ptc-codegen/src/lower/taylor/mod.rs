@@ -7,7 +7,7 @@ mod function;
 use super::builder::Builder;
 use super::coefficients::Coefficient::{self, Exact};
 use crate::algebra::BigRational;
-use crate::expression::{Expression, Function, Node, Variable};
+use crate::expression::{Expression, Found, Function, Node, Variable};
 use crate::program::Value;
 
 /// offset + scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that
@@ -38,6 +38,32 @@ pub(in crate::lower) struct Point {
 impl Builder<'_> {
     /// The series of `expression` around `point`.
     pub(in crate::lower) fn series(&mut self, expression: &Expression, point: &Point) -> Series {
+        self.part_series(expression, point, &mut Found::default())
+    }
+
+    /// The series of a part of an expression, with those of the parts that are found.
+    fn part_series(
+        &mut self,
+        expression: &Expression,
+        point: &Point,
+        found: &mut Found<Series>,
+    ) -> Series {
+        if let Some(known) = found.get(expression) {
+            return known.clone();
+        }
+        let series = self.operation_series(expression, point, found);
+        if expression.height() > 0 {
+            found.insert(expression.clone(), series.clone());
+        }
+        series
+    }
+
+    fn operation_series(
+        &mut self,
+        expression: &Expression,
+        point: &Point,
+        found: &mut Found<Series>,
+    ) -> Series {
         let length = point.series.terms.len();
         if !expression.contains(point.variable) {
             let zero = Coefficient::integer(0);
@@ -54,20 +80,20 @@ impl Builder<'_> {
                 point.series.clone()
             }
             Node::Neg(a) => {
-                let a = self.series(a, point);
+                let a = self.part_series(a, point, found);
                 self.negated(a)
             }
             Node::Add(a, b) => {
-                let (a, b) = (self.series(a, point), self.series(b, point));
+                let (a, b) = (self.part_series(a, point, found), self.part_series(b, point, found));
                 self.added(&a, &b)
             }
             Node::Sub(a, b) => {
-                let (a, b) = (self.series(a, point), self.series(b, point));
+                let (a, b) = (self.part_series(a, point, found), self.part_series(b, point, found));
                 let b = self.negated(b);
                 self.added(&a, &b)
             }
             Node::Mul(a, b) => {
-                let (a, b) = (self.series(a, point), self.series(b, point));
+                let (a, b) = (self.part_series(a, point, found), self.part_series(b, point, found));
                 self.multiplied(a, b)
             }
             // A cotangent, whose series is sound where that of the tangent is not.
@@ -75,23 +101,23 @@ impl Builder<'_> {
                 let angle = b.operands().next().unwrap_or(b).clone();
                 let (sin, cos) = (Function::Sin, Function::Cos);
                 let above = a.clone().mul(Expression::call(cos, angle.clone()));
-                self.series(&above.div(Expression::call(sin, angle)), point)
+                self.part_series(&above.div(Expression::call(sin, angle)), point, found)
             }
             Node::Div(a, b) => {
-                let (a, b) = (self.series(a, point), self.series(b, point));
+                let (a, b) = (self.part_series(a, point, found), self.part_series(b, point, found));
                 self.divided(a, b)
             }
             Node::Power(a, b) if !b.contains(point.variable) => {
-                let a = self.series(a, point);
+                let a = self.part_series(a, point, found);
                 self.raised(a, b)
             }
             Node::Power(a, b) => {
                 let logarithm = Expression::call(Function::Ln, a.clone());
                 let product = b.clone().mul(logarithm);
-                self.series(&Expression::call(Function::Exp, product), point)
+                self.part_series(&Expression::call(Function::Exp, product), point, found)
             }
             Node::Call(Function::Sqrt, a) => {
-                let a = self.series(a, point);
+                let a = self.part_series(a, point, found);
                 self.raised(a, &Expression::from(BigRational::new(1.into(), 2.into())))
             }
             Node::Call(function, a) => match a.node() {
@@ -99,11 +125,14 @@ impl Builder<'_> {
                 Node::Div(over, under)
                     if *function == Function::Atan && under.contains(point.variable) =>
                 {
-                    let (over, under) = (self.series(over, point), self.series(under, point));
+                    let (over, under) = (
+                        self.part_series(over, point, found),
+                        self.part_series(under, point, found),
+                    );
                     self.angle(&over, &under)
                 }
                 _ => {
-                    let a = self.series(a, point);
+                    let a = self.part_series(a, point, found);
                     self.function(*function, a)
                 }
             },
@@ -113,7 +142,7 @@ impl Builder<'_> {
                 let gap = Expression::call(Function::Abs, gap);
                 let least = matches!(expression.node(), Node::Min(..));
                 let twice = if least { sum.sub(gap) } else { sum.add(gap) };
-                self.series(&twice.div(Expression::integer(2)), point)
+                self.part_series(&twice.div(Expression::integer(2)), point, found)
             }
         }
     }

@@ -58,6 +58,8 @@ fn rebuild(
     new.step = to(program.step);
     new.axis = program.axis.map(to);
     new.gains = program.gains.iter().copied().map(to).collect();
+    new.divisors = program.divisors.iter().copied().map(to).collect();
+    new.bounds = program.bounds.iter().copied().map(to).collect();
     new.watched = program.watched.iter().copied().map(to).collect();
     new.limits.start_time = program.limits.start_time.map(to);
     new.limits.u_max = program.limits.u_max.map(to);

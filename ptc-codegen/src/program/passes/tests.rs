@@ -27,6 +27,7 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
             Input::Time => (2, 0),
             Input::State(j) => (3, j as u64),
             Input::Gain(j) => (4, j as u64),
+            Input::Divisor => (13, 0),
         };
         let mixed = (kind * 1000 + index + seed * 7919).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         #[allow(clippy::cast_precision_loss)]

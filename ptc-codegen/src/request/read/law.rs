@@ -41,7 +41,7 @@ fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
 }
 
 /// Gains that are fixed, as a reader would spell them.
-fn fixed(gains: Vec<BigRational>) -> FixedValues {
+pub(super) fn fixed(gains: Vec<BigRational>) -> FixedValues {
     let gain = |(i, value): (usize, BigRational)| {
         let text = constant::text(&value);
         (Parameter::Gain(i), Fixed::Number { value, text })
@@ -49,13 +49,17 @@ fn fixed(gains: Vec<BigRational>) -> FixedValues {
     (1..).zip(gains).map(gain).collect()
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
     /// The law; `n` is the order if it could be read, and `order` is used in its place.
     pub(super) fn law(&mut self, n: Option<usize>, order: usize, known: &[Parameter]) -> Law {
         let mut law = Law { feedback: Feedback::Linear, gains: BTreeMap::new(), poles: Vec::new() };
         match self.only_one(&["gains", "poles", "pi0"]) {
-            Some(("gains", node)) => law.gains = self.gains(n, node).into_iter().collect(),
+            Some(("gains", node)) => {
+                let node = self.first("gains", node);
+                law.gains = self.gains(n, node).into_iter().collect();
+            }
             Some(("poles", node)) => {
+                let node = self.first("poles", node);
                 let (poles, gains) = self.pole_gains("poles", n, node);
                 (law.poles, law.gains) = (poles, fixed(gains));
             }
@@ -87,13 +91,25 @@ impl Reader<'_> {
     /// The input gain; 1 is none at all.
     pub(super) fn input_gain(&mut self, n: usize, known: &[Parameter]) -> Option<Expression> {
         let node = self.keys.get("g").copied()?;
+        let node = self.first("g", node);
+        let gain = self.input_gain_of(node, n, known)?;
+        (gain != Expression::integer(1)).then_some(gain)
+    }
+
+    /// The input gain in one value.
+    pub(super) fn input_gain_of(
+        &mut self,
+        node: &Node,
+        n: usize,
+        known: &[Parameter],
+    ) -> Option<Expression> {
         let scope = Scope { subject: Subject::InputGain, n, known, own: &[] };
         let gain = resolve(node, scope, &mut self.found)?;
         if normal(&gain) == Expression::integer(0) {
             let message = "g = 0: the input does not move the plant".to_owned();
             self.wrong("g", Some(node.place), message, "g(x, t) is not 0".to_owned());
         }
-        (gain != Expression::integer(1)).then_some(gain)
+        Some(gain)
     }
 
     /// The poles under `key`, and the gains that they give, exactly.
@@ -147,7 +163,7 @@ impl Reader<'_> {
     }
 
     /// The gains as far as they are legal, whether or not the order is.
-    fn gains(&mut self, n: Option<usize>, node: &Node) -> Vec<(Parameter, Fixed)> {
+    pub(super) fn gains(&mut self, n: Option<usize>, node: &Node) -> Vec<(Parameter, Fixed)> {
         let items = items(node);
         if let Some(n) = n
             && items.len() != n

@@ -1,6 +1,7 @@
 //! From keys and values to a [`Spec`]: all mistakes at once, none left for later stages.
 
 mod alone;
+mod axes;
 mod law;
 mod linear;
 mod mapping;
@@ -123,6 +124,7 @@ impl<'a> Reader<'a> {
         let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()));
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
+        let axes = self.axes();
         let mapping = self.time_mapping(order);
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
@@ -177,6 +179,7 @@ impl<'a> Reader<'a> {
             drift,
             input_gain,
             reference,
+            axes: None,
             model: model.map(|read| Box::new(read.model)),
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
@@ -188,6 +191,10 @@ impl<'a> Reader<'a> {
         if spec.what == What::Associated {
             self.associated(&mut spec);
         }
+        if let Some(number) = axes {
+            self.own_values(&mut spec, number, n);
+        }
+        self.fits_axes(&spec, samples);
         self.fits_model(&spec, samples);
         self.fits_reference(&spec, samples);
         let complete = self.found.is_empty();
@@ -243,7 +250,13 @@ impl<'a> Reader<'a> {
         if n.is_none() {
             let message =
                 format!("n = {} is not an order that can be generated", shown(&node.value));
-            let help = format!("n is an integer 1..={MAX_ORDER}");
+            let shared = match (&node.value, self.keys.contains_key("axes")) {
+                (Value::List(_), true) => {
+                    "; axes share one order: make a controller for each order, armed at the same t0 with the same tau"
+                }
+                _ => "",
+            };
+            let help = format!("n is an integer 1..={MAX_ORDER}{shared}");
             self.wrong("n", Some(node.place), message, help);
         }
         if let (Some(n), Some(degree)) =

@@ -2,17 +2,15 @@
 
 use super::Reader;
 use crate::algebra::integer;
-use crate::diagnostic::Place;
 use crate::expression::effort::bounded;
 use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::existence::{Condition, needs};
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
-use crate::limits::SIZE;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Feedback, MAX_ORDER, Reference, Spec, What};
-use crate::syntax::{Value, parse};
+use crate::syntax::Value;
 
 impl Reader<'_> {
     /// The reference of a chain of order `n`; 0 is none at all.
@@ -120,8 +118,8 @@ fn moves(e: &Expression) -> bool {
 }
 
 /// The first part that has a kink in time.
-fn kink(e: &Expression) -> Option<&Expression> {
-    if e.is_kink() && moves(e) { Some(e) } else { e.operands().find_map(kink) }
+fn kink(e: &Expression) -> Option<Expression> {
+    e.first(&mut |e| (e.is_kink() && moves(e)).then(|| e.clone()))
 }
 
 /// r and its derivatives up to that of order `n`, or the order of the first that is too large.
@@ -135,11 +133,9 @@ fn derivatives(r: &Expression, n: usize) -> Result<Vec<Expression>, usize> {
             // t and dt pass alike.
             let rate = last.derivative(Variable::Time).add(last.derivative(Variable::Elapsed));
             let rate = tidied(rate, &parts);
-            if !SIZE.admits(rate.size()) {
+            if !rate.is_kept() {
                 return Err(order);
             }
-            // What walks an expression recurses as deep as one that a user may write.
-            parse("reference", &rate.to_string(), &mut |_| Place(0)).map_err(|_| order)?;
             all.push(rate);
         }
         Ok(all)

@@ -188,7 +188,8 @@ fn over(
         return Err(crate::check::envelope::describe(program, value));
     }
     let found = error(program, &bounds, bounds.held(), stretch.high, program.step);
-    let gains = bounds.first_excess(&program.gains);
+    let handed: Vec<_> = program.handed_over().copied().collect();
+    let gains = bounds.first_excess(&handed);
     bounds.hand_over_gains();
     if let Some(value) = gains.or_else(|| bounds.first_excess(program.axis.as_slice())) {
         return Err(crate::check::envelope::describe(program, value));

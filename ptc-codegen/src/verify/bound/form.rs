@@ -91,6 +91,9 @@ impl Form {
 
 /// What decides each kink of an expression, from the outside in and from left to right.
 fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
+    if !expression.any(&Expression::is_kink) {
+        return;
+    }
     match expression.node() {
         Node::Call(Function::Abs | Function::Sign, a) => kinks.push(a.clone()),
         Node::Min(a, b) | Node::Max(a, b) => kinks.push(a.clone().sub(b.clone())),
@@ -101,6 +104,9 @@ fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
 
 /// The expression with its kinks replaced where their signs, in the order of [`collect`], are known.
 fn smooth(expression: &Expression, signs: &mut Iter<'_, Option<bool>>) -> Expression {
+    if !expression.any(&Expression::is_kink) {
+        return expression.clone();
+    }
     let kink = matches!(
         expression.node(),
         Node::Call(Function::Abs | Function::Sign, _) | Node::Min(..) | Node::Max(..)

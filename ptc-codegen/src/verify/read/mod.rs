@@ -28,6 +28,7 @@ type Given<'a> = BTreeMap<&'a str, (Place, &'a Node)>;
 /// Every mistake in the tables.
 pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Diagnostic>> {
     spec.needs_law("a campaign")?;
+    spec.needs_one_axis("a campaign")?;
     let (plant, mut found) = plant::read_partly(entries, spec);
     let mut spec = spec.clone();
     let twice = plant::promised(&mut spec, plant.as_ref(), entries);

@@ -3,7 +3,7 @@
 use super::super::gives::Gives;
 use super::super::text::capital;
 use super::C;
-use crate::code::{Function, Shape, Variable};
+use crate::code::{Finish, Function, Shape, Variable};
 
 impl C<'_> {
     pub(super) fn header(mut self) -> String {
@@ -14,7 +14,8 @@ impl C<'_> {
             self.out.line(format!(" * {line}"));
         }
         self.out.line(format!(" */\n#ifndef {guard}_H\n#define {guard}_H\n"));
-        let mut variables = code.parameters.iter().chain(&code.fields);
+        let arguments = code.functions.iter().flat_map(|function| &function.arguments);
+        let mut variables = code.parameters.iter().chain(&code.fields).chain(arguments);
         if variables.any(|variable| variable.shape == Shape::Count) {
             self.out.line("#include <stdint.h>\n");
         }
@@ -47,6 +48,7 @@ impl C<'_> {
 
     fn about(&self, function: &Function) -> String {
         let about = function.about.trim_end();
+        let code_axes = matches!(function.finish, Finish::Axes(_));
         let handed = match function.callbacks.is_empty() {
             true => "",
             false => " context is passed on unchanged.",
@@ -62,6 +64,7 @@ impl C<'_> {
                 Shape::Gains => " On a negative status *gains is unchanged.".to_owned(),
                 _ => format!(" On a negative status {} is unchanged.", result.name),
             },
+            _ if code_axes => String::new(),
             _ => " On a negative status nothing has changed.".to_owned(),
         };
         format!("{about}{handed}{failed}")

@@ -1,5 +1,6 @@
 //! C99: a header and a source file.
 
+mod axes;
 mod conditions;
 mod header;
 mod rows;
@@ -123,6 +124,7 @@ impl<'a> C<'a> {
         match (shape, self.code.precision) {
             (Shape::Gains, _) => format!("{}_gains", self.code.name),
             (Shape::Count, _) => "uint32_t".to_owned(),
+            (Shape::Statuses(_), _) => "ptc_status".to_owned(),
             (_, Precision::F32) => "float".to_owned(),
             (_, Precision::F64) => "double".to_owned(),
         }
@@ -139,9 +141,10 @@ impl<'a> C<'a> {
 
     fn argument(&self, name: &str, shape: Shape) -> String {
         let kind = self.type_of(shape);
-        match shape.length() {
-            Some(n) => format!("const {kind} {name}[{n}]"),
-            None => format!("{kind} {name}"),
+        match (shape, shape.length()) {
+            (Shape::Lists(count, n), _) => format!("const {kind} {name}[{count}][{n}]"),
+            (_, Some(n)) => format!("const {kind} {name}[{n}]"),
+            (_, None) => format!("{kind} {name}"),
         }
     }
 

@@ -6,6 +6,7 @@ use super::{C, externs, word};
 use crate::code::{
     Ending, Expr, Finish, Function, Owner, Place, Shape, Solve, Statement, Status, Test,
 };
+use crate::internal::fault;
 
 /// What leads to a field in `init`, which sets the fields of the user's only where it succeeds.
 const BUILT: &str = "built.";
@@ -20,7 +21,7 @@ impl C<'_> {
         let counts = |statement: &Statement| {
             matches!(statement, Statement::Solve(_) | Statement::Rows { .. })
         };
-        if code.functions.iter().any(|function| function.has(counts)) {
+        if code.axes().is_some() || code.functions.iter().any(|function| function.has(counts)) {
             self.out.line("#include <stdint.h>");
         }
         self.out.line("");
@@ -162,6 +163,7 @@ impl C<'_> {
                 self.settle(*ending);
             }
             Finish::Fail(status) => self.fail(function, *status),
+            Finish::Axes(count) => self.axes(function, *count),
             Finish::If(..) => {
                 // One store for all ends, but where the result is 0 from the start.
                 let scalar = function.results.iter().all(|result| result.shape == Shape::Real);
@@ -241,7 +243,10 @@ impl C<'_> {
         for result in &function.results {
             let name = &result.name;
             let places: Vec<String> = match result.shape {
-                Shape::Reals(n) => (0..n).map(|index| format!("{name}[{index}]")).collect(),
+                Shape::Reals(n) | Shape::Statuses(n) => {
+                    (0..n).map(|index| format!("{name}[{index}]")).collect()
+                }
+                Shape::Lists(..) => fault("an array of arrays is given"),
                 Shape::Gains => {
                     let fields = self.code.gains.iter();
                     let place = |field: &crate::code::Variable| match field.shape.length() {

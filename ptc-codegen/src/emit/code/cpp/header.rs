@@ -4,6 +4,7 @@ use super::super::block::Block;
 use super::super::gives::{Gives, calls_library};
 use super::super::text::{Text, capital};
 use super::Cpp;
+use super::axes::AXES;
 use crate::code::{Code, Expr, Owner, Shape, Statement, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
@@ -23,8 +24,15 @@ impl Cpp<'_> {
         };
         for (header, needed) in [
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
-            ("cstddef", code.functions.iter().any(|function| function.has(loops))),
-            ("cstdint", code.fields.iter().any(|field| field.shape == Shape::Count)),
+            (
+                "cstddef",
+                code.axes().is_some() || code.functions.iter().any(|function| function.has(loops)),
+            ),
+            (
+                "cstdint",
+                code.axes().is_some()
+                    || code.fields.iter().any(|field| field.shape == Shape::Count),
+            ),
             ("limits", true),
         ] {
             if needed {
@@ -33,6 +41,9 @@ impl Cpp<'_> {
         }
         self.out.line("\nnamespace ptc {\n");
         self.out.line(include_str!("../../../../templates/status.hpp.txt"));
+        if code.axes().is_some() {
+            self.out.line(AXES.trim_start());
+        }
         self.out.line("/// Run-time parameters.");
         self.out.open(format!("struct {kind}Params {{"));
         for parameter in &code.parameters {
@@ -85,7 +96,7 @@ impl Cpp<'_> {
         self.out.line(format!("using Params = {kind}Params;"));
         let arm = code.function("arm").zip(code.start.as_ref());
         let states = code.functions.iter().flat_map(|function| &function.arguments);
-        let state = states.map(|argument| argument.shape).find(|shape| shape.length().is_some());
+        let state = states.map(|argument| argument.shape).find(|s| matches!(s, Shape::Reals(_)));
         if let Some(state) = state.filter(|_| arm.is_some()) {
             let state = self.type_of(state);
             self.out.line(format!("using State = {state};"));

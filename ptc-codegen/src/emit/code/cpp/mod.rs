@@ -1,12 +1,13 @@
 //! C++17: one header, in which all that calls no function of a library is `constexpr`.
 
+mod axes;
 mod header;
 mod rows;
 
 use super::block::{Block, Branch};
 use super::gives::{Gives, calls_library, paired};
 use super::text::{Level, Lines, Text};
-use crate::code::{Access, Code, Ending, Expr, Function, Shape, Status, Test};
+use crate::code::{Access, Code, Ending, Expr, Finish, Function, Shape, Status, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
@@ -148,6 +149,7 @@ impl Block for Cpp<'_> {
             Gives::Gains => format!("gains.status = {status};"),
             Gives::Array => format!("return {{{{{values}}}}};"),
             Gives::Number => format!("return {values};"),
+            Gives::Axes => fault("axes are the whole of a function"),
         });
     }
 
@@ -177,6 +179,10 @@ impl<'a> Cpp<'a> {
             Shape::Count => "std::uint32_t".to_owned(),
             Shape::Real => real.to_owned(),
             Shape::Reals(length) => format!("std::array<{real}, {length}>"),
+            Shape::Lists(count, length) => {
+                format!("std::array<std::array<{real}, {length}>, {count}>")
+            }
+            Shape::Statuses(count) => format!("std::array<Status, {count}>"),
             Shape::Gains => "Gains".to_owned(),
         }
     }
@@ -194,6 +200,10 @@ impl<'a> Cpp<'a> {
             Gives::Control => format!("Control<{real}>"),
             Gives::Rate => format!("Rate<{}>", given()),
             Gives::Gains | Gives::Array | Gives::Number => given(),
+            Gives::Axes => {
+                let Some(axes) = self.code.axes() else { fault("axes of a controller of one") };
+                format!("Axes<{real}, {axes}>")
+            }
         };
         let mut list: Vec<_> = function
             .arguments
@@ -216,7 +226,7 @@ impl<'a> Cpp<'a> {
         }
         if self.gives == Gives::Progress {
             self.out.line("/// On a negative status nothing has changed.");
-        } else if function.failures.contains(&Status::Range) {
+        } else if function.failures.contains(&Status::Range) && self.gives != Gives::Axes {
             self.out.line("/// On a negative status u is 0 and nothing has changed.");
         } else if self.gives == Gives::Status {
             self.out.line("/// Ok, or Param with nothing changed.");
@@ -225,8 +235,10 @@ impl<'a> Cpp<'a> {
             let kinds: Vec<_> = kinds.iter().map(|kind| format!("class {kind}")).collect();
             self.out.line(format!("template <{}>", kinds.join(", ")));
         }
-        let typed =
-            matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing);
+        let typed = matches!(
+            self.gives,
+            Gives::Control | Gives::Rate | Gives::Gains | Gives::Nothing | Gives::Axes
+        );
         let discard = if typed { "" } else { "[[nodiscard]] " };
         let constant = if calls_library(function) { "" } else { "constexpr " };
         let access = if function.access == Access::Read { " const" } else { "" };
@@ -243,6 +255,9 @@ impl<'a> Cpp<'a> {
             let zero = self.literal("0.0");
             self.out
                 .line(format!("if (status < Status::Ok) {{\n    return {{{zero}, status}};\n}}"));
+        }
+        if let Finish::Axes(count) = function.finish {
+            return self.axes(function, count);
         }
         self.block(&function.body);
         if self.gives == Gives::Gains {

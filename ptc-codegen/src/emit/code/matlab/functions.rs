@@ -5,7 +5,7 @@ use super::super::gives::{Gives, paired};
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::Matlab;
-use crate::code::{Access, Function, Owner, Shape, Statement, Status};
+use crate::code::{Access, Finish, Function, Owner, Shape, Statement, Status};
 
 impl Matlab<'_> {
     pub(super) fn init(mut self) -> String {
@@ -53,7 +53,7 @@ impl Matlab<'_> {
         let kind = if shape == Shape::Count { "uint32" } else { real };
         self.out.line(format!("given.{name} = {kind}(params.{name});"));
         let (test, legal) = match shape {
-            Shape::Real | Shape::Gains => return,
+            Shape::Real | Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => return,
             Shape::Count => {
                 let exact = format!("given.{name} ~= params.{name}");
                 (exact, format!("'params.{name} is %g; legal: 0..2^32 - 1', params.{name}"))
@@ -75,6 +75,11 @@ impl Matlab<'_> {
         let result = function.results.first();
         self.result = result.map(|result| result.name.clone()).unwrap_or_default();
         self.signature(function);
+        if let Finish::Axes(count) = function.finish {
+            self.axes(function, count);
+            self.out.line("end");
+            return self.out.text();
+        }
         let (real, zero) = (self.real_type(), self.literal("0.0"));
         match result.map(|result| result.shape) {
             Some(Shape::Real) if self.has_status() => {

@@ -1,6 +1,7 @@
 //! MATLAB and GNU Octave: a function file for each function. Integers saturate there, and a quotient
 //! of them is rounded: differences of counts are taken in doubles, which hold them exactly.
 
+mod axes;
 mod functions;
 mod helpers;
 
@@ -10,8 +11,9 @@ use super::block::{Block, Branch};
 use super::gives::Gives;
 use super::legal::checks;
 use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, Owner, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Owner, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
+use crate::internal::fault;
 use crate::parameter::Precision;
 
 pub(super) struct Matlab<'a> {
@@ -69,6 +71,14 @@ impl Text for Matlab<'_> {
 
     fn element(&self, array: &str, index: usize) -> String {
         format!("{array}({})", index + 1)
+    }
+
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match stride {
+            1 => format!("{AXIS} + 1"),
+            stride => format!("{stride} * {AXIS} + {}", index + 1),
+        };
+        format!("{}({place})", self.field(name))
     }
 
     fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
@@ -219,6 +229,7 @@ impl Block for Matlab<'_> {
                 self.out.line(format!("{result} = [{}];", list.join("; ")))
             }
             Gives::Gains => {}
+            Gives::Axes => fault("axes are the whole of a function"),
         }
         match ending {
             _ if !self.has_status() => {}
@@ -256,6 +267,9 @@ impl<'a> Matlab<'a> {
 
     /// Whether a status is among the results.
     fn has_status(&self) -> bool {
-        matches!(self.gives, Gives::Control | Gives::Rate | Gives::Gains | Gives::Progress)
+        matches!(
+            self.gives,
+            Gives::Control | Gives::Rate | Gives::Gains | Gives::Progress | Gives::Axes
+        )
     }
 }

@@ -25,7 +25,8 @@ impl Python<'_> {
         let mut list = vec!["self".to_owned()];
         for argument in &function.arguments {
             let default = if argument.name == "f" { " = 0.0" } else { "" };
-            list.push(format!("{}: ArrayLike{default}", argument.name));
+            let kind = if argument.shape == Shape::Count { "int" } else { "ArrayLike" };
+            list.push(format!("{}: {kind}{default}", argument.name));
         }
         list.extend((!function.callbacks.is_empty()).then(|| "*".to_owned()));
         let called = function.callbacks.iter();
@@ -51,6 +52,7 @@ impl Python<'_> {
                     let read = if name == "r" { "_reference" } else { "_states" };
                     self.out.line(format!("{states}{comma} = {read}({name}, \"{name}\")"));
                 }
+                Shape::Count => self.out.line(format!("{name} = {name}.__index__()")),
                 _ => self.out.line(format!("{name} = np.asarray({name}, dtype=_R)")),
             }
         }
@@ -191,6 +193,7 @@ if done.all():
                     Ending::OfGains => "self.status".to_owned(),
                 },
             },
+            Finish::Axes(_) => fault("axes are the whole of a function"),
             Finish::Fail(status) => {
                 End { value: None, status: format!("Status.{}", word(*status)) }
             }
@@ -220,6 +223,6 @@ fn without_values(finish: &Finish) -> Finish {
             Finish::choose(test.clone(), without_values(yes), without_values(no))
         }
         Finish::Give(_, ending) => Finish::Give(Vec::new(), *ending),
-        Finish::Fail(status) => Finish::Fail(*status),
+        Finish::Fail(_) | Finish::Axes(_) => finish.clone(),
     }
 }

@@ -19,6 +19,9 @@ impl Python<'_> {
         self.init();
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
+                _ if Gives::of(function) == Gives::Axes => {
+                    self.axes(function, code.axes().unwrap_or_default());
+                }
                 Some(_) if Gives::of(function) != Gives::Status => self.batch_function(function),
                 _ => self.function(function),
             }
@@ -70,7 +73,7 @@ impl Python<'_> {
                 ));
                 self.out.leave();
             }
-            Shape::Gains => {}
+            Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {}
         }
     }
 
@@ -83,7 +86,7 @@ impl Python<'_> {
             Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
-            Gives::Rate | Gives::Gains => crate::internal::fault("one of a batch"),
+            Gives::Rate | Gives::Gains | Gives::Axes => crate::internal::fault("one of a batch"),
         };
         let mut list = vec!["self".to_owned()];
         for argument in &function.arguments {

@@ -1,5 +1,6 @@
 //! Python: one typed module on NumPy, whose scalars round to their precision and divide by zero.
 
+mod axes;
 mod batch;
 mod class;
 mod module;
@@ -10,7 +11,7 @@ use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::legal::checks;
 use super::text::{Level, Lines, Text, bare};
-use crate::code::{Code, Ending, Expr, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::{File, literal::through_double};
 use crate::parameter::Precision;
 
@@ -115,6 +116,14 @@ impl Text for Python<'_> {
     fn callback(&self, name: &str, array: &str, time: &str) -> String {
         let array = format!("np.asarray({array}, dtype=_R)");
         format!("np.asarray({name}({array}, np.asarray({time})), dtype=_R)")
+    }
+
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match stride {
+            1 => AXIS.to_owned(),
+            stride => format!("{stride} * {AXIS} + {index}"),
+        };
+        format!("{}[..., {place}]", self.field(name))
     }
 
     fn field_element(&self, name: &str, index: usize) -> String {
@@ -295,7 +304,7 @@ impl Block for Python<'_> {
             Ending::OfGains => "self.status".to_owned(),
         };
         self.out.line(match self.gives {
-            Gives::Nothing | Gives::Status | Gives::Gains | Gives::Rate => return,
+            Gives::Nothing | Gives::Status | Gives::Gains | Gives::Rate | Gives::Axes => return,
             Gives::Control => format!("return Control({list}, {status})"),
             Gives::Progress => format!("return {status}"),
             Gives::Array => format!("return np.array([{list}], dtype=_R)"),
@@ -347,7 +356,7 @@ fn annotation(shape: Shape) -> &'static str {
     match shape {
         Shape::Real => "float",
         Shape::Count => "int",
-        Shape::Reals(_) => "Sequence[float]",
+        Shape::Reals(_) | Shape::Lists(..) | Shape::Statuses(_) => "Sequence[float]",
         Shape::Gains => "Gains",
     }
 }

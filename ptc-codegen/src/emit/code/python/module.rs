@@ -1,5 +1,6 @@
 //! The module around the classes.
 
+use super::axes::{AXES, LISTS};
 use super::{Python, annotation};
 use crate::code::{Expr, Owner, Shape, Statement};
 use crate::parameter::type_name;
@@ -31,6 +32,7 @@ impl Python<'_> {
         public.extend(controls.then_some("Control"));
         public.extend((!code.gains.is_empty()).then_some("Gains"));
         public.extend(rate.then_some("Rate"));
+        public.extend(code.axes().map(|_| "Axes"));
         public.sort_unstable();
         self.out.line(format!("__all__ = [\"{}\"]\n", public.join("\", \"")));
         let real = self.real_type();
@@ -45,6 +47,9 @@ impl Python<'_> {
         if controls {
             let control = if code.start.is_some() { CONTROLS } else { CONTROL };
             self.out.line(control.replace("REAL", real));
+        }
+        if code.axes().is_some() {
+            self.out.line(AXES);
         }
         if rate {
             self.out.line(RATE);
@@ -78,7 +83,11 @@ impl Python<'_> {
             let given = |of_states: bool| {
                 let all = code.functions.iter().flat_map(|function| &function.arguments);
                 let own = all.filter(|argument| (argument.name != "r") == of_states);
-                own.filter_map(|argument| argument.shape.length()).max()
+                let lengths = own.filter_map(|argument| match argument.shape {
+                    Shape::Reals(length) => Some(length),
+                    _ => None,
+                });
+                lengths.max()
             };
             let states = STATES.replace("LENGTH", &given(true).unwrap_or(1).to_string());
             self.out.line(format!("{states}\n"));
@@ -89,6 +98,9 @@ impl Python<'_> {
                     reference.replace("The states", "The reference and its derivatives");
                 self.out.line(format!("{}\n", reference.replace("the states", "r, r', ...")));
             }
+        }
+        if code.axes().is_some() {
+            self.out.line(format!("{LISTS}\n"));
         }
         let formed = code.functions.iter().flat_map(|function| &function.body);
         let weights = formed.filter_map(|statement| match statement {

@@ -136,6 +136,10 @@ impl Rust<'_> {
             Gives::Nothing => String::new(),
             Gives::Control => format!(" -> Result<{runtime}Control<{given}>, {runtime}Error>"),
             Gives::Array | Gives::Number => format!(" -> {given}"),
+            Gives::Axes => {
+                let count = self.code.axes().unwrap_or_default();
+                format!(" -> {runtime}Axes<{count}, {real}>")
+            }
             Gives::Progress => format!(" -> Result<{runtime}Status, {runtime}Error>"),
             _ => format!(" -> Result<{given}, {runtime}Error>"),
         };
@@ -181,6 +185,7 @@ impl Rust<'_> {
                 };
                 self.out.line(format!("Ok({runtime}Control {{ {u}, status }})"));
             }
+            Gives::Axes => self.axes(function, self.code.axes().unwrap_or_default()),
             _ => self.finish(&function.finish),
         }
         self.out.close("}");
@@ -219,7 +224,11 @@ impl Rust<'_> {
         else {
             return;
         };
-        if arm.arguments.len() > 1 || step.arguments.len() > 2 || !step.callbacks.is_empty() {
+        if code.axes().is_some()
+            || arm.arguments.len() > 1
+            || step.arguments.len() > 2
+            || !step.callbacks.is_empty()
+        {
             return;
         }
         let (real, array) = (self.type_of(Shape::Real), self.states());

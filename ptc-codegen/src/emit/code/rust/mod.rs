@@ -1,5 +1,6 @@
 //! Rust: `no_std`, no allocation, no panic, no unsafe code.
 
+mod axes;
 mod items;
 mod module;
 mod rows;
@@ -7,8 +8,9 @@ mod rows;
 use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text, bracketed};
-use crate::code::{Code, Ending, Expr, Shape, Status, Test};
+use crate::code::{AXIS, Code, Ending, Expr, Shape, Status, Test};
 use crate::emit::File;
+use crate::internal::fault;
 use crate::parameter::{Precision, type_name};
 
 /// The self-contained file of a controller.
@@ -55,6 +57,15 @@ impl Text for Rust<'_> {
 
     fn parameter(&self, name: &str) -> String {
         format!("params.{name}")
+    }
+
+    fn of_axis(&self, name: &str, stride: usize, index: usize) -> String {
+        let place = match (stride, index) {
+            (1, _) => format!("{AXIS} as usize"),
+            (stride, 0) => format!("{stride} * {AXIS} as usize"),
+            (stride, index) => format!("{stride} * {AXIS} as usize + {index}"),
+        };
+        format!("{}[{place}]", self.field(name))
     }
 
     fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
@@ -232,6 +243,7 @@ impl Block for Rust<'_> {
                 self.out.line(line);
             }
             Gives::Number => self.out.line(list.join(", ")),
+            Gives::Axes => fault("axes are the whole of a function"),
         }
     }
 
@@ -264,6 +276,8 @@ impl<'a> Rust<'a> {
             Shape::Count => "u32".to_owned(),
             Shape::Real => real.to_owned(),
             Shape::Reals(length) => format!("[{real}; {length}]"),
+            Shape::Lists(count, length) => format!("[[{real}; {length}]; {count}]"),
+            Shape::Statuses(_) => fault("statuses are no argument"),
             Shape::Gains => format!("{}Gains", type_name(&self.code.name)),
         }
     }

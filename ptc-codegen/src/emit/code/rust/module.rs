@@ -15,6 +15,7 @@ pub(super) fn text(head: &[String], precision: Precision, items: &str) -> String
         head: &documented(head),
         real: real_of(precision),
         functions: functions.map(|f| MathFunction::new(f, precision)).collect(),
+        axes: items.contains(" -> Axes<"),
         items,
     };
     tidy(&text_of(module.render()))
@@ -69,5 +70,6 @@ struct Module<'a> {
     head: &'a str,
     real: &'static str,
     functions: Vec<MathFunction>,
+    axes: bool,
     items: &'a str,
 }

@@ -14,7 +14,9 @@ impl StructuredText<'_> {
             Shape::Count => "UDINT".to_owned(),
             Shape::Real => self.real.to_owned(),
             Shape::Reals(length) => format!("ARRAY[1..{length}] OF {}", self.real),
-            Shape::Gains => fault("a function block gives no gains"),
+            Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {
+                fault("a function block gives no gains")
+            }
         }
     }
 

@@ -1,0 +1,167 @@
+/* Prescribed-time controller ptc_exp2_axes3: see ptc_exp2_axes3.h. DO NOT EDIT. */
+#include "ptc_exp2_axes3.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct ptc_exp2_axes3 built;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double u_max = params->u_max;
+        const double a = params->a;
+        const double k1 = params->k[0];
+        const double k2 = params->k[1];
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && (isfinite(a) != 0)
+            && (1e-150 <= a)
+            && (a <= 1e150)
+            && (isfinite(k1) != 0)
+            && (isfinite(k2) != 0)
+            && (eps < tau)) {
+            const double K1 = k1 / (a * a);
+            const double K2 = k2 / a;
+            const double c1 = -K1;
+            const double c2 = (-K2) + 1.0;
+            const double hold_from = -eps;
+            const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
+            const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
+            if ((1e-200 <= size_K1)
+                && (1e-200 <= size_K2)
+                && (isfinite(c1) != 0)
+                && (isfinite(c2) != 0)
+                && (isfinite(hold_from) != 0)) {
+                built.c1 = c1;
+                built.c2 = c2;
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.u_max = u_max;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
+                status = ptc_exp2_axes3_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp2_axes3_arm(ptc_exp2_axes3 *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp2_axes3_tick(const ptc_exp2_axes3 *self, double t, ptc_exp2_axes3_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            gains->gain[0] = self->c1 * inv_T * inv_T;
+            gains->gain[1] = self->c2 * inv_T;
+            gains->u_max = self->u_max;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp2_axes3_axis(const ptc_exp2_axes3_gains *gains, const double x[2], double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
+            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+            if (gains->u_max < v) {
+                *u = gains->u_max;
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max) {
+                *u = -gains->u_max;
+                status = PTC_SATURATED;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp2_axes3_step(
+    const ptc_exp2_axes3 *self,
+    double t,
+    const double x[3][2],
+    double u[3],
+    ptc_status axes[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
+        ptc_exp2_axes3_gains gains;
+        const ptc_status now = ptc_exp2_axes3_tick(self, t, &gains);
+
+        status = now;
+        for (uint32_t axis = 0U; axis < 3U; axis++) {
+            u[axis] = 0.0;
+            axes[axis] = now;
+            if (now >= PTC_OK) {
+                axes[axis] = ptc_exp2_axes3_axis(&gains, x[axis], &u[axis]);
+            }
+            if ((status >= PTC_OK) && ((axes[axis] < PTC_OK) || (axes[axis] == PTC_SATURATED))) {
+                status = axes[axis];
+            }
+        }
+        if (status < PTC_OK) {
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                u[axis] = 0.0;
+            }
+        }
+    }
+    return status;
+}

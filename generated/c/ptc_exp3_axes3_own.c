@@ -1,0 +1,197 @@
+/* Prescribed-time controller ptc_exp3_axes3_own: see ptc_exp3_axes3_own.h. DO NOT EDIT. */
+#include "ptc_exp3_axes3_own.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+ptc_status ptc_exp3_axes3_own_init(
+    ptc_exp3_axes3_own *self,
+    const ptc_exp3_axes3_own_params *params)
+{
+    ptc_status status = PTC_E_PARAM;
+    struct ptc_exp3_axes3_own built;
+
+    if ((self != NULL) && (params != NULL)) {
+        const double tau = params->tau;
+        const double t0 = params->t0;
+        const double eps = params->eps;
+        const double p_m = params->m;
+        if ((isfinite(tau) != 0)
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && (isfinite(t0) != 0)
+            && (1e-150 <= eps)
+            && (isfinite(p_m) != 0)
+            && (eps < tau)) {
+            const double hold_from = -eps;
+            const double input_gain = 1.0 / p_m;
+            const double size_input_gain = (fabs(input_gain) <= 0.0) ? 1e-200 : fabs(input_gain);
+            if ((1e-200 <= size_input_gain)
+                && (isfinite(hold_from) != 0)
+                && (isfinite(input_gain) != 0)) {
+                built.tau = tau;
+                built.eps = eps;
+                built.hold_from = hold_from;
+                built.input_gain = input_gain;
+                built.t0 = 0.0;
+                built.deadline = 0.0;
+                built.correction = 0.0;
+                status = ptc_exp3_axes3_own_arm(&built, t0);
+                if (status == PTC_OK) {
+                    *self = built;
+                }
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_axes3_own_arm(ptc_exp3_axes3_own *self, double t0)
+{
+    ptc_status status = PTC_E_PARAM;
+
+    if (self != NULL) {
+        if (isfinite(t0) != 0) {
+            const double deadline = t0 + self->tau;
+            const double v1 = deadline - t0;
+            const double correction = (t0 - (deadline - v1)) + (self->tau - v1);
+            if (isfinite(deadline) != 0) {
+                self->t0 = t0;
+                self->deadline = deadline;
+                self->correction = correction;
+                status = PTC_OK;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_axes3_own_tick(
+    const ptc_exp3_axes3_own *self,
+    double t,
+    ptc_exp3_axes3_own_gains *gains)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (gains != NULL)) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double v1 = inv_T * inv_T;
+            const double v2 = (-120.0) * v1 * inv_T;
+            const double v3 = (-60.0) * inv_T * inv_T;
+            const double v4 = (-12.0) * inv_T;
+            gains->gain[0] = v2;
+            gains->gain[1] = v3;
+            gains->gain[2] = v4;
+            gains->gain[3] = v2;
+            gains->gain[4] = v3;
+            gains->gain[5] = v4;
+            gains->gain[6] = (-336.0) * v1 * inv_T;
+            gains->gain[7] = (-126.0) * inv_T * inv_T;
+            gains->gain[8] = (-18.0) * inv_T;
+            gains->input_gain[0] = self->input_gain;
+            gains->input_gain[1] = self->input_gain;
+            gains->input_gain[2] = 2.0;
+            gains->u_max[0] = 40.0;
+            gains->u_max[1] = 40.0;
+            gains->u_max[2] = 15.0;
+            if (late < self->hold_from) {
+                status = PTC_OK;
+            } else {
+                status = PTC_HOLD;
+            }
+            gains->status = status;
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_axes3_own_axis(
+    const ptc_exp3_axes3_own_gains *gains,
+    uint32_t axis,
+    const double x[3],
+    const double r[4],
+    double *u)
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if (u != NULL) {
+        *u = 0.0;
+    }
+    if ((gains != NULL) && (x != NULL) && (r != NULL) && (u != NULL)) {
+        const double x1 = x[0];
+        const double x2 = x[1];
+        const double x3 = x[2];
+        const double r0 = r[0];
+        const double r1 = r[1];
+        const double r2 = r[2];
+        const double r3 = r[3];
+        if ((axis < 3U)
+            && (isfinite(x1) != 0)
+            && (isfinite(x2) != 0)
+            && (isfinite(x3) != 0)
+            && (isfinite(r0) != 0)
+            && (isfinite(r1) != 0)
+            && (isfinite(r2) != 0)
+            && (isfinite(r3) != 0)) {
+            const double e1 = x1 - r0;
+            const double e2 = x2 - r1;
+            const double e3 = x3 - r2;
+            const double s1 = gains->gain[3U * axis] * e1;
+            const double s2 = s1 + (gains->gain[(3U * axis) + 1U] * e2);
+            const double v1 = s2 + (gains->gain[(3U * axis) + 2U] * e3) + r3;
+            const double s3 = gains->input_gain[axis];
+            const double v = v1 / (((s3 < 0.0) || (s3 > 0.0)) ? s3 : (double)NAN);
+            if (gains->u_max[axis] < v) {
+                *u = gains->u_max[axis];
+                status = PTC_SATURATED;
+            } else if (v < -gains->u_max[axis]) {
+                *u = -gains->u_max[axis];
+                status = PTC_SATURATED;
+            } else if (isfinite(v) != 0) {
+                *u = v;
+                status = gains->status;
+            } else {
+                status = PTC_E_RANGE;
+            }
+        }
+    }
+    return status;
+}
+
+ptc_status ptc_exp3_axes3_own_step(
+    const ptc_exp3_axes3_own *self,
+    double t,
+    const double x[3][3],
+    const double r[3][4],
+    double u[3],
+    ptc_status axes[3])
+{
+    ptc_status status = PTC_E_INPUT;
+
+    if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL) && (axes != NULL)) {
+        ptc_exp3_axes3_own_gains gains;
+        const ptc_status now = ptc_exp3_axes3_own_tick(self, t, &gains);
+
+        status = now;
+        for (uint32_t axis = 0U; axis < 3U; axis++) {
+            u[axis] = 0.0;
+            axes[axis] = now;
+            if (now >= PTC_OK) {
+                axes[axis] = ptc_exp3_axes3_own_axis(&gains, axis, x[axis], r[axis], &u[axis]);
+            }
+            if ((status >= PTC_OK) && ((axes[axis] < PTC_OK) || (axes[axis] == PTC_SATURATED))) {
+                status = axes[axis];
+            }
+        }
+        if (status < PTC_OK) {
+            for (uint32_t axis = 0U; axis < 3U; axis++) {
+                u[axis] = 0.0;
+            }
+        }
+    }
+    return status;
+}

@@ -1,0 +1,380 @@
+//! Prescribed-time controller ptc_exp2_axes3: order n = 2, mapping exp.
+//!
+//! ```text
+//! DO NOT EDIT. Made by:
+//!   ptc-codegen emit --lang rust --n 2 --axes 3 --mu exp --name ptc_exp2_axes3
+//! Version 0.1.0.
+//!
+//! Plant: x1' = x2, x2' = f + u. Time in s, x1 in any unit U, x2 in U/s, u in U/s^2.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
+//! f is not part of the law: cancel its known terms before the call.
+//! Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
+//!       on time once.
+//!
+//! SAMPLE PERIOD NOT GIVEN: the held gains grow as eps falls, and the loop is stable only for
+//!       sample periods below a limit that depends on eps and the gains. ptc-codegen check
+//!       finds it once tau, eps, the gains and --sample-time are given.
+//!
+//! Parameters:
+//!   tau: prescribed settling time [s], from 1e-150 to 1e150
+//!   t0: start time [s], finite
+//!   eps: time-to-go at which the gains are held [s], >= 1e-150, < tau
+//!   u_max: bound of |u| [unit of u], > 0, infinity allowed
+//!   a: rate of stretched time [1/s], from 1e-150 to 1e150
+//!   k: gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k[0] is k_1 [1/s^2], k[1] is k_2 [1/s]
+//!
+//! Time mapping, with time-to-go T = t0 + tau - t and elapsed time Dt = t - t0; t in mu(t) is
+//!       the stretched time since t0:
+//!   mu(t)     = tau*(1 - exp(-a*t))
+//!   kappa(Dt) = -ln(T/tau)/a
+//! Derivatives r_k = mu^(k)(kappa(Dt)):
+//!   r_k = (-1)^(k-1) a^k T
+//!   r_1 = a*T
+//!   r_2 = -a^2*T
+//! Matrix BB_n, entry (i,j) = B_{i-1,j-1}(r_1, ...), and its next row b_n; zeros are left out:
+//!   B_{0,0} = 1
+//!   B_{1,1} = a*T
+//!   B_{2,1} = -a^2*T
+//!
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)
+//!   pi0 = -(k_1 xi_1 + k_2 xi_2)
+//!   u = sum_j gain_j x_j
+//!   gain_j = inv_T^(n+1-j) row_j
+//!   K1, K2, ...: K_i = k_i/a^(n+1-i)
+//!   row_1 = -K1
+//!   row_2 = 1 - K2
+//!   inv_T = 1/T
+//!
+//! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
+//! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
+//!       deadline.
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
+//! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+//!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+//!
+//! Checks of the design (details: ptc-codegen check):
+//!   membership: sound: exp is of class M for all its parameters.
+//!   growth: not checked: the gains are left to run time: their poles must lie left of -n rho.
+//!   sampling: not checked: `sample_time` is not given.
+//!   deadline: not checked: `error` is not given.
+//!   loop: not checked: it needs a value of `tau`.
+//!   envelope: not checked: `x_max` is not given.
+//!
+//! Operations of one step, without input checks and clipping: 6 additions or comparisons, 9
+//!       multiplications, 1 division.
+//! ```
+#![forbid(unsafe_code)]
+
+/// Status of a valid u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Tracking: u is that of the law.
+    Ok,
+    /// Time-to-go is held at eps: the deadline is near or over.
+    Hold,
+    /// |u| was clipped to u_max; wins over `Hold` and `After`.
+    Saturated,
+    /// The deadline is over: u is 0 or that of the user-defined law.
+    After,
+}
+
+/// What a step gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control<R = f64> {
+    /// Input of the plant.
+    pub u: R,
+    /// Its status.
+    pub status: Status,
+}
+
+/// Why there is no controller, or no u.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A parameter is outside its domain, or the coefficients derived from it leave the range.
+    Param,
+    /// x or t is not finite, or t lies before the start.
+    Input,
+    /// u is not finite.
+    Range,
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Param => "a parameter is outside its domain",
+            Self::Input => "x or t is not finite, or t is before t0",
+            Self::Range => "u is not finite",
+        })
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// What a step of several axes gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Axes<const M: usize, R = f64> {
+    /// Inputs of the plants; 0 where `status` is an error.
+    pub u: [R; M],
+    /// Status of each axis.
+    pub axes: [Result<Status, Error>; M],
+    /// The error of the first axis that fails; else `Saturated` where one is, else that of the gains.
+    pub status: Result<Status, Error>,
+}
+
+/// A controller of a chain of N integrators.
+pub trait Controller<const N: usize> {
+    /// Floating-point type.
+    type Real;
+
+    /// Starts again at `t0`, in s.
+    ///
+    /// # Errors
+    /// `Param`: `t0` is not finite.
+    fn arm(&mut self, t0: Self::Real) -> Result<(), Error>;
+
+    /// u at time `t`, in s, and state `x`.
+    ///
+    /// # Errors
+    /// `Input`: `t` or `x` is not legal. `Range`: u is not finite.
+    fn step(&self, t: Self::Real, x: &[Self::Real; N]) -> Result<Control<Self::Real>, Error>;
+}
+
+/// Run-time parameters of [`PtcExp2Axes3`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcExp2Axes3Params {
+    /// prescribed settling time \[s\], from 1e-150 to 1e150.
+    pub tau: f64,
+    /// start time \[s\], finite.
+    pub t0: f64,
+    /// time-to-go at which the gains are held \[s\], >= 1e-150, < tau.
+    pub eps: f64,
+    /// bound of |u| \[unit of u\], > 0, infinity allowed.
+    pub u_max: f64,
+    /// rate of stretched time \[1/s\], from 1e-150 to 1e150.
+    pub a: f64,
+    /// gains of pi0 = -(k_1 xi_1 + k_2 xi_2), finite; k\[0\] is k_1 \[1/s^2\], k\[1\] is k_2 \[1/s\].
+    pub k: [f64; 2],
+}
+
+/// Prescribed-time controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcExp2Axes3 {
+    /// coefficient of x1.
+    c1: f64,
+    /// coefficient of x2.
+    c2: f64,
+    /// start time.
+    t0: f64,
+    /// prescribed settling time.
+    tau: f64,
+    /// t0 + tau, rounded.
+    deadline: f64,
+    /// low part of t0 + tau (compensated sum).
+    correction: f64,
+    /// time-to-go at which the gains are held.
+    eps: f64,
+    /// -eps: later than this the gains are held.
+    hold_from: f64,
+    /// bound of |u|.
+    u_max: f64,
+}
+
+/// Feedback gains of [`PtcExp2Axes3`] at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(non_snake_case)]
+pub struct PtcExp2Axes3Gains {
+    /// u = gain\[0\] x\[0\] + ... + gain\[1\] x\[1\].
+    pub gain: [f64; 2],
+    /// bound of |u|.
+    pub u_max: f64,
+    /// `Ok` or `Hold`.
+    pub status: Status,
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcExp2Axes3 {
+    /// Takes the parameters and arms at `params.t0` (or the fixed t0).
+    ///
+    /// # Errors
+    /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
+    pub fn new(params: PtcExp2Axes3Params) -> Result<Self, Error> {
+        let tau = params.tau;
+        let t0 = params.t0;
+        let eps = params.eps;
+        let u_max = params.u_max;
+        let a = params.a;
+        let k1 = params.k[0];
+        let k2 = params.k[1];
+        if !(tau.is_finite()
+            && (1e-150 <= tau)
+            && (tau <= 1e150)
+            && t0.is_finite()
+            && (1e-150 <= eps)
+            && (0.0 < u_max)
+            && a.is_finite()
+            && (1e-150 <= a)
+            && (a <= 1e150)
+            && k1.is_finite()
+            && k2.is_finite()
+            && (eps < tau))
+        {
+            return Err(Error::Param);
+        }
+        let K1 = k1 / (a * a);
+        let K2 = k2 / a;
+        let c1 = -K1;
+        let c2 = (-K2) + 1.0;
+        let hold_from = -eps;
+        let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
+        let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
+        if !((1e-200 <= size_K1)
+            && (1e-200 <= size_K2)
+            && c1.is_finite()
+            && c2.is_finite()
+            && hold_from.is_finite())
+        {
+            return Err(Error::Param);
+        }
+        let mut built = Self {
+            c1,
+            c2,
+            tau,
+            eps,
+            hold_from,
+            u_max,
+            t0: 0.0,
+            deadline: 0.0,
+            correction: 0.0,
+        };
+        built.arm(t0)?;
+        Ok(built)
+    }
+
+    /// Starts again at t0 \[s\].
+    ///
+    /// # Errors
+    /// `Param`: an argument or what follows from it is not finite; nothing has changed.
+    #[inline]
+    pub fn arm(&mut self, t0: f64) -> Result<(), Error> {
+        if !t0.is_finite() {
+            return Err(Error::Param);
+        }
+        let deadline = t0 + self.tau;
+        let v1 = deadline - t0;
+        let correction = (t0 - (deadline - v1)) + (self.tau - v1);
+        if !deadline.is_finite() {
+            return Err(Error::Param);
+        }
+        self.t0 = t0;
+        self.deadline = deadline;
+        self.correction = correction;
+        Ok(())
+    }
+
+    /// The gains at time t \[s\] for all axes, with which step calls axis for each.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain.
+    #[inline]
+    pub fn tick(&self, t: f64) -> Result<PtcExp2Axes3Gains, Error> {
+        if !(t.is_finite() && (self.t0 <= t)) {
+            return Err(Error::Input);
+        }
+        let past = (t - self.deadline) - self.correction;
+        let late = if past < self.hold_from {
+            past
+        } else {
+            self.hold_from
+        };
+        let inv_T = (-1.0) / late;
+        let status = if late < self.hold_from {
+            Status::Ok
+        } else {
+            Status::Hold
+        };
+        Ok(PtcExp2Axes3Gains {
+            gain: [self.c1 * inv_T * inv_T, self.c2 * inv_T],
+            u_max: self.u_max,
+            status,
+        })
+    }
+
+    /// u of 3 axes at time t \[s\], from the state x = (x1, x1', ...) of each. Its status is that
+    /// of the first axis that fails, and then every u is 0; else SATURATED where an axis is.
+    #[inline]
+    pub fn step(&self, t: f64, x: &[[f64; 2]; 3]) -> Axes<3, f64> {
+        let failed = |error| Axes {
+            u: [0.0; 3],
+            axes: [Err(error); 3],
+            status: Err(error),
+        };
+        let gains = match self.tick(t) {
+            Ok(gains) => gains,
+            Err(error) => return failed(error),
+        };
+        let mut all = Axes {
+            u: [0.0; 3],
+            axes: [Ok(gains.status); 3],
+            status: Ok(gains.status),
+        };
+        for axis in 0..3 {
+            let control = gains.axis(&x[axis]);
+            all.axes[axis] = control.map(|control| control.status);
+            all.u[axis] = control.map_or(0.0, |control| control.u);
+            if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok(Status::Saturated)) {
+                all.status = all.axes[axis];
+            }
+        }
+        if all.status.is_err() {
+            all.u = [0.0; 3];
+        }
+        all
+    }
+}
+
+#[allow(
+    non_snake_case,
+    dead_code,
+    unused_variables,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+impl PtcExp2Axes3Gains {
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
+    ///
+    /// # Errors
+    /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
+    #[inline]
+    pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        let x1 = x[0];
+        let x2 = x[1];
+        if !(x1.is_finite() && x2.is_finite()) {
+            return Err(Error::Input);
+        }
+        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let (u, status) = if self.u_max < v {
+            (self.u_max, Status::Saturated)
+        } else if v < -self.u_max {
+            (-self.u_max, Status::Saturated)
+        } else if v.is_finite() {
+            (v, self.status)
+        } else {
+            return Err(Error::Range);
+        };
+        Ok(Control { u, status })
+    }
+}

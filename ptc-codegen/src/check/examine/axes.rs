@@ -1,0 +1,82 @@
+//! The checks of several axes: those of one where they share everything, else those of each.
+
+use num_traits::ToPrimitive;
+
+use super::{Report, examine_expanded};
+use crate::check::{Outcome, Verdict};
+use crate::expansion::Expanded;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+
+/// What the checks find of the axes of `spec`. An eps that is open is the greatest that an axis asks for.
+pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
+    let examined = |spec: &Spec| -> Vec<Report> {
+        let designs = spec.designs().into_iter();
+        designs.map(|design| examine_expanded(&design, expanded.cloned())).collect()
+    };
+    let mut spec = spec.clone();
+    let mut reports = examined(&spec);
+    if spec.leaves_eps()
+        && let Some(eps) = greatest_eps(&reports)
+    {
+        spec.choose_eps(eps);
+        if reports.len() > 1 {
+            reports = examined(&spec);
+        }
+    }
+    let names = reports.first().map(|report| report.outcomes.len()).unwrap_or_default();
+    let of_check = |check: usize| {
+        let outcomes = reports.iter().filter_map(|report| report.outcomes.get(check));
+        joined(&outcomes.collect::<Vec<_>>())
+    };
+    let outcomes = (0..names).filter_map(of_check).collect();
+    let by_value = |(_, value): &(Parameter, Fixed)| value.number().cloned();
+    let greatest = reports.iter().filter_map(|report| report.greatest.clone()).min_by_key(by_value);
+    let worst = match reports.as_slice() {
+        [one] => one.worst.clone(),
+        _ => None,
+    };
+    Report { spec, expanded: expanded.cloned(), outcomes, greatest, worst }
+}
+
+fn greatest_eps(reports: &[Report]) -> Option<Fixed> {
+    let chosen = reports.iter().filter_map(|report| report.spec.fixed.get(&Parameter::Eps));
+    let size = |eps: &Fixed| eps.number().and_then(ToPrimitive::to_f64).unwrap_or(0.0);
+    chosen.max_by(|a, b| size(a).total_cmp(&size(b))).cloned()
+}
+
+/// How much a verdict says against a design.
+fn gravity(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::Sound => 0,
+        Verdict::NotChecked => 1,
+        Verdict::Undecided => 2,
+        Verdict::Unsound => 3,
+        Verdict::Refuted => 4,
+    }
+}
+
+/// One check of all axes: that of the first axis for which it is gravest, and the others as details.
+fn joined(axes: &[&Outcome]) -> Option<Outcome> {
+    let (first, rest) = axes.split_first()?;
+    if rest.iter().all(|other| other == first) {
+        return Some((*first).clone());
+    }
+    let says = |outcome: &Outcome| (outcome.verdict, outcome.summary.clone(), outcome.fix.clone());
+    if rest.iter().all(|other| says(other) == says(first)) {
+        let of_axis = |(axis, outcome): (usize, &&Outcome)| {
+            outcome.details.iter().map(move |detail| format!("axis {axis}: {detail}")).collect()
+        };
+        let details: Vec<Vec<String>> = (1..).zip(axes).map(of_axis).collect();
+        return Some(Outcome { details: details.concat(), ..(*first).clone() });
+    }
+    let gravest = axes.iter().map(|outcome| gravity(outcome.verdict)).max()?;
+    let at = axes.iter().position(|outcome| gravity(outcome.verdict) == gravest)?;
+    let mut outcome = axes[at].clone();
+    outcome.summary = format!("axis {}: {}", at + 1, outcome.summary);
+    let others = (1..).zip(axes).filter(|(axis, _)| *axis != at + 1);
+    outcome.details.extend(
+        others.map(|(axis, o)| format!("axis {axis}: {}: {}", o.verdict.text(), o.summary)),
+    );
+    Some(outcome)
+}

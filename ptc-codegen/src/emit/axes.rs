@@ -1,0 +1,37 @@
+//! What the head of an emitted file says of several axes.
+
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Spec;
+
+/// How many axes there are, and what each has of its own.
+pub(super) fn lines(spec: &Spec) -> Vec<String> {
+    let Some(axes) = &spec.axes else { return Vec::new() };
+    let mut lines = vec![format!(
+        "Axes: {}, each a chain of its own with this deadline and mapping. step computes what depends on time once.",
+        axes.count
+    )];
+    if !axes.differ() {
+        return lines;
+    }
+    let list = |values: &[Fixed]| {
+        let values: Vec<_> = values.iter().map(ToString::to_string).collect();
+        values.join(", ")
+    };
+    for index in 0..axes.count {
+        let gains = axes.gains.get(index).map(|gains| format!("k = {}", list(gains)));
+        let limit = axes.limits.get(index).map(|limit| format!("u_max = {limit}"));
+        let gain = axes.input_gains.get(index).map(|g| format!("g = {g}"));
+        let own: Vec<_> = [gains, limit, gain].into_iter().flatten().collect();
+        lines.push(format!("  axis {}: {}", index + 1, own.join("; ")));
+    }
+    lines
+}
+
+/// Whether each axis has a value of its own of a parameter that the spec fixes.
+pub(super) fn have_own(spec: &Spec, parameter: Parameter) -> bool {
+    spec.axes.as_ref().is_some_and(|axes| match parameter {
+        Parameter::Gain(_) => !axes.gains.is_empty(),
+        Parameter::UMax => !axes.limits.is_empty(),
+        _ => false,
+    })
+}

@@ -1,0 +1,57 @@
+//! Several axes that share one deadline and one mapping.
+
+use super::Spec;
+use crate::algebra::BigRational;
+use crate::expression::Expression;
+use crate::parameter::{Fixed, Parameter};
+
+/// The axes of one controller. The spec itself is that of the first; what an axis has of its own stands
+/// here, for each of them, and is empty where they share it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axes {
+    /// How many there are.
+    pub count: usize,
+    /// Gains k_1..k_n of each.
+    pub gains: Vec<Vec<Fixed>>,
+    /// The poles of each, from which the gains were computed.
+    pub poles: Vec<Vec<(BigRational, BigRational)>>,
+    /// Bound of |u| of each.
+    pub limits: Vec<Fixed>,
+    /// Input gain g of each.
+    pub input_gains: Vec<Expression>,
+}
+
+impl Axes {
+    /// Whether an axis has something of its own.
+    pub fn differ(&self) -> bool {
+        !self.gains.is_empty() || !self.limits.is_empty() || !self.input_gains.is_empty()
+    }
+}
+
+impl Spec {
+    /// The controller of one axis, from 0, alone.
+    #[must_use]
+    pub fn axis(&self, index: usize) -> Self {
+        let mut spec = Self { axes: None, ..self.clone() };
+        let Some(axes) = &self.axes else { return spec };
+        if let Some(gains) = axes.gains.get(index) {
+            spec.fixed.extend((1..).map(Parameter::Gain).zip(gains.iter().cloned()));
+            spec.poles = axes.poles.get(index).cloned().unwrap_or_default();
+        }
+        if let Some(limit) = axes.limits.get(index) {
+            spec.fixed.insert(Parameter::UMax, limit.clone());
+        }
+        if let Some(gain) = axes.input_gains.get(index) {
+            spec.input_gain = (*gain != Expression::integer(1)).then(|| gain.clone());
+        }
+        spec
+    }
+
+    /// The controllers of one axis that differ: one where all axes share everything.
+    pub fn designs(&self) -> Vec<Self> {
+        match &self.axes {
+            Some(axes) if axes.differ() => (0..axes.count).map(|index| self.axis(index)).collect(),
+            _ => vec![self.axis(0)],
+        }
+    }
+}

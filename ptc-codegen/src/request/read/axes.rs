@@ -1,0 +1,192 @@
+//! Several axes: how many, and what each has of its own.
+
+use super::{Reader, count, items, shown};
+use crate::expression::{self, Expression};
+use crate::limits::AXES;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::{After, Axes, Feedback, Reference, Spec, What};
+use crate::syntax::{Node, Value};
+
+/// What is bounded alike on all axes, whose states have the same units.
+const BOUNDS: [&str; 6] = ["noise", "noise_rms", "sensor_step", "error", "x0_max", "x_max"];
+
+impl<'a> Reader<'a> {
+    /// The number of axes; none for one chain.
+    pub(super) fn axes(&mut self) -> Option<usize> {
+        let node = self.keys.get("axes").copied()?;
+        let found = count(node, AXES.size());
+        if found.is_none() {
+            let message = format!("axes = {} is not a number of axes", shown(&node.value));
+            let help = format!("axes is an integer 1..={}", AXES.most);
+            self.wrong("axes", Some(node.place), message, help);
+        }
+        found
+    }
+
+    /// The values of a key for each axis, where it has such: those of gains and poles are lists.
+    fn each(&self, key: &str) -> &'a [Node] {
+        let Some(node) = self.keys.get(key).copied() else { return &[] };
+        let is_list = |node: &Node| matches!(node.value, Value::List(_));
+        let is_own = match key {
+            "limits" => true,
+            "g" => is_list(node),
+            _ => items(node).iter().any(is_list),
+        };
+        if is_own { items(node) } else { &[] }
+    }
+
+    /// The value of a key for the first axis, with which that of one chain is read.
+    pub(super) fn first(&self, key: &str, node: &'a Node) -> &'a Node {
+        self.each(key).first().unwrap_or(node)
+    }
+
+    /// The values of a key for so many axes.
+    fn for_axes(&mut self, key: &'static str, number: usize) -> &'a [Node] {
+        let all = self.each(key);
+        if all.is_empty() || all.len() == number {
+            return all;
+        }
+        let place = self.keys.get(key).map(|node| node.place);
+        let message = format!("{} values of `{key}` for {number} axes", all.len());
+        let help = format!("give one for each of the {number} axes, or one that all share");
+        self.wrong(key, place, message, help);
+        &[]
+    }
+
+    /// What the axes of a spec, which is that of the first, have of their own.
+    pub(super) fn own_values(&mut self, spec: &mut Spec, number: usize, n: Option<usize>) {
+        let known = super::known(spec.time_mapping.parameters());
+        let mut axes = Axes {
+            count: number,
+            gains: Vec::new(),
+            poles: Vec::new(),
+            limits: Vec::new(),
+            input_gains: Vec::new(),
+        };
+        let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
+        let first: Option<Vec<Fixed>> = first.collect();
+        if let Some((_, rest)) = self.for_axes("gains", number).split_first() {
+            let rest = rest.iter().map(|row| {
+                self.gains(n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
+            });
+            axes.gains = first.iter().cloned().chain(rest.collect::<Vec<_>>()).collect();
+        } else if let Some((_, rest)) = self.for_axes("poles", number).split_first() {
+            axes.gains.extend(first);
+            axes.poles.push(spec.poles.clone());
+            for row in rest {
+                let (poles, gains) = self.pole_gains("poles", n, row);
+                axes.gains.push(super::law::fixed(gains).into_values().collect());
+                axes.poles.push(poles);
+            }
+        }
+        for item in self.for_axes("limits", number) {
+            let limit = self.parameter("limits", Parameter::UMax, item);
+            if limit.as_ref().is_some_and(|limit| limit.number().is_none()) {
+                let help = "give a bound that u does not reach, or leave `limits` out for u_max = inf on all axes";
+                let message = "an axis without a bound beside others".to_owned();
+                self.wrong("limits", Some(item.place), message, help.to_owned());
+            }
+            axes.limits.extend(limit);
+        }
+        for item in self.for_axes("g", number) {
+            let gain = self.input_gain_of(item, spec.n, &known);
+            axes.input_gains.extend(gain);
+        }
+        if let Some(limit) = axes.limits.first() {
+            spec.fixed.insert(Parameter::UMax, limit.clone());
+        }
+        spec.axes = Some(axes);
+    }
+
+    /// Refuses what has no meaning for several axes, or beside none.
+    pub(super) fn fits_axes(&mut self, spec: &Spec, samples: bool) {
+        let Some(axes) = &spec.axes else {
+            for key in ["gains", "poles", "limits", "g"] {
+                let Some(node) = self.keys.get(key).copied() else { continue };
+                let number = self.each(key).len();
+                // A number of axes that could not be read is a mistake already.
+                if number > 0 && !self.keys.contains_key("axes") {
+                    let message = format!("`{key}` of each axis, and `axes` is not given");
+                    let one = if key == "limits" { "u_max" } else { "one value" };
+                    let help = format!("give axes = {number}, or {one} for one chain");
+                    self.wrong(key, Some(node.place), message, help);
+                }
+            }
+            return;
+        };
+        let moves = |g: &Expression| g.any(&|e| matches!(e.node(), expression::Node::Variable(_)));
+        let curved = spec.input_gain.iter().chain(&axes.input_gains).any(moves);
+        let alone = "make a controller for each axis, armed at the same t0 with the same tau";
+        let beside = [
+            (
+                "clock",
+                samples,
+                "axes need a clock in time",
+                "leave `clock` out, or make a controller for each axis and call all with the same k",
+            ),
+            (
+                "what",
+                spec.what != What::Controller,
+                "axes are of a controller",
+                "leave `axes` out: the infinite-time system is that of one axis",
+            ),
+            (
+                "dynamics",
+                spec.model.is_some(),
+                "the axes are chains, and a model is one plant",
+                alone,
+            ),
+            (
+                "f",
+                spec.drift.is_some(),
+                "f depends on the state of one axis",
+                "cancel f outside, or make a controller for each axis",
+            ),
+            (
+                "pi0",
+                spec.feedback != Feedback::Linear,
+                "axes need a linear law",
+                "give gains or poles, or make a controller for each axis",
+            ),
+            (
+                "after",
+                spec.after != After::Hold,
+                "axes hold their gains after the deadline",
+                "leave `after` out, and set u = 0 outside",
+            ),
+            (
+                "reference",
+                matches!(spec.reference, Some(Reference::Known(_))),
+                "each axis has a reference of its own",
+                "give `reference` = input: each call is given those of all axes",
+            ),
+            (
+                "g",
+                curved,
+                "g of the axes depends on the state or time",
+                "leave g out, and divide the u of each axis by its g(x, t) outside: u_max then bounds g u",
+            ),
+            (
+                "u_max",
+                !axes.limits.is_empty(),
+                "`u_max` beside `limits`",
+                "give `limits` for each axis, or `u_max` for all",
+            ),
+        ];
+        for (key, wrong, message, help) in beside {
+            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+        for key in BOUNDS {
+            let Some(node) = self.keys.get(key).copied() else { continue };
+            if items(node).iter().any(|item| matches!(item.value, Value::List(_))) {
+                let message = format!("`{key}` differs between the axes");
+                let help = format!(
+                    "axes share their units and {key}: bring them to one unit, or take the greatest; {alone}"
+                );
+                self.wrong(key, Some(node.place), message, help);
+            }
+        }
+    }
+}
