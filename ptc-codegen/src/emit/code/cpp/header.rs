@@ -82,6 +82,7 @@ impl Cpp<'_> {
         self.out.line("");
         self.out.open("private:");
         self.finite();
+        self.absolute(Owner::Gains);
         self.out.close("};");
     }
 
@@ -113,7 +114,8 @@ impl Cpp<'_> {
         self.out.line("");
         self.out.open("private:");
         self.finite();
-        self.helpers();
+        self.absolute(Owner::Controller);
+        self.rows_of_loops();
         self.out.line("");
         for field in &code.fields {
             self.member(field, "_", "//");
@@ -163,11 +165,17 @@ impl Cpp<'_> {
         self.out.close("}");
     }
 
-    fn helpers(&mut self) {
+    /// |v| as a constant expression, where the functions of `owner` take it.
+    fn absolute(&mut self, owner: Owner) {
         let (code, real) = (self.code, self.real_type());
-        let mut absolute = false;
-        code.visit(&mut |value| absolute |= matches!(value, Expr::Call(Math::Abs, _)));
-        if absolute {
+        let mut taken = false;
+        let mut look = |value: &Expr| taken |= matches!(value, Expr::Call(Math::Abs, _));
+        if owner == Owner::Controller {
+            code.init.iter().for_each(|statement| statement.visit(&mut look));
+        }
+        let functions = code.functions.iter().filter(|function| function.owner == owner);
+        functions.for_each(|function| function.visit(&mut look));
+        if taken {
             // 0 - v gives 0 for both zeros, and no number for none.
             let zero = self.literal("0.0");
             self.out.line("");
@@ -176,6 +184,10 @@ impl Cpp<'_> {
             self.out.line(format!("return (v > {zero}) ? v : ({zero} - v);"));
             self.out.close("}");
         }
+    }
+
+    fn rows_of_loops(&mut self) {
+        let code = self.code;
         let formed = code.functions.iter().flat_map(|function| &function.body);
         let weights = formed.filter_map(|statement| match statement {
             Statement::Rows { weights, .. } => Some(weights.len()),
