@@ -91,9 +91,12 @@ function start() {
     ask();
   });
   $("overlays").append(own);
-  for (const { name } of known.examples) $("examples").append(element("option", { value: name }, name));
+  const examples = known.examples.flatMap(({ designs }) => designs);
+  for (const { label, designs } of known.examples) {
+    $("examples").append(element("optgroup", { label }, ...designs.map(({ name }) => element("option", { value: name }, name))));
+  }
   $("examples").addEventListener("change", () => {
-    const example = known.examples.find(({ name }) => name === $("examples").value);
+    const example = examples.find(({ name }) => name === $("examples").value);
     if (!example) return;
     $("x0").value = example.x0;
     editor.put(example.text);
@@ -123,7 +126,7 @@ function start() {
     if (contentRect.width !== width) requestAnimationFrame(runs.draw);
     width = contentRect.width;
   }).observe($("charts"));
-  const first = known.examples.find(({ name }) => name === known.first);
+  const first = examples.find(({ name }) => name === known.first);
   load(link.read() ?? { design: first.text, language: "c", x0: first.x0, seed: 0, log: false, overlays: [] });
 }
 

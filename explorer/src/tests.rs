@@ -15,8 +15,8 @@ fn example(name: &str) -> String {
 }
 
 fn examples() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
-    let folders = [root.clone(), root.join("reproductions")];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folders = [root.join("examples"), root.join("ptc-codegen/catalogue")];
     let all = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("a folder"));
     let paths = all.map(|entry| entry.expect("an entry").path());
     paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect()

@@ -62,7 +62,7 @@ fn main() -> Result<()> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let target = std::path::absolute(target.unwrap_or_else(|| root.join("target")))?;
     let engine = packed(&engine(root, &target)?)?;
-    let page = page(&engine, &examples(&root.join("examples"))?)?;
+    let page = page(&engine, &examples(root)?)?;
     let out = target.join("explorer");
     fs::create_dir_all(&out)?;
     let path = out.join("explorer.html");
@@ -87,8 +87,16 @@ fn engine(root: &Path, target: &Path) -> Result<Vec<u8>> {
     fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The designs that a reader begins with, by their names.
-fn examples(folder: &Path) -> Result<Vec<Value>> {
+/// The designs that a reader begins with, by their names, in groups.
+fn examples(root: &Path) -> Result<Vec<Value>> {
+    let groups = [("Examples", "examples"), ("Published controllers", "ptc-codegen/catalogue")];
+    let group =
+        |(label, folder)| Ok(json!({ "label": label, "designs": designs(&root.join(folder))? }));
+    groups.into_iter().map(group).collect()
+}
+
+/// The designs in a folder.
+fn designs(folder: &Path) -> Result<Vec<Value>> {
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();

@@ -1,11 +1,12 @@
 //! Long floating-point numbers of one working precision.
 
 use astro_float_num::{BigFloat, Consts, INF_POS, NAN, RoundingMode};
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 use super::work::{Costs, Work};
 use crate::algebra::{BigInt, BigRational};
 use crate::expression::Function;
+use crate::expression::interval::leading;
 
 /// How the library rounds: the error of one operation is below one unit of the last place either
 /// way, and two precisions that agree bound the sum.
@@ -247,9 +248,11 @@ pub(super) fn nearest(a: &BigFloat) -> f64 {
         return sign * f64::INFINITY;
     }
     let Some((words, _, _, exponent, _)) = a.as_raw_parts() else { return f64::NAN };
-    let Some(top) = words.last().filter(|top| !top.is_zero()) else { return sign * 0.0 };
-    // The top word w stands for w 2^-64, between 1/2 and 1; two factors keep 2^exponent in range.
-    let fraction = top.to_f64().unwrap_or(f64::NAN) * 2f64.powi(-64);
+    let fraction = leading(words);
+    if fraction == 0.0 {
+        return sign * 0.0;
+    }
+    // The fraction is between 1/2 and 1; two factors keep 2^exponent in range.
     let exponent = exponent.clamp(-2200, 2200);
     let half = exponent / 2;
     sign * (fraction * 2f64.powi(half)) * 2f64.powi(exponent - half)

@@ -45,11 +45,16 @@ const BAD: [(&str, &str); 15] = [
     ("word of a language", "n = 2\nmu = \"exp(a=1)\"\nname = \"function\"\n"),
 ];
 
-/// The examples of the repository and the designs with mistakes, as files in `folder`; a few of them
+/// The examples of the repository, the published controllers and the designs with mistakes, as files in `folder`; a few of them
 /// where `few` is set.
 pub(super) fn cases(folder: &Path, few: bool) -> Result<Vec<Case>> {
     let mut cases = Vec::new();
-    for entry in fs::read_dir(workspace().join("examples"))? {
+    let folders = ["examples", "ptc-codegen/catalogue"].map(|folder| workspace().join(folder));
+    let mut entries = Vec::new();
+    for folder in folders {
+        entries.extend(fs::read_dir(folder)?);
+    }
+    for entry in entries {
         let path = entry?.path();
         if path.extension().is_some_and(|end| end == "toml") {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -29,7 +29,8 @@ ERRORS = """() => [...document.querySelectorAll("#errors li")].map((e) => ({
   message: e.querySelector(".message").textContent.replace(/^line \\d+, column \\d+: /, "") }))"""
 
 # Text of the design that is underlined.
-MARKED = """() => [...document.querySelectorAll("#marks mark")].map((e) => e.textContent)"""
+MARKED = """() => [...document.querySelectorAll("#marks mark")]
+  .filter((e) => e.getClientRects().length > 0).map((e) => e.textContent)"""
 
 VIEWS = {
     "light": (1400, 900, "light"),
@@ -143,6 +144,7 @@ def main(binary, path, designs, languages, pictures):
         told["start"] = min(started(browser, path, told) for _ in range(STARTS))
         told["views"] = looked(browser, path, told, pictures)
         opened = Page(browser, path, told)
+        opened.after(lambda: opened.page.fill("#x0", ""))
         told["designs"] = {design["name"]: typed(opened, design, languages.split(",")) for design in designs}
         told["handled"] = handled(opened, browser, path, told, designs[0])
         browser.close()

@@ -6,7 +6,7 @@
 
 mod functions;
 
-use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode};
+use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, WORD_BIT_SIZE, Word};
 use num_traits::{Signed, ToPrimitive};
 
 use crate::algebra::{BigInt, BigRational};
@@ -38,6 +38,15 @@ fn below(a: &BigFloat, b: &BigFloat) -> bool {
 /// [`Interval::around`]; the library would take time with the size of its exponent.
 fn is_tiny(x: &BigFloat) -> bool {
     x.exponent().is_some_and(|e| e < -70)
+}
+
+/// The first 64 bits of a mantissa as a number below 1. A word has 32 or 64 bits, as the machine has.
+#[allow(clippy::cast_precision_loss)]
+pub(crate) fn leading(mantissa: &[Word]) -> f64 {
+    let words = mantissa.iter().rev().take(64 / WORD_BIT_SIZE);
+    let bits = WORD_BIT_SIZE * words.len();
+    let size = words.fold(0_u128, |size, word| (size << WORD_BIT_SIZE) | u128::from(*word));
+    size as f64 / 2f64.powi(i32::try_from(bits).unwrap_or(0))
 }
 
 /// 2^exponent.
@@ -180,8 +189,10 @@ impl Interval {
     pub(crate) fn ends(&self) -> Option<(BigRational, BigRational)> {
         let exact = |end: &BigFloat| {
             let (words, _, sign, exponent, _) = end.as_raw_parts()?;
-            let size = words.iter().rev().fold(BigInt::from(0), |size, word| (size << 64) + word);
-            let shift = exponent - i32::try_from(64 * words.len()).ok()?;
+            let words = words.iter().rev();
+            let bits = WORD_BIT_SIZE * words.len();
+            let size = words.fold(BigInt::from(0), |size, word| (size << WORD_BIT_SIZE) + *word);
+            let shift = exponent - i32::try_from(bits).ok()?;
             let size =
                 BigRational::from_integer(size) * BigRational::from_integer(2.into()).pow(shift);
             Some(if sign.is_negative() { -size } else { size })
@@ -199,11 +210,10 @@ impl Interval {
                     f64::NEG_INFINITY
                 }
             }
-            #[allow(clippy::cast_precision_loss)]
-            (Some([.., digits]), Some(exponent)) => {
+            (Some(digits), Some(exponent)) => {
                 // In two steps, as 2^exponent alone may be out of range.
                 let half = exponent / 2;
-                let size = *digits as f64 * 2f64.powi(-64);
+                let size = leading(digits);
                 let size = size * 2f64.powi(half) * 2f64.powi(exponent - half);
                 if end.is_positive() { size } else { -size }
             }
