@@ -6,11 +6,15 @@ use std::path::PathBuf;
 use ptc_codegen::request::Guard;
 use serde::{Deserialize, Serialize};
 
+use crate::case::guard_name;
 use crate::failure::{Failure, Result, While};
 use crate::{callgrind, counts, samples, tools};
 
-/// The orders of the subset with a clock in time: every family, both precisions, guard `none`, in C.
+/// The orders of the subset with a clock in time: every family, both precisions, in C.
 const ORDERS: [usize; 4] = [1, 3, 6, 12];
+
+/// Its guards: the leanest and the default, whose counts have its name behind them.
+const GUARDS: [(Guard, &str); 2] = [(Guard::None, ""), (Guard::Full, " full")];
 
 /// How much more than the baseline a count may be.
 const TOLERANCE: f64 = 1.02;
@@ -27,11 +31,13 @@ struct Baseline {
 pub(crate) fn gate(update: bool) -> Result<()> {
     callgrind::available()?;
     let mut now = BTreeMap::new();
-    for count in counts::in_c("gate", &ORDERS, &[Guard::None])? {
+    for count in counts::in_c("gate", &ORDERS, &GUARDS.map(|(guard, _)| guard))? {
         let key = format!("{} n={} {}", count.key.variant, count.key.n, count.key.precision);
+        let of_guard = |(guard, _): &&(Guard, &str)| guard_name(*guard) == count.key.guard;
+        let behind = GUARDS.iter().find(of_guard).map_or("", |(_, behind)| behind);
         for (function, value) in [("step", count.step), ("tick", count.tick), ("axis", count.axis)]
         {
-            now.insert(format!("{key} {function}"), rounded(value));
+            now.insert(format!("{key} {function}{behind}"), rounded(value));
         }
     }
     now.extend(samples::counts()?.iter().map(|count| (count.key(), rounded(count.step))));
