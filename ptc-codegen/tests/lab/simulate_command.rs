@@ -54,7 +54,9 @@ fn starts_and_mappings_are_overlaid() {
             .into_iter()
             .enumerate()
     {
-        let alone = stdout(&folder, &["stage.toml", "--mu", mu, "--x0", x0, "--at", "0,0.5"]);
+        // A picture has instants of its own, which the integration meets too.
+        let alone = ["stage.toml", "--mu", mu, "--x0", x0, "--at", "0,0.5", "--plot", "one.svg"];
+        let alone = stdout(&folder, &alone);
         for (one, row) in rows(&alone).iter().zip(&seen[2 * run..]) {
             assert_eq!(one[..], row[1..], "{mu} {x0}");
         }
@@ -204,7 +206,7 @@ fn bad_input_gets_one_clear_message_and_no_file() {
             ],
         ),
         (&["typo.toml", "--x0=1,0"], &["`x3` does not exist", "typo.toml:9:6", "f = \"x3\""]),
-        (&["stage.toml", "--x0=1,0", "--tau=1,2,1.0"], &["tau = 1 is given twice"]),
+        (&["stage.toml", "--x0=1,0", "--tau=1,2,1.0"], &["tau = 1 s is given twice"]),
         (&["stage.toml", "--x0=1,0", "--tau=1", "--tau=2"], &["cannot be used multiple times"]),
         (&["stage.toml", "--x0=1,0", "--tau=1,x"], &["--tau \"x\""]),
         (&["stage.toml", "--x0=1,0", "--at=0.5,1"], &["outside [0, 1)", "| --at \"0.5,1\""]),

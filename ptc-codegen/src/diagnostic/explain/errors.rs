@@ -25,7 +25,13 @@ const fn file(
 /// The command of most examples with a design file.
 const CHECK: &str = "ptc-codegen check design.toml";
 
-pub(super) static ERRORS: [Explanation; 29] = [
+pub(super) static ERRORS: [Explanation; 30] = [
+    flags(
+        "axes",
+        "The command knows one chain of integrators, not several axes.",
+        "ptc-codegen simulate --n 2 --mu \"exp(a=1)\" --poles=-4,-5 --axes 2 --tau 1 --x0 1,0",
+        "leave `axes` out: each axis is a chain by itself, with the gains, the limit and the g of that axis",
+    ),
     flags(
         "bad-expression",
         "An expression has a name or a function that is not known there, or cannot be what it is given for.",

@@ -337,7 +337,8 @@ fn the_bounds_of_a_loop_are_bars() {
         let inside = |point: &str| {
             let (x, y) = point.split_once(',').expect("a point");
             let [x, y]: [f64; 2] = [x, y].map(|place| place.parse().expect("a number"));
-            (60.0..=450.0).contains(&x) && (0.0..=220.0).contains(&y)
+            // In tenths of a pixel.
+            (800.0..=4800.0).contains(&x) && (0.0..=2400.0).contains(&y)
         };
         let points: Vec<_> = line.expect("points").split_whitespace().collect();
         assert!(points.len() > 20 && points.iter().all(|point| inside(point)), "{points:?}");

@@ -179,9 +179,9 @@ fn a_constant_takes_one_subtraction() {
     };
     let rest = code("");
     let moved = code("reference = \"0.25\"");
-    let without =
-        moved.replace("            const double e1 = x1 - 0.25;\n", "").replace("e1", "x1");
-    assert!(moved.contains("e1 = x1 - 0.25;"), "{moved}");
+    let subtracted = "        const double e1 = x[0] - 0.25;\n";
+    let without = moved.replace(subtracted, "").replace("e1", "x[0]");
+    assert!(moved.contains(subtracted), "{moved}");
     assert_eq!(without, rest);
     assert_eq!(code("reference = \"0\""), rest);
 }
