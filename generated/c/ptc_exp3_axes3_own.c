@@ -113,7 +113,6 @@ ptc_status ptc_exp3_axes3_own_axis(
     const ptc_exp3_axes3_own_gains *gains,
     uint32_t axis,
     const double x[3],
-    const double r[4],
     double *u)
 {
     ptc_status status = PTC_E_INPUT;
@@ -121,41 +120,32 @@ ptc_status ptc_exp3_axes3_own_axis(
     if (u != NULL) {
         *u = 0.0;
     }
-    if ((gains != NULL) && (x != NULL) && (r != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double r0 = r[0];
-        const double r1 = r[1];
-        const double r2 = r[2];
-        const double r3 = r[3];
-        if ((axis < 3U)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(r0) != 0)
-            && (isfinite(r1) != 0)
-            && (isfinite(r2) != 0)
-            && (isfinite(r3) != 0)) {
-            const double e1 = x1 - r0;
-            const double e2 = x2 - r1;
-            const double e3 = x3 - r2;
-            const double s1 = gains->gain[3U * axis] * e1;
-            const double s2 = s1 + (gains->gain[(3U * axis) + 1U] * e2);
-            const double v1 = s2 + (gains->gain[(3U * axis) + 2U] * e3) + r3;
+    if ((gains != NULL) && (x != NULL) && (u != NULL)) {
+        if (axis < 3U) {
+            const double s1 = gains->gain[3U * axis] * x[0];
+            const double s2 = s1 + (gains->gain[(3U * axis) + 1U] * x[1]);
+            const double v1 = s2 + (gains->gain[(3U * axis) + 2U] * x[2]);
             const double s3 = gains->input_gain[axis];
             const double v = v1 / (((s3 < 0.0) || (s3 > 0.0)) ? s3 : (double)NAN);
-            if (gains->u_max[axis] < v) {
-                *u = gains->u_max[axis];
-                status = PTC_SATURATED;
-            } else if (v < -gains->u_max[axis]) {
-                *u = -gains->u_max[axis];
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max[axis])) {
                 status = gains->status;
+            } else if ((isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)) {
+                if (gains->u_max[axis] < v) {
+                    *u = gains->u_max[axis];
+                    status = PTC_SATURATED;
+                } else if (v < -gains->u_max[axis]) {
+                    *u = -gains->u_max[axis];
+                    status = PTC_SATURATED;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -166,13 +156,12 @@ ptc_status ptc_exp3_axes3_own_step(
     const ptc_exp3_axes3_own *self,
     double t,
     const double x[3][3],
-    const double r[3][4],
     double u[3],
     ptc_status axes[3])
 {
     ptc_status status = PTC_E_INPUT;
 
-    if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL) && (axes != NULL)) {
+    if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
         ptc_exp3_axes3_own_gains gains;
         const ptc_status now = ptc_exp3_axes3_own_tick(self, t, &gains);
 
@@ -181,7 +170,7 @@ ptc_status ptc_exp3_axes3_own_step(
             u[axis] = 0.0;
             axes[axis] = now;
             if (now >= PTC_OK) {
-                axes[axis] = ptc_exp3_axes3_own_axis(&gains, axis, x[axis], r[axis], &u[axis]);
+                axes[axis] = ptc_exp3_axes3_own_axis(&gains, axis, x[axis], &u[axis]);
             }
             if ((status >= PTC_OK) && ((axes[axis] < PTC_OK) || (axes[axis] == PTC_SATURATED))) {
                 status = axes[axis];

@@ -2,14 +2,14 @@
  * Prescribed-time controller ptc_exp3_axes3_own: order n = 3, mapping exp.
  *
  * DO NOT EDIT. Made by:
- *   ptc-codegen emit --lang c --n 3 --axes 3 --mu "exp(a=1)" --name ptc_exp3_axes3_own --limits=40,40,15 --poles="[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]" --g="[1/m, 1/m, 2]" --reference input
+ *   ptc-codegen emit --lang c --n 3 --axes 3 --mu "exp(a=1)" --name ptc_exp3_axes3_own --limits=40,40,15 --poles="[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]" --g="[1/m, 1/m, 2]"
  * Version 0.1.0.
  *
  * Plant: x1' = x2, ..., x3' = f + g u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, g
  *       u in U/s^3.
- * Goal: x = (r, r', ...) of the reference that each call is given at the deadline t0 + tau
- *       from any state at t0, up to the error that the hold at eps, sampling, f and clipping
- *       leave. The checks below say what is known of this design.
+ * Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+ *       eps, sampling, f and clipping leave. The checks below say what is known of this
+ *       design.
  * f is not part of the law: cancel its known terms before the call.
  * Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
  *       on time once.
@@ -45,12 +45,10 @@
  *   B_{3,1} = a^3*T
  *   B_{3,2} = -3*a^3*T^2
  *
- * Law, Theorem 1, with xi = BB_n e and t_kappa = kappa(Dt) + t0:
- *   u = (kappa'^n (pi0(xi, t_kappa) - b_n^T e) + r^(3))/g
+ * Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+ *   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)/g
  *   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
- *   e_i = x_i - r^(i-1), where r^(0)..r^(3) are the reference and its derivatives, r[0]..r[3]
- *       of each call
- *   u = (sum_j gain_j e_j + r^(3))/g
+ *   u = (sum_j gain_j x_j)/g
  *   gain_j = inv_T^(n+1-j) row_j
  *   K1, K2, ...: K_i = k_i/a^(n+1-i)
  *   row_1 = -K1
@@ -61,7 +59,7 @@
  * From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
  * |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
  *       deadline.
- * Guard full: t, x and r are finite, t >= t0 and no pointer is NULL, or the call is refused
+ * Guard full: t and x are finite, t >= t0 and no pointer is NULL, or the call is refused
  *       (status E_INPUT).
  * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
  *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
@@ -74,7 +72,7 @@
  *   loop: not checked: it needs a value of `tau`.
  *   envelope: not checked: `x_max` is not given.
  *
- * Operations of one step, without input checks and clipping: 21 additions or comparisons, 20
+ * Operations of one step, without input checks and clipping: 9 additions or comparisons, 20
  *       multiplications, 4 divisions.
  */
 #ifndef PTC_EXP3_AXES3_OWN_H
@@ -121,7 +119,7 @@ typedef struct ptc_exp3_axes3_own {
 
 /* Feedback gains at one time. */
 typedef struct ptc_exp3_axes3_own_gains {
-    double gain[9]; /* u input_gain = gain[3*axis] e[0] + ... + gain[3*axis + 2] e[2] + r[3], e[i] = x[i] - r[i] */
+    double gain[9]; /* u input_gain = gain[3*axis] x[0] + ... + gain[3*axis + 2] x[2] */
     double input_gain[3]; /* g */
     double u_max[3]; /* bound of |u| of each axis */
     ptc_status status; /* PTC_OK or PTC_HOLD */
@@ -148,26 +146,23 @@ ptc_status ptc_exp3_axes3_own_tick(
     ptc_exp3_axes3_own_gains *gains);
 
 /*
- * u of one axis from its state x = (x1, x1', ...), its reference r = (r, r', ...) and the gains. On
- * a negative status u is 0 and nothing has changed.
+ * u of one axis from its state x = (x1, x1', ...) and the gains. On a negative status u is 0 and
+ * nothing has changed.
  */
 ptc_status ptc_exp3_axes3_own_axis(
     const ptc_exp3_axes3_own_gains *gains,
     uint32_t axis,
     const double x[3],
-    const double r[4],
     double *u);
 
 /*
- * u of 3 axes at time t [s], from the state x = (x1, x1', ...) and the reference r = (r, r', ...)
- * of each. Its status is that of the first axis that fails, and then every u is 0; else SATURATED
- * where an axis is.
+ * u of 3 axes at time t [s], from the state x = (x1, x1', ...) of each. Its status is that of the
+ * first axis that fails, and then every u is 0; else SATURATED where an axis is.
  */
 ptc_status ptc_exp3_axes3_own_step(
     const ptc_exp3_axes3_own *self,
     double t,
     const double x[3][3],
-    const double r[3][4],
     double u[3],
     ptc_status axes[3]);
 

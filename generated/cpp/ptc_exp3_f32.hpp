@@ -153,6 +153,11 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+
+    static constexpr float absolute(float v) noexcept
+    {
+        return (v > 0.0f) ? v : (0.0f - v);
+    }
 };
 
 /// Controller: set by init, changed by arm and by what is not const.

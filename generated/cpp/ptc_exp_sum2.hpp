@@ -149,6 +149,11 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
+    }
 };
 
 /// Controller: set by init, changed by arm and by what is not const.

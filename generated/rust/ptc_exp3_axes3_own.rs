@@ -2,14 +2,14 @@
 //!
 //! ```text
 //! DO NOT EDIT. Made by:
-//!   ptc-codegen emit --lang rust --n 3 --axes 3 --mu "exp(a=1)" --name ptc_exp3_axes3_own --limits=40,40,15 --poles="[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]" --g="[1/m, 1/m, 2]" --reference input
+//!   ptc-codegen emit --lang rust --n 3 --axes 3 --mu "exp(a=1)" --name ptc_exp3_axes3_own --limits=40,40,15 --poles="[[-4,-5,-6],[-4,-5,-6],[-6,-7,-8]]" --g="[1/m, 1/m, 2]"
 //! Version 0.1.0.
 //!
 //! Plant: x1' = x2, ..., x3' = f + g u. Time in s, x1 in any unit U, x2 in U/s, x3 in U/s^2, g
 //!       u in U/s^3.
-//! Goal: x = (r, r', ...) of the reference that each call is given at the deadline t0 + tau
-//!       from any state at t0, up to the error that the hold at eps, sampling, f and clipping
-//!       leave. The checks below say what is known of this design.
+//! Goal: x = 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at
+//!       eps, sampling, f and clipping leave. The checks below say what is known of this
+//!       design.
 //! f is not part of the law: cancel its known terms before the call.
 //! Axes: 3, each a chain of its own with this deadline and mapping. step computes what depends
 //!       on time once.
@@ -45,12 +45,10 @@
 //!   B_{3,1} = a^3*T
 //!   B_{3,2} = -3*a^3*T^2
 //!
-//! Law, Theorem 1, with xi = BB_n e and t_kappa = kappa(Dt) + t0:
-//!   u = (kappa'^n (pi0(xi, t_kappa) - b_n^T e) + r^(3))/g
+//! Law, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:
+//!   u = kappa'^n (pi0(xi, t_kappa) - b_n^T x)/g
 //!   pi0 = -(k_1 xi_1 + ... + k_3 xi_3)
-//!   e_i = x_i - r^(i-1), where r^(0)..r^(3) are the reference and its derivatives, r[0]..r[3]
-//!       of each call
-//!   u = (sum_j gain_j e_j + r^(3))/g
+//!   u = (sum_j gain_j x_j)/g
 //!   gain_j = inv_T^(n+1-j) row_j
 //!   K1, K2, ...: K_i = k_i/a^(n+1-i)
 //!   row_1 = -K1
@@ -61,7 +59,7 @@
 //! From t0 + tau - eps on, and after the deadline, the gains of T = eps are held (status HOLD).
 //! |u| <= u_max: u is clipped to it (status SATURATED). Prolonged saturation voids the
 //!       deadline.
-//! Guard full: t, x and r are finite and t >= t0, or the call is refused (INPUT).
+//! Guard full: t and x are finite and t >= t0, or the call is refused (INPUT).
 //! Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
 //!       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
 //!
@@ -73,7 +71,7 @@
 //!   loop: not checked: it needs a value of `tau`.
 //!   envelope: not checked: `x_max` is not given.
 //!
-//! Operations of one step, without input checks and clipping: 21 additions or comparisons, 20
+//! Operations of one step, without input checks and clipping: 9 additions or comparisons, 20
 //!       multiplications, 4 divisions.
 //! ```
 #![forbid(unsafe_code)]
@@ -191,7 +189,7 @@ pub struct PtcExp3Axes3Own {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(non_snake_case)]
 pub struct PtcExp3Axes3OwnGains {
-    /// u input_gain = gain\[3*axis\] e\[0\] + ... + gain\[3*axis + 2\] e\[2\] + r\[3\], e\[i\] = x\[i\] - r\[i\].
+    /// u input_gain = gain\[3*axis\] x\[0\] + ... + gain\[3*axis + 2\] x\[2\].
     pub gain: [f64; 9],
     /// g.
     pub input_gain: [f64; 3],
@@ -316,11 +314,10 @@ impl PtcExp3Axes3Own {
         })
     }
 
-    /// u of 3 axes at time t \[s\], from the state x = (x1, x1', ...) and the reference r = (r, r',
-    /// ...) of each. Its status is that of the first axis that fails, and then every u is 0; else
-    /// SATURATED where an axis is.
+    /// u of 3 axes at time t \[s\], from the state x = (x1, x1', ...) of each. Its status is that
+    /// of the first axis that fails, and then every u is 0; else SATURATED where an axis is.
     #[inline]
-    pub fn step(&self, t: f64, x: &[[f64; 3]; 3], r: &[[f64; 4]; 3]) -> Axes<3, f64> {
+    pub fn step(&self, t: f64, x: &[[f64; 3]; 3]) -> Axes<3, f64> {
         let failed = |error| Axes {
             u: [0.0; 3],
             axes: [Err(error); 3],
@@ -336,7 +333,7 @@ impl PtcExp3Axes3Own {
             status: Ok(gains.status),
         };
         for axis in 0..3 {
-            let control = gains.axis(axis as u32, &x[axis], &r[axis]);
+            let control = gains.axis(axis as u32, &x[axis]);
             all.axes[axis] = control.map(|control| control.status);
             all.u[axis] = control.map_or(0.0, |control| control.u);
             if all.status.is_ok() && matches!(all.axes[axis], Err(_) | Ok(Status::Saturated)) {
@@ -359,51 +356,36 @@ impl PtcExp3Axes3Own {
     clippy::nursery
 )]
 impl PtcExp3Axes3OwnGains {
-    /// u of one axis from its state x = (x1, x1', ...), its reference r = (r, r', ...) and the
-    /// gains.
+    /// u of one axis from its state x = (x1, x1', ...) and the gains.
     ///
     /// # Errors
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
-    pub fn axis(&self, axis: u32, x: &[f64; 3], r: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let r0 = r[0];
-        let r1 = r[1];
-        let r2 = r[2];
-        let r3 = r[3];
-        if !((axis < 3)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && r0.is_finite()
-            && r1.is_finite()
-            && r2.is_finite()
-            && r3.is_finite())
-        {
+    pub fn axis(&self, axis: u32, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(axis < 3) {
             return Err(Error::Input);
         }
-        let e1 = x1 - r0;
-        let e2 = x2 - r1;
-        let e3 = x3 - r2;
-        let s1 = self.gain[3 * axis as usize] * e1;
-        let s2 = s1 + (self.gain[3 * axis as usize + 1] * e2);
-        let v1 = s2 + (self.gain[3 * axis as usize + 2] * e3) + r3;
+        let s1 = self.gain[3 * axis as usize] * x[0];
+        let s2 = s1 + (self.gain[3 * axis as usize + 1] * x[1]);
+        let v1 = s2 + (self.gain[3 * axis as usize + 2] * x[2]);
         let s3 = self.input_gain[axis as usize];
         let v = if s3 < 0.0 || s3 > 0.0 {
             v1 / s3
         } else {
             f64::NAN
         };
-        let (u, status) = if self.u_max[axis as usize] < v {
-            (self.u_max[axis as usize], Status::Saturated)
-        } else if v < -self.u_max[axis as usize] {
-            (-self.u_max[axis as usize], Status::Saturated)
-        } else if v.is_finite() {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max[axis as usize]) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if self.u_max[axis as usize] < v {
+                (self.u_max[axis as usize], Status::Saturated)
+            } else if v < -self.u_max[axis as usize] {
+                (-self.u_max[axis as usize], Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
