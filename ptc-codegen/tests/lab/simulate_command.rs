@@ -256,8 +256,8 @@ fn bad_input_gets_one_clear_message_and_no_file() {
         ),
         (&["stage.toml", "--x0=1,0", "-o", "."], &["--out . is a folder"]),
         (
-            &["stage.toml", "--x0=1,0", "--plot=run.pdf"],
-            &["`run.pdf`: unsupported image type", ".svg or .png"],
+            &["stage.toml", "--x0=1,0", "--plot=run.eps"],
+            &["`run.eps`: unsupported image type", ".svg, .png or .pdf"],
         ),
         (
             &["stage.toml", "--x0=1,0", "-o", "a.csv", "--plot", "stage.toml/run.svg"],
