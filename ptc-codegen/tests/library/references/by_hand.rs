@@ -168,7 +168,7 @@ fn elapsed_time_passes_as_time_does() {
 fn a_constant_takes_one_subtraction() {
     let code = |keys: &str| {
         let text = format!(
-            "name = \"hold\"\nn = 3\nmu = \"exp(a=1)\"\npoles = [-4, -5, -6]\n{keys}\n[params]\n\
+            "name = \"hold\"\nn = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n{keys}\n[params]\n\
              tau = 1\nt0 = 0\neps = 1e-3\nu_max = inf\n"
         );
         let files = ptc_codegen::generate(&spec(&text), ptc_codegen::emit::Language::C);
