@@ -26,7 +26,9 @@ fn two(keys: &[(&str, &str)]) -> Result<Spec, Vec<Diagnostic>> {
 
 #[test]
 fn what_axes_cannot_have_is_refused_at_its_key() {
-    let cases: [(&[(&str, &str)], &str, &str); 17] = [
+    /// Keys, and parts of the message and of its help.
+    type Case<'a> = (&'a [(&'a str, &'a str)], &'a str, &'a str);
+    let cases: [Case<'_>; 17] = [
         (&[("n", "[2, 3]")], "n", "axes share one order"),
         (&[("axes", "0")], "axes", "an integer 1..=16"),
         (&[("axes", "17")], "axes", "an integer 1..=16"),
@@ -75,7 +77,9 @@ fn the_command_is_read_again() {
 #[test]
 fn every_axis_is_checked() {
     let shared = examine(&two(&[("poles", "-3, -4")]).expect("a legal design"));
-    let one = examine(&read_keys(&[("n", "2"), ("mu", "exp(a=1)"), ("poles", "-3, -4")]).unwrap());
+    let one = examine(
+        &read_keys(&[("n", "2"), ("mu", "exp(a=1)"), ("poles", "-3, -4")]).expect("a design"),
+    );
     assert_eq!(shared.outcomes, one.outcomes);
     let slow = examine(&two(&[("poles", "[[-3, -4], [-1, -4]]")]).expect("a legal design"));
     let growth = slow.outcomes.iter().find(|o| o.name == "growth").expect("the check");

@@ -1,6 +1,6 @@
 //! Mathematical expressions in which users give mappings, laws and input gains.
 //!
-//! [`resolve`] makes one of a parsed value: names become variables, functions and parameters. What
+//! `resolve` makes one of a parsed value: names become variables, functions and parameters. What
 //! is known by then is folded, exactly.
 
 mod arithmetic;

@@ -25,7 +25,7 @@ impl Inputs {
     /// That all of the first hold.
     pub(super) fn required(&self) -> Option<Statement> {
         let tests = self.first.clone();
-        (!tests.is_empty()).then(|| Statement::Require(Test::All(tests), Status::Input))
+        (!tests.is_empty()).then_some(Statement::Require(Test::All(tests), Status::Input))
     }
 
     /// `tracks` where u is as it should be, and else `rest` behind the tests that waited.
