@@ -113,13 +113,16 @@ fn a_nonlinear_chain_of_the_greatest_order_has_its_derivatives() {
 /// Links of the arm, each of 1 m and 1 kg at its end.
 const LINKS: usize = 7;
 
+/// An operation on two numbers or expressions.
+type Operation<'a, T> = &'a dyn Fn(&T, &T) -> T;
+
 /// Weights and torques of the arm for absolute angles and their rates: M, and c with M a'' = t - c. The
 /// links weigh on each that is before them.
 fn arm<T: Clone>(
     angles: &[T],
     rates: &[T],
     [sin, cos]: [&dyn Fn(&T) -> T; 2],
-    [minus, times, plus]: [&dyn Fn(&T, &T) -> T; 3],
+    [minus, times, plus]: [Operation<'_, T>; 3],
     number: &dyn Fn(i64) -> T,
 ) -> (Vec<Vec<T>>, Vec<T>) {
     let beyond = |k: usize| number(i64::try_from(LINKS - k).expect("few"));
@@ -140,13 +143,14 @@ fn arm<T: Clone>(
 fn solved<T: Clone>(
     mut m: Vec<Vec<T>>,
     mut b: Vec<T>,
-    [minus, times, over]: [&dyn Fn(&T, &T) -> T; 3],
+    [minus, times, over]: [Operation<'_, T>; 3],
 ) -> Vec<T> {
     for k in 0..LINKS {
         for i in k + 1..LINKS {
             let factor = over(&m[i][k], &m[k][k]);
-            for j in k + 1..LINKS {
-                m[i][j] = minus(&m[i][j], &times(&factor, &m[k][j]));
+            let above = m[k].clone();
+            for (entry, above) in m[i].iter_mut().zip(&above).skip(k + 1) {
+                *entry = minus(entry, &times(&factor, above));
             }
             b[i] = minus(&b[i], &times(&factor, &b[k]));
         }
