@@ -77,31 +77,30 @@ ptc_status ptc_exp1_step(const ptc_exp1 *self, double t, const double x[1], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double v = (self->K1 * x[0]) / late;
-        *u = v;
-        if ((self->t0 <= t)
-            && (isfinite(v) != 0)
-            && (fabs(v) <= self->u_max)
-            && (late < self->hold_from)) {
-            status = PTC_OK;
-        } else if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x[0]) != 0)) {
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                status = PTC_HOLD;
+        if (self->t0 <= t) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double v = (self->K1 * x[0]) / late;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
                 *u = 0.0;
-                status = PTC_E_RANGE;
+                status = PTC_E_INPUT;
             }
-        } else {
-            *u = 0.0;
-            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -50,34 +50,35 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < -0.001) ? past : -0.001;
-        const double inv_T = (-1.0) / late;
-        const double s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
-        const double v = (s1 + ((-12.0) * x[2])) * inv_T;
-        *u = v;
-        if ((self->t0 <= t) && (isfinite(v) != 0) && (fabs(v) <= 50.0) && (late < -0.001)) {
-            status = PTC_OK;
-        } else if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)) {
-            if (50.0 < v) {
-                *u = 50.0;
-                status = PTC_SATURATED;
-            } else if (v < -50.0) {
-                *u = -50.0;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                status = PTC_HOLD;
+        if (self->t0 <= t) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < -0.001) ? past : -0.001;
+            const double inv_T = (-1.0) / late;
+            const double s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
+            const double v = (s1 + ((-12.0) * x[2])) * inv_T;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= 50.0) && (late < -0.001)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0)
+                && (isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)) {
+                if (50.0 < v) {
+                    *u = 50.0;
+                    status = PTC_SATURATED;
+                } else if (v < -50.0) {
+                    *u = -50.0;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
                 *u = 0.0;
-                status = PTC_E_RANGE;
+                status = PTC_E_INPUT;
             }
-        } else {
-            *u = 0.0;
-            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -109,38 +109,36 @@ ptc_status ptc_exp4_step(const ptc_exp4 *self, double t, const double x[4], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_T = (-1.0) / late;
-        const double s1 = ((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T;
-        const double v = (((s1 + (self->c3 * x[2])) * inv_T) + (self->c4 * x[3])) * inv_T;
-        *u = v;
-        if ((self->t0 <= t)
-            && (isfinite(v) != 0)
-            && (fabs(v) <= self->u_max)
-            && (late < self->hold_from)) {
-            status = PTC_OK;
-        } else if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)
-            && (isfinite(x[2]) != 0)
-            && (isfinite(x[3]) != 0)) {
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                status = PTC_HOLD;
+        if (self->t0 <= t) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_T = (-1.0) / late;
+            const double s1 = ((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T;
+            const double v = (((s1 + (self->c3 * x[2])) * inv_T) + (self->c4 * x[3])) * inv_T;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0)
+                && (isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)
+                && (isfinite(x[3]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
                 *u = 0.0;
-                status = PTC_E_RANGE;
+                status = PTC_E_INPUT;
             }
-        } else {
-            *u = 0.0;
-            status = PTC_E_INPUT;
         }
     }
     return status;

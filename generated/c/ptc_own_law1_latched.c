@@ -77,34 +77,33 @@ ptc_status ptc_own_law1_latched_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double T = -late;
-        const double inv_r1 = 1.0 / T;
-        const double law = ((-2.0) * x[0]) - (x[0] * self->x1_0);
-        const double v = law * inv_r1;
-        *u = v;
-        if ((self->t0 <= t)
-            && (isfinite(v) != 0)
-            && (fabs(v) <= self->u_max)
-            && (late < self->hold_from)) {
-            status = PTC_OK;
-        } else if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x[0]) != 0)) {
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                status = PTC_HOLD;
+        if (self->t0 <= t) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double T = -late;
+            const double inv_r1 = 1.0 / T;
+            const double law = ((-2.0) * x[0]) - (x[0] * self->x1_0);
+            const double v = law * inv_r1;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
                 *u = 0.0;
-                status = PTC_E_RANGE;
+                status = PTC_E_INPUT;
             }
-        } else {
-            *u = 0.0;
-            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -77,31 +77,30 @@ ptc_status ptc_power2_unbounded_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double past = (t - self->deadline) - self->correction;
-        const double late = (past < self->hold_from) ? past : self->hold_from;
-        const double inv_w = self->minus_tau / late;
-        const double q = inv_w * inv_w;
-        const double v1 = (-4.0) * q;
-        const double row1 = v1 * q;
-        const double row2 = v1 + 3.0;
-        const double inv_T = inv_w * self->inv_tau;
-        const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
-        *u = v;
-        if ((self->t0 <= t) && (isfinite(v) != 0) && (late < self->hold_from)) {
-            status = PTC_OK;
-        } else if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x[0]) != 0)
-            && (isfinite(x[1]) != 0)) {
-            if (isfinite(v) != 0) {
-                status = PTC_HOLD;
+        if (self->t0 <= t) {
+            const double past = (t - self->deadline) - self->correction;
+            const double late = (past < self->hold_from) ? past : self->hold_from;
+            const double inv_w = self->minus_tau / late;
+            const double q = inv_w * inv_w;
+            const double v1 = (-4.0) * q;
+            const double row1 = v1 * q;
+            const double row2 = v1 + 3.0;
+            const double inv_T = inv_w * self->inv_tau;
+            const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+            *u = v;
+            if ((isfinite(v) != 0) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+                if (isfinite(v) != 0) {
+                    status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
+                }
             } else {
                 *u = 0.0;
-                status = PTC_E_RANGE;
+                status = PTC_E_INPUT;
             }
-        } else {
-            *u = 0.0;
-            status = PTC_E_INPUT;
         }
     }
     return status;

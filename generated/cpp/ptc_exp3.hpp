@@ -257,14 +257,17 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
+        if (!(t0_ <= t)) {
+            return {0.0, Status::Input};
+        }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double inv_T = (-1.0) / late;
         const double s1 = ((c1_ * x[0] * inv_T) + (c2_ * x[1])) * inv_T;
         const double v = (s1 + (c3_ * x[2])) * inv_T;
-        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+        if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
-        } else if (finite(t) && (t0_ <= t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
+        } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (u_max_ < v) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {

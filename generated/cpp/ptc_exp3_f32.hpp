@@ -257,14 +257,17 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<float> step(float t, const std::array<float, 3>& x) const noexcept
     {
+        if (!(t0_ <= t)) {
+            return {0.0f, Status::Input};
+        }
         const float past = (t - deadline_) - correction_;
         const float late = (past < hold_from_) ? past : hold_from_;
         const float inv_T = (-1.0f) / late;
         const float s1 = ((c1_ * x[0] * inv_T) + (c2_ * x[1])) * inv_T;
         const float v = (s1 + (c3_ * x[2])) * inv_T;
-        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+        if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
-        } else if (finite(t) && (t0_ <= t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
+        } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (u_max_ < v) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {

@@ -166,15 +166,18 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 1>& x) const noexcept
     {
+        if (!(t0_ <= t)) {
+            return {0.0, Status::Input};
+        }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double T = -late;
         const double inv_r1 = 1.0 / T;
         const double law = ((-2.0) * x[0]) - (x[0] * x1_0_);
         const double v = law * inv_r1;
-        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+        if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
             return {v, Status::Ok};
-        } else if (finite(t) && (t0_ <= t) && finite(x[0])) {
+        } else if (finite(t) && finite(x[0])) {
             if (u_max_ < v) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {

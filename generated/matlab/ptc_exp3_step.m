@@ -14,15 +14,19 @@ function [u, status] = ptc_exp3_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
+if ~(self.t0 <= t)
+    status = int32(-2);
+    return;
+end
 past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 inv_T = (-1.0) / late;
 s1 = ((self.c1 * x(1) * inv_T) + (self.c2 * x(2))) * inv_T;
 v = (s1 + (self.c3 * x(3))) * inv_T;
-if (self.t0 <= t) && isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
+if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
     u = v;
     status = int32(0);
-elseif isfinite(t) && (self.t0 <= t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
+elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
     if self.u_max < v
         u = self.u_max;
         status = int32(2);

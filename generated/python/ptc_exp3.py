@@ -277,12 +277,12 @@ class PtcExp3:
             inv_T = (-1.0) / late
             s1 = ((self._c1 * x1 * inv_T) + (self._c2 * x2)) * inv_T
             v = (s1 + (self._c3 * x3)) * inv_T
-            way1 = (self._t0 <= t) & np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
-            way2 = np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
+            way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
+            way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = self._u_max < v
             way4 = v < -self._u_max
             way5 = np.isfinite(v)
-            status = np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT))
+            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self._u_max, np.where(way4, -self._u_max, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:

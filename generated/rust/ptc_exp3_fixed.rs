@@ -213,20 +213,17 @@ impl PtcExp3Fixed {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
         let s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
         let v = (s1 + ((-12.0) * x[2])) * inv_T;
-        let (u, status) = if (self.t0 <= t) && v.is_finite() && (v.abs() <= 50.0) && (late < -0.001)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= 50.0) && (late < -0.001) {
             (v, Status::Ok)
-        } else if t.is_finite()
-            && (self.t0 <= t)
-            && x[0].is_finite()
-            && x[1].is_finite()
-            && x[2].is_finite()
-        {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if 50.0 < v {
                 (50.0, Status::Saturated)
             } else if v < -50.0 {

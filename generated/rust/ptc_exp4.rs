@@ -314,6 +314,9 @@ impl PtcExp4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -323,14 +326,9 @@ impl PtcExp4 {
         let inv_T = (-1.0) / late;
         let s1 = ((self.c1 * x[0] * inv_T) + (self.c2 * x[1])) * inv_T;
         let v = (((s1 + (self.c3 * x[2])) * inv_T) + (self.c4 * x[3])) * inv_T;
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
-            && (self.t0 <= t)
             && x[0].is_finite()
             && x[1].is_finite()
             && x[2].is_finite()

@@ -333,6 +333,9 @@ impl PtcExp5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -343,14 +346,9 @@ impl PtcExp5 {
         let s1 = ((self.c1 * x[0] * inv_T) + (self.c2 * x[1])) * inv_T;
         let s2 = (((s1 + (self.c3 * x[2])) * inv_T) + (self.c4 * x[3])) * inv_T;
         let v = (s2 + (self.c5 * x[4])) * inv_T;
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
-            && (self.t0 <= t)
             && x[0].is_finite()
             && x[1].is_finite()
             && x[2].is_finite()

@@ -230,6 +230,9 @@ impl PtcOwnLaw1Latched {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -240,13 +243,9 @@ impl PtcOwnLaw1Latched {
         let inv_r1 = 1.0 / T;
         let law = ((-2.0) * x[0]) - (x[0] * self.x1_0);
         let v = law * inv_r1;
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() {
+        } else if t.is_finite() && x[0].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

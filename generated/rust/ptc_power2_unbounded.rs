@@ -249,6 +249,9 @@ impl PtcPower2Unbounded {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -262,9 +265,9 @@ impl PtcPower2Unbounded {
         let row2 = v1 + 3.0;
         let inv_T = inv_w * self.inv_tau;
         let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
-        let status = if (self.t0 <= t) && v.is_finite() && (late < self.hold_from) {
+        let status = if v.is_finite() && (late < self.hold_from) {
             Status::Ok
-        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
                 Status::Hold
             } else {

@@ -279,6 +279,9 @@ impl PtcRational2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -289,13 +292,9 @@ impl PtcRational2 {
         let row1 = self.c1_2 * inv_T * inv_T;
         let row2 = (self.c2_1 * inv_T) + 2.0;
         let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

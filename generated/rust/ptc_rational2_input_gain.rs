@@ -268,6 +268,9 @@ impl PtcRational2InputGain {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -284,13 +287,9 @@ impl PtcRational2InputGain {
         } else {
             f64::NAN
         };
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

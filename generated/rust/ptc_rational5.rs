@@ -365,6 +365,9 @@ impl PtcRational5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -382,14 +385,9 @@ impl PtcRational5 {
         let row5 = (self.c5_1 * inv_T) + 20.0;
         let s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
         let v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
-            && (self.t0 <= t)
             && x[0].is_finite()
             && x[1].is_finite()
             && x[2].is_finite()

@@ -302,6 +302,9 @@ impl PtcTan2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -328,13 +331,9 @@ impl PtcTan2 {
         let cot_rate = T * inv_T_squared * th_cot_th;
         let row2 = (self.c2_2 * cot_rate_squared) + self.c2_0 + (2.0 * cot_rate);
         let v = (row1 * x[0]) + (row2 * x[1]);
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

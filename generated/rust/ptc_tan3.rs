@@ -350,6 +350,9 @@ impl PtcTan3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -379,18 +382,9 @@ impl PtcTan3 {
         let row2 = (s10 * cot_rate_squared) + self.c2_0 + s11;
         let row3 = (self.c3_2 * cot_rate_squared) + self.c3_0 + (6.0 * cot_rate);
         let v = (row1 * x[0]) + (row2 * x[1]) + (row3 * x[2]);
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite()
-            && (self.t0 <= t)
-            && x[0].is_finite()
-            && x[1].is_finite()
-            && x[2].is_finite()
-        {
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

@@ -505,6 +505,9 @@ impl PtcTan5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
+        if !(self.t0 <= t) {
+            return Err(Error::Input);
+        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -548,14 +551,9 @@ impl PtcTan5 {
         let row5 = s21 + (20.0 * cot_rate);
         let s22 = (row1 * x[0]) + (row2 * x[1]) + (row3 * x[2]) + (row4 * x[3]);
         let v = s22 + (row5 * x[4]);
-        let (u, status) = if (self.t0 <= t)
-            && v.is_finite()
-            && (v.abs() <= self.u_max)
-            && (late < self.hold_from)
-        {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if t.is_finite()
-            && (self.t0 <= t)
             && x[0].is_finite()
             && x[1].is_finite()
             && x[2].is_finite()

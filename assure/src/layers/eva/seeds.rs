@@ -14,11 +14,11 @@ use crate::layers::seeded::{Defect, put_in};
 
 /// Defects of the example, and the mode in which each is seen.
 const DEFECTS: [(Defect, usize); 10] = [
-    (("\n            && (isfinite(x[0]) != 0)", "", "the guard of x1 left out"), 0),
+    ((" && (isfinite(x[0]) != 0)", "", "the guard of x1 left out"), 0),
     (
         (
-            "(self->t0 <= t)\n            && (isfinite(v)",
-            "(isfinite(v)",
+            "if (self->t0 <= t) {",
+            "if ((self->t0 - (4.0 * self->tau)) <= t) {",
             "the guard of t0 left out",
         ),
         1,

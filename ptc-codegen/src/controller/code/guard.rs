@@ -3,7 +3,7 @@
 //! A call that tracks within its bounds tests u alone: what an input that is not finite leaves of u is
 //! not finite either ([`Program::shows`](crate::program::Program::shows)). Only where u fails are the
 //! inputs tested that waited, before anything else is decided. Inputs of library functions, of
-//! user-defined functions and of iterations do not wait.
+//! user-defined functions and of iterations do not wait, nor does the start.
 
 use super::Builder;
 use crate::code::{Expr, Finish, Statement, Status, Test};
@@ -43,14 +43,14 @@ impl Builder<'_> {
         if !self.guarded() {
             return inputs;
         }
-        let mut times = self.legal_time();
-        if !self.time_is_late() {
-            inputs.first.append(&mut times);
-        } else if self.leaves_arithmetic(self.limits.late) {
-            // No library function is given a time before the start.
-            inputs.first.extend(times.split_off(1));
+        // What is computed at a time before the start may leave the range of numbers.
+        let (finite, started): (Vec<_>, Vec<_>) =
+            self.legal_time().into_iter().partition(|test| matches!(test, Test::Finite(_)));
+        match self.time_is_late() {
+            true => inputs.waiting.extend(finite),
+            false => inputs.first.extend(finite),
         }
-        inputs.waiting.append(&mut times);
+        inputs.first.extend(started);
         self.states_of(self.controller.program.step, &mut inputs);
         inputs
     }
@@ -94,11 +94,6 @@ impl Builder<'_> {
         let time = program.input(Input::Time);
         held && self.callbacks().is_empty()
             && time.is_some_and(|time| !program.depends(time, &[late], program.step))
-    }
-
-    fn leaves_arithmetic(&self, source: Value) -> bool {
-        let program = self.controller.program;
-        program.leaves_arithmetic(source, program.step)
     }
 
     /// That u, the local value v, is finite and within its bound.

@@ -60,8 +60,7 @@ impl Builder<'_> {
             let legal = Finish::choose(ahead, give(Status::Ok), held);
             self.clipped(Finish::choose(finite(), legal, range))
         } else if self.guarded() {
-            let started = inputs.waiting.iter().find(|test| matches!(test, Test::AtMost(..)));
-            let hot = started.cloned().into_iter().chain(self.within_bounds()).chain([ahead]);
+            let hot = self.within_bounds().into_iter().chain([ahead]);
             let rest = self.clipped(Finish::choose(finite(), held, range));
             inputs.behind(hot.collect(), give(Status::Ok), rest)
         } else {
