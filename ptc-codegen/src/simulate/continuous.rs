@@ -1,6 +1,7 @@
 //! The law of Theorem 1 with its plant: the associated infinite-time system where the law holds,
 //! mapped back, and the plant itself where u is clipped.
 
+#[cfg(feature = "lab")]
 use super::lanes::StretchedLanes;
 use super::side::{At, Run, Side};
 use super::solver::State;
@@ -35,6 +36,7 @@ pub struct Continuous {
     outputs: Point,
     /// From xi to x.
     back: Point,
+    #[cfg_attr(not(feature = "lab"), allow(dead_code))]
     back_program: Arc<Program>,
     states: Vec<Value>,
     /// Whether xi is integrated, not x.
@@ -129,6 +131,7 @@ impl Continuous {
     }
 }
 
+#[cfg(feature = "lab")]
 impl Run<Continuous> {
     /// The same for many scenarios at once, where the loop is smooth and u has no bound.
     pub(crate) fn in_lanes(&self) -> Option<StretchedLanes> {

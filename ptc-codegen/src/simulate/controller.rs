@@ -21,6 +21,7 @@ pub struct Controller {
     /// The same with its kinks held, and these.
     smooth: Machine,
     kinks: Vec<Kink>,
+    #[cfg_attr(not(feature = "lab"), allow(dead_code))]
     program: Arc<Program>,
     /// Whether u is held above and below its limits -u_max and u_max.
     within: [bool; 2],
@@ -78,6 +79,7 @@ impl Controller {
     }
 
     /// The program and its kinks before the deadline, without those of a bound of u.
+    #[cfg(feature = "lab")]
     pub(super) fn program(&self) -> (&Program, &[Kink]) {
         (&self.program, &self.kinks)
     }

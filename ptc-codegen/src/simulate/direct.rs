@@ -1,5 +1,6 @@
 //! The plant itself, with the emitted program in the loop: the other side of Theorem 1.
 
+#[cfg(feature = "lab")]
 use super::lanes::DirectLanes;
 use super::plant::Motion;
 use super::side::{At, Run, Side};
@@ -33,6 +34,7 @@ impl Direct {
     }
 }
 
+#[cfg(feature = "lab")]
 impl Run<Direct> {
     /// The same for many scenarios at once, where the loop is smooth and u has no bound.
     pub(crate) fn in_lanes(&self) -> Option<DirectLanes> {

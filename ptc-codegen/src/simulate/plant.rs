@@ -17,6 +17,7 @@ pub(super) struct Motion {
     along: Along,
     kinks: Vec<Kink>,
     rates: Vec<Value>,
+    #[cfg_attr(not(feature = "lab"), allow(dead_code))]
     program: Arc<Program>,
 }
 
@@ -37,6 +38,7 @@ impl Motion {
     }
 
     /// The program and its kinks.
+    #[cfg(feature = "lab")]
     pub(super) fn program(&self) -> (&Program, &[Kink]) {
         (&self.program, &self.kinks)
     }

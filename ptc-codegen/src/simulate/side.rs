@@ -75,6 +75,7 @@ impl<S: Side> Run<S> {
         Self { side, sigma: 0.0, state: State::zeros(), walk: Walk::default() }
     }
 
+    #[cfg(feature = "lab")]
     pub(super) fn side(&self) -> &S {
         &self.side
     }
