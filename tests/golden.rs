@@ -137,8 +137,10 @@ fn every_golden_in_rust_compiles_without_a_warning() {
     let folder = folder("golden_rust");
     in_pairs(&controllers(), |spec| {
         let source = write(&folder, spec, Language::Rust).remove(0);
-        let bare = matches!(spec.family(), Some(Family::Exp | Family::Rational | Family::Tanh))
-            && spec.feedback == Feedback::Linear;
+        let bare = matches!(
+            spec.family(),
+            Some(Family::Exp | Family::Rational | Family::Tanh | Family::Soft)
+        ) && spec.feedback == Feedback::Linear;
         let no_std = if bare { "#![no_std]\n" } else { "" };
         let name = spec.name();
         let crate_root = folder.join(format!("{name}_crate.rs"));
@@ -175,6 +177,7 @@ fn every_golden_runs() {
             u_max: 1e30,
             a: 1.0,
             m: 1.5,
+            start: 0.25,
             rates: &[0.5, 1.5, 2.5][..spec.rates()],
             k: &gains,
         };

@@ -16,6 +16,7 @@ mod quantity;
 mod rows;
 mod scalar;
 mod series;
+mod soft;
 mod state;
 mod taylor;
 mod time;
@@ -65,7 +66,8 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
-    b.finish(step, gains, axis, Limits { start_time, u_max, past, late, hold_from, eps })
+    let elapsed = b.elapsed;
+    b.finish(step, gains, axis, Limits { start_time, u_max, past, late, hold_from, eps, elapsed })
 }
 
 /// The rows of the gains; empty for a law that is not a sum of gains.

@@ -312,6 +312,12 @@ impl Spec {
         #[allow(clippy::cast_precision_loss)]
         match parameter {
             Parameter::M => Some((least, (roundings / self.n as f64).floor())),
+            // More than 1 begins fast. Far below, the way on which time is stretched at all is a
+            // rounding of tau.
+            Parameter::Start => match self.precision {
+                Precision::F64 => Some((1e-12, 1.0)),
+                Precision::F32 => Some((f64::from(1e-5_f32), 1.0)),
+            },
             _ => Some((least, greatest)),
         }
     }
@@ -333,7 +339,9 @@ impl Spec {
         }
         match (self.ends(parameter), self.domain(parameter)) {
             (Some((least, _)), Domain::BelowTau) => format!(">= {}, < tau", text(least)),
-            (Some((least, greatest)), _) if parameter == Parameter::M => {
+            (Some((least, greatest)), _)
+                if matches!(parameter, Parameter::M | Parameter::Start) =>
+            {
                 format!("from {} to {greatest}", text(least))
             }
             (Some((least, greatest)), _) => format!("from {} to {}", text(least), text(greatest)),

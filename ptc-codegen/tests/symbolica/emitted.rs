@@ -33,8 +33,8 @@ fn vectors() -> BTreeMap<(Family, usize, usize), Vec<Value>> {
             }
         }
     }
-    // Seven families, one of them with two and with three rates.
-    assert_eq!(groups.len(), 8 * ORDERS.count());
+    // Eight families, one of them with two and with three rates.
+    assert_eq!(groups.len(), 9 * ORDERS.count());
     groups
 }
 

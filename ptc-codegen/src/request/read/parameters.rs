@@ -227,6 +227,7 @@ impl Reader<'_> {
                 let legal = Spec { bounds: BTreeMap::new(), ..spec.clone() }.legal(*parameter);
                 let help = match parameter {
                     Parameter::M => "; the exponent multiplies the rounding error of T/tau",
+                    Parameter::Start => "; 1 is `exp`, which starts no faster",
                     _ => "; take other units, of time for example",
                 };
                 (message, format!("{shown} ({}) is {legal}{help}", parameter.meaning()))
@@ -238,7 +239,7 @@ impl Reader<'_> {
                 Parameter::Gain(_) if self.keys.contains_key("poles") => "poles",
                 Parameter::Gain(_) => "gains",
                 Parameter::Named(_) => &own,
-                Parameter::A | Parameter::M | Parameter::Rate(_) => "mu",
+                Parameter::A | Parameter::M | Parameter::Start | Parameter::Rate(_) => "mu",
                 _ => parameter.key(),
             };
             let place = self.keys.get(key).map(|node| node.place);
