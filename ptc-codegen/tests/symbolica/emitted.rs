@@ -60,7 +60,7 @@ fn list(value: &Value) -> String {
 fn own(vector: &Value) -> String {
     let params = &vector["params"];
     let mut fields = String::new();
-    for key in ["a", "m"] {
+    for key in ["a", "m", "start"] {
         if let Some(value) = params[key].as_f64() {
             let _ = write!(fields, ".{key} = {value:?}, ");
         }

@@ -41,13 +41,6 @@ fn families_are_members_for_all_parameters() {
 }
 
 #[test]
-fn every_soft_start_is_a_member() {
-    for (least, most) in [(10, 10), (1, 1), (1, 10)] {
-        proved(Subject::Kappa, "soft", &[("tau", 20, 20), ("a", 10, 10), ("start", least, most)]);
-    }
-}
-
-#[test]
 fn what_is_made_of_families_is_a_member() {
     for text in [
         "mean(exp(a=a), exp(a=b))",
