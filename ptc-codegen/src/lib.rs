@@ -36,7 +36,7 @@ pub mod reference;
 pub mod request;
 pub mod samples;
 pub mod selftest;
-#[cfg(feature = "lab")]
+#[cfg(feature = "simulate")]
 pub mod simulate;
 pub mod syntax;
 #[cfg(feature = "lab")]
@@ -52,7 +52,8 @@ use emit::{File, Language, Project};
 use expansion::Expanded;
 use internal::{fault, guarded};
 use law::Law;
-use program::{Op, Program, number, passes};
+use program::cost::{self, Cost};
+use program::{Op, Program, Stage, number, passes};
 use request::{Spec, What};
 
 #[cfg(doctest)]
@@ -98,6 +99,21 @@ impl Accepted {
             Some(_) => emit::emit(&Controller { measured, ..self.controller() }, language),
             None => emit::emit_sampled(&self.report, language),
         })
+    }
+
+    /// The mapping, its closed forms and the law, as they are in the heads of its files.
+    pub fn formulas(&self) -> Vec<String> {
+        match &self.staged {
+            Some(_) => emit::formulas(&self.controller()),
+            None => emit::sampled_formulas(&self.report),
+        }
+    }
+
+    /// What one step costs, without input checks and clipping; `None` if the clock is in samples,
+    /// whose program has no stages.
+    pub fn cost(&self) -> Option<Cost> {
+        let (_, program) = self.staged.as_ref()?;
+        Some(cost::count(program, &[program.step], Stage::Tick))
     }
 
     /// The source of its self-test in C, and its header.

@@ -60,7 +60,7 @@ const AXES: &str = include_str!("../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 34] = [
+const PAGES: [(&str, &str); 36] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../docs/guide/period.md")),
@@ -70,6 +70,8 @@ const PAGES: [(&str, &str); 34] = [
     ("guide/axes.md", AXES),
     ("guide/elsewhere.md", include_str!("../../docs/guide/elsewhere.md")),
     ("start.md", START),
+    ("explorer.md", include_str!("../../docs/explorer.md")),
+    ("catalogue.md", include_str!("../../docs/catalogue.md")),
     ("families.md", FAMILIES),
     ("limits.md", LIMITS),
     ("languages.md", include_str!("../../docs/languages.md")),

@@ -8,6 +8,7 @@ mod compilers;
 pub mod cost;
 mod cpp;
 mod eva;
+mod explorer;
 mod fmu;
 mod fuzz;
 mod identity;
@@ -51,5 +52,6 @@ pub const LAYERS: &[Layer] = &[
     campaign::LAYER,
     attack::LAYER,
     report::LAYER,
+    explorer::LAYER,
     verdicts::LAYER,
 ];

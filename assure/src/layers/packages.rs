@@ -98,13 +98,13 @@ fn cargo(target: &Path) -> Command {
 /// The crates that are published, packaged together, as they depend on one another; cargo builds
 /// each of them from its package.
 fn package(workspace: &Path, target: &Path) -> Result<Vec<PathBuf>> {
-    let excluded = ["--exclude", "ptc-bench", "--exclude", "ptc-assure"];
+    let excluded = ["ptc-bench", "ptc-assure", "ptc-explorer", "ptc-explorer-page"];
     let packages = empty(&target.join("package"));
     forget_unpacked()?;
     succeed(
         cargo(target)
             .args(["package", "--quiet", "--workspace", "--allow-dirty"])
-            .args(excluded)
+            .args(excluded.iter().flat_map(|name| ["--exclude", name]))
             .current_dir(workspace),
     )?;
     let mut crates = Vec::new();

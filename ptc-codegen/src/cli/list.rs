@@ -1,4 +1,4 @@
-//! `list`: the families of time mappings and the parameters of a controller.
+//! `list`: the families of time mappings and the parameters of a controller, or the catalogue.
 
 use std::fmt::Write;
 
@@ -8,16 +8,21 @@ use ptc_codegen::parameter::Parameter;
 use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
+use super::catalogue;
 use super::flags::ListFormat;
 
 pub(crate) const EXAMPLES: &str = "\
 Examples:
   ptc-codegen list
-  ptc-codegen list --format json";
+  ptc-codegen list --format json
+  ptc-codegen list --catalogue    published controllers, for `new --from`";
 
 /// The flags of `list`.
 #[derive(Debug, Args)]
 pub(crate) struct List {
+    /// List published controllers in place of families
+    #[arg(long)]
+    pub(crate) catalogue: bool,
     /// Notation
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: ListFormat,
@@ -32,10 +37,12 @@ struct Line {
 }
 
 /// Runs `list`.
-pub(crate) fn list(format: ListFormat) -> String {
-    match format {
-        ListFormat::Text => text(),
-        ListFormat::Json => format!("{}\n", json()),
+pub(crate) fn list(request: &List) -> String {
+    match (request.catalogue, request.format) {
+        (false, ListFormat::Text) => text(),
+        (false, ListFormat::Json) => format!("{}\n", json()),
+        (true, ListFormat::Text) => catalogue::text(),
+        (true, ListFormat::Json) => format!("{}\n", catalogue::json()),
     }
 }
 

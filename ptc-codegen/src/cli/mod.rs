@@ -3,6 +3,7 @@
 //! [`report`] has the exit codes.
 
 pub(crate) mod args;
+mod catalogue;
 mod check;
 mod compare;
 #[cfg(feature = "lab")]
@@ -90,6 +91,6 @@ pub(crate) fn execute(command: Command) -> Result<(), Failure> {
         }
         Command::Man(request) => write::to_stdout(&manual::page(&request, CommandLine::command())?),
         Command::Schema => write::to_stdout(&schema::schema()),
-        Command::List(request) => write::to_stdout(&list::list(request.format)),
+        Command::List(request) => write::to_stdout(&list::list(&request)),
     }
 }

@@ -3,21 +3,25 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use ptc_codegen::design;
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::request;
 
+use super::catalogue::{ENTRIES, Entry};
 use super::output::{self, Outputs};
 use super::report::Failure;
 use super::write;
 
 pub(crate) const EXAMPLES: &str = "\
-The file is a valid design: a comment explains every key and its legal values.
+The file is a valid design: a comment explains every key and its legal values, or, with --from, the paper.
 
 Examples:
-  ptc-codegen new           design.toml
-  ptc-codegen new roll      roll.toml, of a controller called roll
-  ptc-codegen new -         to the standard output";
+  ptc-codegen new                                design.toml
+  ptc-codegen new roll                           roll.toml, of a controller called roll
+  ptc-codegen new -                              to the standard output
+  ptc-codegen new --from power_scaling           power_scaling.toml, after Song et al. 2017
+  ptc-codegen new yaw --from power_scaling       the same as yaw.toml, of a controller called yaw";
 
 /// The flags of `new`.
 #[derive(Debug, Args)]
@@ -25,6 +29,14 @@ pub(crate) struct New {
     /// Name of the controller, and of the file before `.toml`; `-` prints to the standard output
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
+    /// Start from a published controller, by its name in `list --catalogue`
+    #[arg(
+        long,
+        value_name = "CONTROLLER",
+        value_parser = PossibleValuesParser::new(ENTRIES.iter().map(|entry| entry.name)),
+        hide_possible_values = true
+    )]
+    pub(crate) from: Option<String>,
     /// Folder to write to, made if it is missing; `-` prints to the standard output
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     pub(crate) out: PathBuf,
@@ -33,7 +45,8 @@ pub(crate) struct New {
 /// Runs `new`.
 pub(crate) fn new(request: &New) -> Result<(), Failure> {
     let name = request.name.as_deref().filter(|name| *name != "-");
-    let path = PathBuf::from(name.unwrap_or("design"));
+    let published = request.from.as_deref().and_then(Entry::find);
+    let path = PathBuf::from(name.unwrap_or(published.map_or("design", |entry| entry.name)));
     let stem = path.file_name().and_then(|stem| stem.to_str()).unwrap_or_default();
     let stem = stem.strip_suffix(".toml").unwrap_or(stem);
     if stem.is_empty() {
@@ -43,7 +56,11 @@ pub(crate) fn new(request: &New) -> Result<(), Failure> {
         ));
     }
     // A file may be called what a controller may not; its design then leaves the name out.
-    let text = design::template(name.map(|_| stem).filter(|stem| names_a_controller(stem)));
+    let given = name.map(|_| stem).filter(|stem| names_a_controller(stem));
+    let text = match published {
+        Some(entry) => entry.design(stem, given.is_some()),
+        None => design::template(given),
+    };
     let mut outputs = Outputs::default();
     if request.name.as_deref() == Some("-") {
         return write::to_stdout(&text);

@@ -3,10 +3,10 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ptc_codegen::design;
-use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place, first};
+use ptc_codegen::design::{self, mistakes, root};
+use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place};
 use ptc_codegen::internal::INTERNAL;
-use ptc_codegen::keys::{KEYS, KeyInfo};
+use ptc_codegen::keys::KeyInfo;
 use ptc_codegen::limits::ENTRIES;
 use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::request::{Entry, Spec};
@@ -209,18 +209,13 @@ impl Parsed<'_> {
 
     /// `value`, unless something given was wrong or `found` holds a mistake.
     pub(crate) fn finish<T>(&self, value: Option<T>, found: Vec<Diagnostic>) -> Result<T, Failure> {
-        let unread = |d: &Diagnostic| {
-            d.code == "missing-key" && design::explains_missing(&self.found, &d.key)
-        };
-        let mut all = self.found.clone();
-        all.extend(found.into_iter().filter(|d| !unread(d)));
+        let all = mistakes(&self.found, found);
         match value {
             Some(value) if all.is_empty() => Ok(value),
             _ => {
-                all.sort_by_key(|d| KEYS.iter().position(|info| info.key == root(&d.key)));
                 let internal = all.iter().any(|d| d.code == INTERNAL);
                 let refused = !all.is_empty() && all.iter().all(Diagnostic::refuses);
-                let notices = first(all).iter().map(|d| self.notice(d)).collect();
+                let notices = all.iter().map(|d| self.notice(d)).collect();
                 let exit = match () {
                     () if internal => Exit::Internal,
                     () if refused => Exit::Failed,
@@ -273,11 +268,6 @@ impl Parsed<'_> {
             }
         }
     }
-}
-
-/// The key itself, of one such as `mu.a` or `gains[0]`.
-fn root(key: &str) -> &str {
-    key.split(['.', '[']).next().unwrap_or(key)
 }
 
 /// The key of an entry, of that of an item in its list.

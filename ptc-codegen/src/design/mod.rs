@@ -13,6 +13,7 @@
 //! of the file; text is what it would be on the command line.
 
 mod file;
+mod mistakes;
 mod quote;
 mod reader;
 mod statement;
@@ -20,6 +21,7 @@ mod template;
 mod value;
 
 pub use file::load;
+pub use mistakes::{mistakes, root};
 pub use quote::Quote;
 pub use template::template;
 
@@ -52,12 +54,6 @@ const MAX_SYNTAX: usize = 10;
 /// The key of an entry, of one that may be written with `params.` before it.
 pub fn canonical(key: &str) -> &str {
     key.strip_prefix("params.").filter(|name| COMMON.contains(name)).unwrap_or(key)
-}
-
-/// Whether `found` explains why `key` seems to be missing: its value could not be read, or the
-/// file or a line of it could not, which may have held it.
-pub fn explains_missing(found: &[Diagnostic], key: &str) -> bool {
-    found.iter().any(|own| [SYNTAX, UNREADABLE].contains(&own.code) || own.key == key)
 }
 
 /// Reads the text of a design file: the entries that can be read, and the mistakes in the others.

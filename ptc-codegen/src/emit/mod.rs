@@ -314,6 +314,20 @@ pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Vec<File> {
     c::sampled_files_with_proof(spec, code)
 }
 
+/// The mapping, its closed forms and the law of a controller in time, as they are in a head.
+pub fn formulas(controller: &Controller<'_>) -> Vec<String> {
+    let mut lines = formulas::mapping(controller);
+    if controller.spec().what != What::Associated {
+        lines.extend(formulas::law(controller));
+    }
+    lines.into_iter().skip_while(String::is_empty).collect()
+}
+
+/// The same of a controller in samples; empty for an observer alone.
+pub fn sampled_formulas(report: &Report) -> Vec<String> {
+    sampled::formulas(report)
+}
+
 /// The items of the Rust file on the types of the facade crate `ptc`.
 pub fn emit_items(controller: &Controller<'_>) -> String {
     code::rust_items(&program(controller, Language::Rust))

@@ -19,6 +19,17 @@ pub(super) fn program(report: &Report, language: Language) -> Option<Code> {
     }
 }
 
+/// What becomes of the plant, and by which law; nothing for an observer alone.
+pub(super) fn formulas(report: &Report) -> Vec<String> {
+    let spec = &report.spec;
+    match spec.sampled() {
+        Some(sampled) if spec.what != What::Observer => {
+            purpose(sampled, spec.loop_order()).to_vec()
+        }
+        _ => Vec::new(),
+    }
+}
+
 fn head(report: &Report, sampled: &Sampled, language: Language) -> Vec<String> {
     let spec = &report.spec;
     let (name, n, order) = (spec.name(), spec.n, spec.loop_order());

@@ -30,6 +30,7 @@ mod values;
 
 pub(crate) use along::Along;
 pub use around::Loop;
+#[cfg(feature = "lab")]
 pub(crate) use around::SAME;
 pub use continuous::Continuous;
 pub use controller::Controller;
@@ -41,6 +42,14 @@ pub use tracking::tracking_error;
 pub use values::Values;
 
 use crate::reference::Status;
+
+/// Time-to-go of a continuous run as parts of tau: even in time, and from 0.01 on even in its logarithm
+/// down to 1e-9.
+pub fn grid() -> Vec<f64> {
+    let even = (0..200).map(|i| f64::from(200 - i) / 200.0);
+    let last = (1..=140).map(|i| 10f64.powf(-2.0 - f64::from(i) / 20.0));
+    even.filter(|share| *share >= 0.01).chain(last).collect()
+}
 
 /// One instant of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]

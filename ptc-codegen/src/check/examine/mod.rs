@@ -7,12 +7,14 @@ mod in_samples;
 mod known;
 mod numbers;
 mod period;
+mod plane;
 mod report;
 
 use guard::{choose_eps, guard, superseded};
 pub(crate) use known::{decay, rounded_down};
 pub(crate) use numbers::Numbers;
 pub(crate) use period::held_period;
+pub use plane::{Plane, plane};
 pub use report::Report;
 
 use super::membership::prove;

@@ -8,7 +8,7 @@ use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::{
     Accuracy, Cause, Continuous, Direct, Failure as Ended, Loop, Run as Instants, Sample, Sampled,
-    Side, Values, tracking_error,
+    Side, Values, grid, tracking_error,
 };
 
 use super::input::Asked;
@@ -91,13 +91,6 @@ impl Row {
             reported,
         }
     }
-}
-
-/// Time-to-go as parts of tau: even in time, and from 0.01 on even in its logarithm down to 1e-9.
-fn grid() -> Vec<f64> {
-    let even = (0..200).map(|i| f64::from(200 - i) / 200.0);
-    let last = (1..=140).map(|i| 10f64.powf(-2.0 - f64::from(i) / 20.0));
-    even.filter(|share| *share >= 0.01).chain(last).collect()
 }
 
 /// The law of a chain at every instant, mapped back from infinite time, or the emitted controller of a

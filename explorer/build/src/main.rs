@@ -1,0 +1,147 @@
+//! Builds the explorer: the generator as WebAssembly and all that shows it, in one file of HTML.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context as _, Result, ensure};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use serde_json::{Map, Value, json};
+
+const TARGET: &str = "wasm32-wasip1";
+const PROFILE: &str = "page";
+
+const PAGE: &str = include_str!("../../page/index.html");
+const STYLE: &str = include_str!("../../page/style.css");
+const WORKER: &str = include_str!("../../page/worker.js");
+
+/// The modules by the names under which they import each other.
+const MODULES: [(&str, &str); 11] = [
+    ("chart", include_str!("../../page/chart.js")),
+    ("checks", include_str!("../../page/checks.js")),
+    ("dom", include_str!("../../page/dom.js")),
+    ("editor", include_str!("../../page/editor.js")),
+    ("engine", include_str!("../../page/engine.js")),
+    ("knobs", include_str!("../../page/knobs.js")),
+    ("link", include_str!("../../page/link.js")),
+    ("main", include_str!("../../page/main.js")),
+    ("output", include_str!("../../page/output.js")),
+    ("plane", include_str!("../../page/plane.js")),
+    ("runs", include_str!("../../page/runs.js")),
+];
+
+/// The example that is there at first.
+const FIRST: &str = "encoder.toml";
+
+/// States at the start of examples, where 1 in the first state is not what they are for.
+const STARTS: [(&str, &str); 5] = [
+    ("drive.toml", "0.1, 0, 0"),
+    ("encoder.toml", "0.1, 0"),
+    ("levitation.toml", "0.001, 0, 0"),
+    ("motor.toml", "0.1, 0, 0"),
+    ("table.toml", "0.1, 0"),
+];
+
+/// Mappings to compare with: every family, with parameters.
+const MAPPINGS: [&str; 7] = [
+    "exp(a=1)",
+    "rational(a=1)",
+    "power(a=1, m=2)",
+    "tan(a=1)",
+    "tanh(a=0.5)",
+    "algebraic(a=1)",
+    "exp_sum(rates=[0.5, 1])",
+];
+
+fn main() -> Result<()> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).context("the workspace")?;
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = std::path::absolute(target.unwrap_or_else(|| root.join("target")))?;
+    let engine = packed(&engine(root, &target)?)?;
+    let page = page(&engine, &examples(&root.join("examples"))?)?;
+    let out = target.join("explorer");
+    fs::create_dir_all(&out)?;
+    let path = out.join("explorer.html");
+    fs::write(&path, &page).with_context(|| format!("cannot write {}", path.display()))?;
+    println!(
+        "{}: {} bytes, {} compressed",
+        path.display(),
+        page.len(),
+        packed(page.as_bytes())?.len()
+    );
+    Ok(())
+}
+
+/// The generator as WebAssembly.
+fn engine(root: &Path, target: &Path) -> Result<Vec<u8>> {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["build", "--package", "ptc-explorer", "--bin", "engine", "--target", TARGET]);
+    cargo.args(["--profile", PROFILE]).current_dir(root).env("CARGO_TARGET_DIR", target);
+    let built = cargo.status().context("cargo cannot be run")?;
+    ensure!(built.success(), "cargo build failed; `rustup target add {TARGET}` adds the target");
+    let path = target.join(TARGET).join(PROFILE).join("engine.wasm");
+    fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The designs that a reader begins with, by their names.
+fn examples(folder: &Path) -> Result<Vec<Value>> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        paths.extend(path.extension().is_some_and(|end| end == "toml").then_some(path));
+    }
+    paths.sort();
+    let example = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let start = STARTS.iter().find(|(example, _)| *example == name).map_or("", |(_, x0)| x0);
+        Ok(json!({ "name": name, "text": fs::read_to_string(path)?, "x0": start }))
+    };
+    paths.iter().map(example).collect()
+}
+
+/// The bytes by gzip. Its head holds no time, so the same bytes stay the same.
+fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
+    let mut packer = GzEncoder::new(Vec::new(), Compression::best());
+    packer.write_all(bytes)?;
+    Ok(packer.finish()?)
+}
+
+/// The page around a packed generator.
+fn page(engine: &[u8], examples: &[Value]) -> Result<String> {
+    let known = json!({
+        "mappings": MAPPINGS,
+        "examples": examples,
+        "first": FIRST,
+    });
+    let modules: Map<_, _> =
+        MODULES.iter().map(|(name, text)| ((*name).to_owned(), json!(module(text)))).collect();
+    let parts = [
+        ("style", STYLE.to_owned()),
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("known", within_script(&known)),
+        ("worker", WORKER.to_owned()),
+        ("imports", within_script(&json!({ "imports": modules }))),
+        ("engine", STANDARD.encode(engine)),
+    ];
+    let mut page = PAGE.to_owned();
+    for (name, text) in parts {
+        let mark = format!("@{name}@");
+        ensure!(page.matches(&mark).count() == 1, "the page has one place for {mark}");
+        page = page.replace(&mark, &text);
+    }
+    Ok(page)
+}
+
+/// A module as an address that a page opened from a file can import.
+fn module(text: &str) -> String {
+    format!("data:text/javascript;base64,{}", STANDARD.encode(text))
+}
+
+/// JSON that no text in it can close the element of.
+fn within_script(value: &Value) -> String {
+    value.to_string().replace('<', "\\u003c")
+}

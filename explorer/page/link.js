@@ -1,0 +1,26 @@
+// The whole state of the page in the fragment of its address.
+
+/** What the address holds; null without a design. */
+export function read() {
+  const held = new URLSearchParams(location.hash.slice(1));
+  if (!held.has("design")) return null;
+  const overlays = held.getAll("with");
+  return {
+    design: held.get("design"),
+    language: held.get("lang") ?? "c",
+    x0: held.get("x0") ?? "",
+    seed: Number(held.get("seed") ?? 0),
+    log: held.has("log"),
+    overlays,
+  };
+}
+
+/** Writes the state to the address, without a step of history. */
+export function write(state) {
+  const held = new URLSearchParams({ design: state.design, lang: state.language });
+  if (state.x0) held.set("x0", state.x0);
+  if (state.seed) held.set("seed", state.seed);
+  if (state.log) held.set("log", "");
+  for (const mapping of state.overlays) held.append("with", mapping);
+  history.replaceState(null, "", `#${held}`);
+}

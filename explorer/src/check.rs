@@ -1,0 +1,54 @@
+//! What the checks say of a design, what it costs, and where its poles are.
+
+use ptc_codegen::Accepted;
+use ptc_codegen::check::examine::{self, Report};
+use ptc_codegen::request::Spec;
+use serde_json::{Value, json};
+
+/// What the page shows of a design beside its text.
+pub(crate) fn of_design(spec: &Spec) -> Value {
+    json!({
+        "name": spec.name(),
+        "n": spec.n,
+        "mapping": spec.mapping_name(),
+        "samples": spec.sampled().is_some(),
+        "states": spec.state_names(),
+        "input": spec.input_name(),
+        "command": spec.command(),
+    })
+}
+
+/// The outcomes, and which of them refuse the design.
+pub(crate) fn checks(report: &Report) -> Value {
+    let refused: Vec<_> = report.refusals().map(|outcome| outcome.name).collect();
+    let one = |outcome: &ptc_codegen::check::Outcome| {
+        json!({
+            "name": outcome.name,
+            "verdict": outcome.verdict.text(),
+            "summary": outcome.summary,
+            "details": outcome.details,
+            "fix": outcome.fix,
+            "refuses": refused.contains(&outcome.name),
+        })
+    };
+    report.outcomes.iter().map(one).collect()
+}
+
+/// The poles and the lines of the check `growth`; null where the gains are not fixed.
+pub(crate) fn plane(spec: &Spec) -> Value {
+    let Some(plane) = examine::plane(spec) else { return Value::Null };
+    let poles: Vec<_> = plane.poles.iter().map(|pole| [pole.re, pole.im]).collect();
+    json!({ "poles": poles, "state": plane.state, "control": plane.control })
+}
+
+/// The operations of one step; null where they are not counted.
+pub(crate) fn cost(accepted: &Accepted) -> Value {
+    let Some(cost) = accepted.cost() else { return Value::Null };
+    json!({
+        "add": cost.add,
+        "mul": cost.mul,
+        "div": cost.div,
+        "sqrt": cost.sqrt,
+        "calls": cost.calls,
+    })
+}

@@ -1,0 +1,129 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use super::answer;
+
+fn ask(request: &Value) -> Value {
+    serde_json::from_str(&answer(&request.to_string())).expect("JSON")
+}
+
+fn example(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    fs::read_to_string(folder.join(name)).expect("an example")
+}
+
+fn examples() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let folders = [root.clone(), root.join("reproductions")];
+    let all = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("a folder"));
+    let paths = all.map(|entry| entry.expect("an entry").path());
+    paths.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect()
+}
+
+#[test]
+fn examples_are_emitted_or_refused_with_a_reason() {
+    for path in examples() {
+        let text = fs::read_to_string(&path).expect("a design");
+        let told = ask(&json!({ "design": text, "language": "c" }));
+        let found = told["diagnostics"].as_array().expect("a list");
+        let files = told["files"].as_array().map_or(0, Vec::len);
+        assert_eq!(found.is_empty(), files == 2, "{}: {found:?}", path.display());
+        assert!(told["checks"].is_array() || !found.is_empty(), "{}", path.display());
+        let runs = &told["runs"];
+        let first = &runs["series"][0];
+        let known = first["t"].is_array() || first["problem"].is_string();
+        assert!(known || !found.is_empty(), "{}: {runs}", path.display());
+    }
+}
+
+#[test]
+fn a_mistake_has_a_place_in_units_of_the_browser() {
+    let design = "# größe 𝑥\nn = 2\nmu = \"expo(a=1)\"\npoles = [-4, -5]\n";
+    let told = ask(&json!({ "design": design, "language": "c" }));
+    let wrong = &told["diagnostics"][0];
+    let units: Vec<u16> = design.encode_utf16().collect();
+    let at = |end: usize| wrong["at"][end].as_u64().expect("a place") as usize;
+    assert_eq!(String::from_utf16_lossy(&units[at(0)..at(1)]), "expo(a=1)", "{wrong}");
+    assert_eq!((&wrong["line"], &wrong["column"]), (&json!(3), &json!(7)));
+    assert_eq!(wrong["code"], "unknown-family");
+    assert!(told.get("files").is_none());
+}
+
+#[test]
+fn keys_have_places_by_which_they_are_edited() {
+    let design = "n = 2\nmu = \"exp(a=1)\"\npoles = \"-4,-5\"\n[params]\ntau = 0.8 # s\n";
+    let told = ask(&json!({ "design": design, "language": "c" }));
+    let text = |key: &str, part: &str| {
+        let at = |end: usize| told["keys"][key][part][end].as_u64().expect("a place") as usize;
+        design[at(0)..at(1)].to_owned()
+    };
+    assert_eq!((text("tau", "key"), text("tau", "value")), ("tau".into(), "0.8".into()));
+    assert_eq!(text("mu", "value"), "exp(a=1)");
+    assert_eq!(text("poles", "value"), "-4,-5");
+}
+
+#[test]
+fn a_design_is_run_and_others_are_laid_over_it() {
+    let overlays = ["tan(a=1)", "no_family", "exp(a=3)"];
+    let design = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\nsample_time = 1e-3\ntau = 1\n";
+    let told =
+        ask(&json!({ "design": design, "language": "c", "x0": "1, 0", "overlays": overlays }));
+    let series = told["runs"]["series"].as_array().expect("runs");
+    assert_eq!(series.len(), 4);
+    let end = |run: &Value| run["end"]["x"][0].as_f64().expect("a number").abs();
+    assert!(end(&series[0]) < 1e-6 && end(&series[1]) < 1e-3, "{} {}", series[0], series[1]);
+    assert_eq!(series[0]["held"], true);
+    assert!(series[2]["problem"].as_str().expect("a reason").contains("no_family"));
+    assert_eq!(series[3]["refused_by"], json!(["growth"]), "poles right of -n a");
+}
+
+#[test]
+fn what_cannot_be_run_says_why() {
+    let open = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n";
+    let short = format!("{open}tau = 1e4\nsample_time = 1e-3\n");
+    for (design, x0, reason) in [
+        (open, "", "leaves open: tau"),
+        (&short, "", "more than 200000 samples"),
+        (open, "1, 2, 3", "x(0) needs 2 numbers"),
+        (open, "1, inf", "x(0) needs 2 numbers"),
+    ] {
+        let told = ask(&json!({ "design": design, "language": "c", "x0": x0 }));
+        let runs = &told["runs"];
+        let problem = runs["problem"].as_str().or(runs["series"][0]["problem"].as_str());
+        assert!(problem.is_some_and(|problem| problem.contains(reason)), "{reason}: {runs}");
+        assert!(told["files"].is_array(), "the code does not need a run");
+    }
+}
+
+#[test]
+fn uncertain_quantities_are_in_the_middle_of_their_bounds() {
+    let design = example("campaign.toml").replace("n = 3", "n = 3\ntau = 1");
+    let told = ask(&json!({ "design": design, "language": "c" }));
+    let assumed = told["runs"]["series"][0]["assumed"].to_string();
+    assert!(assumed.contains("damping = 0.25") && assumed.contains("gust = 0"), "{assumed}");
+}
+
+#[test]
+fn what_is_no_request_is_answered_too() {
+    for text in ["", "{", "[]", "{\"design\": 3}"] {
+        let told: Value = serde_json::from_str(&answer(text)).expect("JSON");
+        let known = told["fault"].is_string() || told["diagnostics"][0]["message"].is_string();
+        assert!(known, "{text}: {told}");
+    }
+    let large = "#".repeat(2_000_000);
+    let told = ask(&json!({ "design": large, "language": "c" }));
+    assert!(
+        told["diagnostics"][0]["message"].as_str().is_some_and(|text| text.contains("1048576"))
+    );
+}
+
+#[test]
+fn every_language_has_a_tab() {
+    let tabs = include_str!("../page/output.js");
+    for language in ptc_codegen::emit::Language::ALL {
+        let named = tabs.contains(&format!("{}: \"", language.name()));
+        assert_eq!(named, language.fmi().is_none(), "{}", language.name());
+    }
+}

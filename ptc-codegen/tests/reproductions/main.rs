@@ -1,0 +1,38 @@
+//! The catalogue: published controllers with their numbers, their figures as they are drawn, and what the
+//! command lists and writes. `UPDATE_GOLDEN=1` writes the figures and the table of docs/catalogue.md anew.
+#![cfg(feature = "lab")]
+
+mod catalogue;
+mod figures;
+mod numbers;
+#[path = "../support/mod.rs"]
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn home() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("catalogue")
+}
+
+fn simulate(arguments: &[&str]) -> String {
+    support::stdout(support::command(&["simulate"]).args(arguments).current_dir(home()))
+}
+
+/// The text of a design.
+fn design(name: &str) -> String {
+    fs::read_to_string(home().join(format!("{name}.toml"))).expect("a design")
+}
+
+/// The words of the `simulate` in the head of a design, without its picture, and the picture.
+fn command(name: &str) -> (Vec<String>, Option<String>) {
+    let text = design(name);
+    let line = text.lines().find_map(|line| line.strip_prefix("# ptc-codegen simulate "));
+    let mut words: Vec<_> =
+        line.expect("a command").split_whitespace().map(ToOwned::to_owned).collect();
+    let picture = words.iter().position(|word| word == "--plot").map(|at| {
+        words.remove(at);
+        words.remove(at)
+    });
+    (words, picture)
+}
