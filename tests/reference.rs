@@ -91,7 +91,7 @@ fn expressions_are_evaluated_as_they_are_written() {
             let spec = read_spec(&[("n", &n), mapping, ("pi0", "extern")]);
             let term = |(i, k): (usize, &f64)| {
                 let gain = ptc_codegen::program::number::exact(*k).expect("a finite gain");
-                Expression::Number(gain).mul(Variable::Xi(i + 1).into())
+                Expression::from(gain).mul(Variable::Xi(i + 1).into())
             };
             let law = vector.k.iter().enumerate().map(term).reduce(Expression::add);
             let found = outcome(&spec, &vector, Some(&law.expect("a law").neg()));

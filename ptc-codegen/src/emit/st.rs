@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::literal::through_double;
 use super::{File, Language, Print, Target, code, names};
 use crate::diagnostic::Diagnostics;
-use crate::expression::{Expression, Function, Subject};
+use crate::expression::{Expression, Function, Node, Subject};
 use crate::parameter::{Parameter, Precision};
 use crate::program::{Op, Program};
 use crate::request::{Feedback, Spec, What};
@@ -115,7 +115,7 @@ fn occurrences(text: &str, name: &str) -> usize {
 
 /// The key whose expression calls `function`; that of the mapping where it comes from its inverse.
 fn key_of(spec: &Spec, function: Function) -> &'static str {
-    let calls = |e: &Expression| e.any(&|e| matches!(e, Expression::Call(f, _) if *f == function));
+    let calls = |e: &Expression| e.any(&|e| matches!(e.node(), Node::Call(f, _) if *f == function));
     match (&spec.feedback, &spec.input_gain, spec.custom()) {
         (Feedback::Expression(law), ..) if calls(law) => "pi0",
         (_, Some(gain), _) if calls(gain) => "g",

@@ -5,16 +5,11 @@ use num_traits::{One, Signed};
 use super::effort::{keep, spend};
 use super::field::{Field, Kernel, Terms};
 use super::ratio::{Ratio, content, labour};
-use super::{Expression, Function};
+use super::{Expression, Function, Node};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 use crate::limits::SIZE;
 
 impl Expression {
-    /// Number of its operations and leaves.
-    pub(crate) fn size(&self) -> usize {
-        1 + self.operands().map(Self::size).sum::<usize>()
-    }
-
     /// Whether it may occur twice in what follows: what nests doubles each time, and many that do so
     /// may occur side by side.
     pub(super) fn twice(&self) -> bool {
@@ -166,12 +161,12 @@ impl Field {
                     put(Expression::call(Function::Sqrt, base), exponent);
                 } else if let Some(number) = index.number() {
                     let power = number * integer(i64::from(exponent));
-                    product.over.push(base.power(Expression::Number(power)));
+                    product.over.push(base.power(Expression::from(power)));
                 } else {
                     let (size, k) = (index.clone(), whole(exponent.abs()));
-                    let power = match size {
-                        Expression::Div(a, b) => k.mul(*a).div(*b),
-                        other => k.mul(other),
+                    let power = match size.node() {
+                        Node::Div(a, b) => k.mul(a.clone()).div(b.clone()),
+                        _ => k.mul(size),
                     };
                     let power = if exponent < 0 { negative(power) } else { power };
                     product.over.push(base.power(power));
@@ -193,14 +188,14 @@ impl Field {
             let all = terms.iter().map(|term| self.signed(term)).collect();
             product.over.push(Expression::call(Function::Exp, added(all)));
         }
-        let whole = |n: &crate::algebra::BigInt| Expression::Number(n.clone().into());
+        let whole = |n: &crate::algebra::BigInt| Expression::from(BigRational::from(n.clone()));
         let over = product.over.into_iter().fold(whole(number.numer()), Expression::mul);
-        let first = Expression::Number(BigRational::one());
+        let first = Expression::from(BigRational::one());
         let under = product.under.into_iter().fold(first, Expression::mul);
         if under.number().is_some() {
-            return match over {
-                Expression::Number(over) => Expression::Number(over / number.denom()),
-                over => over.div(whole(number.denom())),
+            return match over.number() {
+                Some(over) => Expression::from(over / number.denom()),
+                None => over.div(whole(number.denom())),
             };
         }
         over.div(whole(number.denom()).mul(under))
@@ -222,19 +217,19 @@ fn added(terms: Vec<(bool, Expression)>) -> Expression {
 
 /// -e, with the sign at its first factor.
 pub(super) fn negative(e: Expression) -> Expression {
-    match e {
-        Expression::Mul(a, b) => negative(*a).mul(*b),
-        Expression::Div(a, b) => negative(*a).div(*b),
-        other => other.neg(),
+    match e.node() {
+        Node::Mul(a, b) => negative(a.clone()).mul(b.clone()),
+        Node::Div(a, b) => negative(a.clone()).div(b.clone()),
+        _ => e.neg(),
     }
 }
 
 /// Whether its first factor has a minus.
 pub(super) fn is_negative(e: &Expression) -> bool {
-    match e {
-        Expression::Neg(_) => true,
-        Expression::Number(number) => number.is_negative(),
-        Expression::Mul(a, _) | Expression::Div(a, _) => is_negative(a),
+    match e.node() {
+        Node::Neg(_) => true,
+        Node::Number(number) => number.is_negative(),
+        Node::Mul(a, _) | Node::Div(a, _) => is_negative(a),
         _ => false,
     }
 }

@@ -8,15 +8,15 @@ use super::field::{Field, Kernel, Terms, sum};
 use super::leading::{Limit, limit};
 use super::normal::{moves, within};
 use super::ratio::{Ratio, content};
-use super::{Expression, Function, Variable};
+use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 
 /// The same function of t, stretched time since the start, with denominators in which no exponential
 /// grows with it. Parameters are taken as positive.
 pub(crate) fn decaying(form: &Expression) -> Expression {
-    let inner = |e: &Expression| match e {
-        Expression::Call(function, a) => Some(Expression::call(*function, decaying(a))),
-        Expression::Power(a, b) => Some(decaying(a).power(decaying(b))),
+    let inner = |e: &Expression| match e.node() {
+        Node::Call(function, a) => Some(Expression::call(*function, decaying(a))),
+        Node::Power(a, b) => Some(decaying(a).power(decaying(b))),
         _ => None,
     };
     bounded(|| turned(form).unwrap_or_else(|| form.clone()).substitute(&inner))
@@ -38,8 +38,8 @@ fn as_exponentials(form: &Expression) -> Expression {
     form.substitute(&|e| {
         let exponential = |u| Expression::call(Function::Exp, u);
         let grows = |u: &Expression| limit(u, Variable::SinceStart);
-        match e {
-            Expression::Call(function @ (Function::Cosh | Function::Sinh), u) => {
+        match e.node() {
+            Node::Call(function @ (Function::Cosh | Function::Sinh), u) => {
                 let Some(Limit::Infinite | Limit::MinusInfinite) = grows(u) else { return None };
                 let u = as_exponentials(u);
                 if !u.twice() {
@@ -50,9 +50,8 @@ fn as_exponentials(form: &Expression) -> Expression {
                 let is_cosh = *function == Function::Cosh;
                 Some(if is_cosh { cosh } else { Expression::call(Function::Tanh, u).mul(cosh) })
             }
-            Expression::Power(base, exponent) if !base.contains(Variable::SinceStart) => {
-                let product =
-                    exponent.as_ref().clone().mul(Expression::call(Function::Ln, (**base).clone()));
+            Node::Power(base, exponent) if !base.contains(Variable::SinceStart) => {
+                let product = exponent.clone().mul(Expression::call(Function::Ln, base.clone()));
                 (grows(&product) == Some(Limit::Infinite)).then(|| exponential(product))
             }
             _ => None,
@@ -66,7 +65,9 @@ fn without_growth(field: &mut Field, term: &Ratio) -> Option<Ratio> {
     let mut roots = BTreeMap::new();
     let polys = std::iter::once(&term.num).chain(term.den.iter().map(|(factor, _)| factor));
     for symbol in polys.flat_map(Poly::symbols) {
-        if let Some(Kernel::Root(base, Expression::Number(index))) = field.kernel(symbol) {
+        if let Some(Kernel::Root(base, index)) = field.kernel(symbol)
+            && let Some(index) = index.number()
+        {
             let (base, index) = (base.clone(), index.clone());
             roots.insert(symbol, root_without_growth(field, &base, index)?);
         }
@@ -93,7 +94,7 @@ fn root_without_growth(field: &mut Field, base: &Ratio, index: BigRational) -> O
         let part = field.symbol(Kernel::Exp(unit.scaled(&index)))?;
         product = product.times(&Monomial::power(part, *times));
     }
-    let root = field.symbol(Kernel::Root(base, Expression::Number(index)))?;
+    let root = field.symbol(Kernel::Root(base, Expression::from(index)))?;
     Some(Poly::term(integer(1), product.times(&Monomial::power(root, 1))))
 }
 
@@ -122,7 +123,7 @@ fn fastest(field: &mut Field, poly: &Poly) -> Option<Monomial> {
     let (_, common) = content(&all.fold(Poly::zero(), |sum, one| sum.plus(&one)));
     let rests = ahead.iter().map(|product| exponent(field, &product.times(&common.pow(-1))));
     let rests = rests.collect::<Option<Vec<_>>>()?;
-    let greatest = rests.into_iter().reduce(|a, b| Expression::Max(Box::new(a), Box::new(b)))?;
+    let greatest = rests.into_iter().reduce(Expression::max)?;
     let greatest = field.symbol(Kernel::Atom(greatest))?;
     let unit = Ratio::of(Poly::term(integer(1), Monomial::power(greatest, 1)));
     Some(common.times(&Monomial::power(field.symbol(Kernel::Exp(unit))?, 1)))

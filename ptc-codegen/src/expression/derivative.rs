@@ -1,7 +1,7 @@
 //! Derivatives.
 
 use super::effort::keep;
-use super::{Expression, Function, Variable};
+use super::{Expression, Found, Function, Node, Variable};
 
 impl Expression {
     /// Takes the effort of a derivative, which repeats the operands of products, quotients, powers and
@@ -16,45 +16,56 @@ impl Expression {
             .operands()
             .map(Self::size_and_repeated)
             .fold((1, 1), |(size, repeated), (s, r)| (size + s, repeated + r));
-        let alone = matches!(self, Self::Neg(_) | Self::Add(..) | Self::Sub(..));
+        let alone = matches!(self.node(), Node::Neg(_) | Node::Add(..) | Node::Sub(..));
         (size, if alone { repeated } else { repeated + size })
     }
 
     /// Whether it is abs, sign, min or max.
     pub(crate) fn is_kink(&self) -> bool {
         matches!(
-            self,
-            Self::Min(..) | Self::Max(..) | Self::Call(Function::Abs | Function::Sign, _)
+            self.node(),
+            Node::Min(..) | Node::Max(..) | Node::Call(Function::Abs | Function::Sign, _)
         )
     }
 
     /// The derivative with respect to `wrt`. At a kink (of abs, sign, min, max) it is that of one
     /// side or their mean: whether there is a kink is for the caller to ask.
     pub fn derivative(&self, wrt: Variable) -> Self {
-        let d = |e: &Self| e.derivative(wrt);
+        self.derived(wrt, &mut Found::default())
+    }
+
+    /// The derivative, with those of its parts that are found.
+    fn derived(&self, wrt: Variable, found: &mut Found<Self>) -> Self {
+        if let Some(known) = found.get(self) {
+            return known.clone();
+        }
+        let slope = self.slope(&mut |e| e.derived(wrt, found), wrt);
+        found.insert(self.clone(), slope.clone());
+        slope
+    }
+
+    /// The derivative from those of the operands.
+    fn slope(&self, d: &mut dyn FnMut(&Self) -> Self, wrt: Variable) -> Self {
         let two = || Self::integer(2);
-        match self {
-            Self::Number(_) | Self::Pi | Self::Parameter(_) => Self::integer(0),
-            Self::Variable(variable) => Self::integer(i64::from(*variable == wrt)),
-            Self::Neg(a) => d(a).neg(),
-            Self::Add(a, b) => d(a).add(d(b)),
-            Self::Sub(a, b) => d(a).sub(d(b)),
-            Self::Mul(a, b) => {
-                let (a, b) = (&**a, &**b);
-                d(a).mul(b.clone()).add(a.clone().mul(d(b)))
-            }
-            Self::Div(a, b) => {
+        match self.node() {
+            Node::Number(_) | Node::Pi | Node::Parameter(_) => Self::integer(0),
+            Node::Variable(variable) => Self::integer(i64::from(*variable == wrt)),
+            Node::Neg(a) => d(a).neg(),
+            Node::Add(a, b) => d(a).add(d(b)),
+            Node::Sub(a, b) => d(a).sub(d(b)),
+            Node::Mul(a, b) => d(a).mul(b.clone()).add(a.clone().mul(d(b))),
+            Node::Div(a, b) => {
                 let (da, db) = (d(a), d(b));
-                let (a, b) = ((**a).clone(), (**b).clone());
+                let (a, b) = (a.clone(), b.clone());
                 if db.is(0) {
                     return da.div_or_zero(b);
                 }
                 let numerator = da.mul(b.clone()).sub(a.mul(db));
                 numerator.div_or_zero(b.power(two()))
             }
-            Self::Power(a, b) => {
+            Node::Power(a, b) => {
                 let (da, db) = (d(a), d(b));
-                let (a, b) = ((**a).clone(), (**b).clone());
+                let (a, b) = (a.clone(), b.clone());
                 let of_base = if da.is(0) {
                     Self::integer(0)
                 } else {
@@ -68,15 +79,12 @@ impl Expression {
                 };
                 of_base.add(of_exponent)
             }
-            Self::Min(a, b) => Self::of_the_chosen(a, b, d(a), d(b), false),
-            Self::Max(a, b) => Self::of_the_chosen(a, b, d(a), d(b), true),
-            Self::Call(function, a) => {
-                if !a.contains(wrt) {
-                    return Self::integer(0);
-                }
-                if let (Function::Atan, Self::Div(over, under)) = (function, &**a) {
+            Node::Min(a, b) => Self::of_the_chosen(a, b, d(a), d(b), false),
+            Node::Max(a, b) => Self::of_the_chosen(a, b, d(a), d(b), true),
+            Node::Call(function, a) => {
+                if let (Function::Atan, Node::Div(over, under)) = (function, a.node()) {
                     // The slope of atan(p/q), without the pole of p/q where q is 0.
-                    let (p, q) = ((**over).clone(), (**under).clone());
+                    let (p, q) = (over.clone(), under.clone());
                     let turn = d(over).mul(q.clone()).sub(p.clone().mul(d(under)));
                     return turn.div_or_zero(p.power(two()).add(q.power(two())));
                 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use astro_float_num::Consts;
 
 use super::interval::Interval;
-use super::{Expression, Function};
+use super::{Expression, Function, Node};
 
 /// Most work for one mapping, in operations on intervals: well below a second.
 const MAX_OPERATIONS: usize = 60_000;
@@ -92,30 +92,30 @@ impl Evaluator {
 
     /// The values of an expression, of which every operation notes for which arguments it exists.
     fn enclose(&mut self, e: &Expression, names: &Names) -> Option<Interval> {
-        use Expression as E;
-        let cost = if matches!(e, E::Call(..) | E::Power(..)) { COST_OF_CALL } else { 1 };
+        let cost =
+            if matches!(e.node(), Node::Call(..) | Node::Power(..)) { COST_OF_CALL } else { 1 };
         let left = self.left.checked_sub(cost);
         self.left = left.unwrap_or(0);
         left?;
-        let interval = match e {
-            E::Number(number) => Interval::exact(number),
-            E::Pi => Interval::pi(self.cache.as_mut()?),
-            E::Parameter(_) | E::Variable(_) => names.get(e)?.clone(),
-            E::Neg(a) => self.enclose(a, names)?.neg(),
-            E::Add(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?),
-            E::Sub(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?.neg()),
-            E::Mul(a, b) => self.enclose(a, names)?.times(&self.enclose(b, names)?),
-            E::Div(a, b) => {
+        let interval = match e.node() {
+            Node::Number(number) => Interval::exact(number),
+            Node::Pi => Interval::pi(self.cache.as_mut()?),
+            Node::Parameter(_) | Node::Variable(_) => names.get(e)?.clone(),
+            Node::Neg(a) => self.enclose(a, names)?.neg(),
+            Node::Add(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?),
+            Node::Sub(a, b) => self.enclose(a, names)?.plus(&self.enclose(b, names)?.neg()),
+            Node::Mul(a, b) => self.enclose(a, names)?.times(&self.enclose(b, names)?),
+            Node::Div(a, b) => {
                 let under = self.enclose(b, names)?;
                 if under.has_zero() {
                     self.note(Existence::ButAtPoles);
                 }
                 self.enclose(a, names)?.over(&under)
             }
-            E::Min(a, b) => self.enclose(a, names)?.least(&self.enclose(b, names)?),
-            E::Max(a, b) => self.enclose(a, names)?.most(&self.enclose(b, names)?),
-            E::Power(a, b) => self.raised(a, b, names)?,
-            E::Call(function, a) => {
+            Node::Min(a, b) => self.enclose(a, names)?.least(&self.enclose(b, names)?),
+            Node::Max(a, b) => self.enclose(a, names)?.most(&self.enclose(b, names)?),
+            Node::Power(a, b) => self.raised(a, b, names)?,
+            Node::Call(function, a) => {
                 let inner = self.enclose(a, names)?;
                 self.applied(*function, &inner)?
             }

@@ -5,7 +5,7 @@
 //! that of sqrt(x)^2 does for x < 0. The reader asks the same list before it drops a part.
 
 use super::interval::Interval;
-use super::{Expression, Function};
+use super::{Expression, Function, Node};
 
 /// What a part of an expression has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,10 +65,10 @@ pub(crate) fn needs(expression: &Expression) -> Vec<(Expression, Condition)> {
 
 fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
     use Expression as E;
-    let own = match expression {
-        E::Div(_, b) => Some(((**b).clone(), Condition::NotZero)),
-        E::Power(a, b) => {
-            let part = (**a).clone();
+    let own = match expression.node() {
+        Node::Div(_, b) => Some((b.clone(), Condition::NotZero)),
+        Node::Power(a, b) => {
+            let part = a.clone();
             match (b.small_integer(), b.number()) {
                 // e^0 is 1 wherever e has a value.
                 (Some(k), _) if k >= 0 => None,
@@ -79,11 +79,11 @@ fn collect(expression: &Expression, found: &mut Vec<(Expression, Condition)>) {
                 _ => Some((part, Condition::Positive)),
             }
         }
-        E::Call(Function::Sqrt, a) => Some(((**a).clone(), Condition::NotNegative)),
-        E::Call(Function::Ln, a) => Some(((**a).clone(), Condition::Positive)),
-        E::Call(Function::Atanh, a) => Some(((**a).clone(), Condition::WithinOne)),
-        E::Call(Function::Tan, a) => {
-            Some((E::call(Function::Cos, (**a).clone()), Condition::NotZero))
+        Node::Call(Function::Sqrt, a) => Some((a.clone(), Condition::NotNegative)),
+        Node::Call(Function::Ln, a) => Some((a.clone(), Condition::Positive)),
+        Node::Call(Function::Atanh, a) => Some((a.clone(), Condition::WithinOne)),
+        Node::Call(Function::Tan, a) => {
+            Some((E::call(Function::Cos, a.clone()), Condition::NotZero))
         }
         _ => None,
     };

@@ -5,7 +5,7 @@ use num_traits::{One, Signed, ToPrimitive};
 use super::compact::{Measure, is_negative, negative};
 use super::effort::spend;
 use super::ratio::{Ratio, content};
-use super::{Expression, Function, Variable};
+use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Kind, Monomial, Poly, Symbol, integer};
 use crate::limits::{KERNELS, POWER, SIZE, TERMS};
 use crate::parameter::Parameter;
@@ -36,7 +36,7 @@ pub(super) struct Field {
 impl Field {
     /// A field in which pi and the parameters of `expression` come first, in their own order.
     pub(super) fn of(expression: &Expression) -> Self {
-        let pi = expression.any(&|e| *e == Expression::Pi).then_some(Expression::Pi);
+        let pi = expression.any(&|e| *e == Expression::pi()).then_some(Expression::pi());
         let parameters = expression.parameters().into_iter().map(Expression::from);
         let mut field = Self::default();
         for name in pi.into_iter().chain(parameters) {
@@ -85,9 +85,9 @@ impl Field {
     }
 
     fn atom(&mut self, expression: Expression) -> Option<Ratio> {
-        match expression {
-            Expression::Number(number) => Some(Ratio::number(number)),
-            other => self.power_of(Kernel::Atom(other), 1),
+        match expression.number() {
+            Some(number) => Some(Ratio::number(number.clone())),
+            None => self.power_of(Kernel::Atom(expression), 1),
         }
     }
 
@@ -98,37 +98,38 @@ impl Field {
 
     /// The normal form of an expression; `None` if it grows beyond the bounds.
     pub(super) fn terms(&mut self, expression: &Expression) -> Option<Terms> {
-        use Expression as E;
         spend(1)?;
-        let terms = match expression {
-            E::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
-            E::Pi | E::Parameter(_) | E::Variable(_) => vec![self.atom(expression.clone())?],
-            E::Neg(a) => self.terms(a)?.iter().map(Ratio::neg).collect(),
-            E::Add(a, b) => sum(self.terms(a)?, self.terms(b)?)?,
-            E::Sub(a, b) => {
+        let terms = match expression.node() {
+            Node::Number(number) => vec![Ratio::number(number.clone()).bounded()?],
+            Node::Pi | Node::Parameter(_) | Node::Variable(_) => {
+                vec![self.atom(expression.clone())?]
+            }
+            Node::Neg(a) => self.terms(a)?.iter().map(Ratio::neg).collect(),
+            Node::Add(a, b) => sum(self.terms(a)?, self.terms(b)?)?,
+            Node::Sub(a, b) => {
                 let negative = self.terms(b)?.iter().map(Ratio::neg).collect();
                 sum(self.terms(a)?, negative)?
             }
-            E::Mul(a, b) => product(&self.terms(a)?, &self.terms(b)?)?,
-            E::Div(a, b) => {
+            Node::Mul(a, b) => product(&self.terms(a)?, &self.terms(b)?)?,
+            Node::Div(a, b) => {
                 let under = self.fraction(b)?.pow(-1)?;
                 product(&self.terms(a)?, &vec![under])?
             }
-            E::Power(a, b) => vec![self.raised(a, b)?],
-            E::Min(a, b) => {
-                let operands = (Box::new(self.normal(a)?), Box::new(self.normal(b)?));
-                vec![self.atom(E::Min(operands.0, operands.1))?]
+            Node::Power(a, b) => vec![self.raised(a, b)?],
+            Node::Min(a, b) => {
+                let least = self.normal(a)?.min(self.normal(b)?);
+                vec![self.atom(least)?]
             }
-            E::Max(a, b) => {
-                let operands = (Box::new(self.normal(a)?), Box::new(self.normal(b)?));
-                vec![self.atom(E::Max(operands.0, operands.1))?]
+            Node::Max(a, b) => {
+                let most = self.normal(a)?.max(self.normal(b)?);
+                vec![self.atom(most)?]
             }
-            E::Call(Function::Exp, a) => vec![self.exponential(a)?],
-            E::Call(Function::Sqrt, a) => {
+            Node::Call(Function::Exp, a) => vec![self.exponential(a)?],
+            Node::Call(Function::Sqrt, a) => {
                 let base = self.fraction(a)?;
                 vec![self.root(base, 1, 2)?]
             }
-            E::Call(function, a) => vec![self.call(*function, a)?],
+            Node::Call(function, a) => vec![self.call(*function, a)?],
         };
         terms.into_iter().map(|term| self.with_unit_squares(term)).collect()
     }
@@ -165,8 +166,8 @@ impl Field {
     }
 
     fn raised(&mut self, base: &Expression, exponent: &Expression) -> Option<Ratio> {
-        if let Expression::Call(Function::Exp, a) = base {
-            return self.exponential(&(**a).clone().mul(exponent.clone()));
+        if let Node::Call(Function::Exp, a) = base.node() {
+            return self.exponential(&a.clone().mul(exponent.clone()));
         }
         let base = self.fraction(base)?;
         if base == Ratio::number(integer(1)) {
@@ -189,7 +190,8 @@ impl Field {
         if let Some((monomial, c)) = base.num.single_term()
             && let ([(symbol, e)], true, true) =
                 (monomial.factors(), base.den.is_empty(), c.is_one())
-            && let Some(Kernel::Root(inner, Expression::Number(index))) = self.kernel(*symbol)
+            && let Some(Kernel::Root(inner, index)) = self.kernel(*symbol)
+            && let Some(index) = index.number()
             && let Some(times) = e.checked_mul(p)
         {
             let exponent = index * integer(i64::from(times)) / integer(i64::from(q));
@@ -210,7 +212,7 @@ impl Field {
             return Ratio::number(root).pow(p);
         }
         let (outer, base) = self.taken_out(base, q)?;
-        let index = Expression::Number(BigRational::new(1.into(), q.into()));
+        let index = Expression::from(BigRational::new(1.into(), q.into()));
         outer.pow(p)?.times(&self.power_of(Kernel::Root(base, index), p)?)
     }
 
@@ -223,7 +225,7 @@ impl Field {
         let positive = |symbol: Symbol| match self.kernel(symbol) {
             Some(Kernel::Exp(_)) => true,
             Some(Kernel::Atom(atom)) => {
-                [Expression::Pi, Parameter::Tau.into(), Variable::TimeToGo.into()].contains(atom)
+                [Expression::pi(), Parameter::Tau.into(), Variable::TimeToGo.into()].contains(atom)
             }
             _ => false,
         };
@@ -262,7 +264,7 @@ impl Field {
         terms: &Terms,
     ) -> Option<(Function, i64, Expression, bool)> {
         use Function as F;
-        let pi = self.symbol(Kernel::Atom(Expression::Pi))?;
+        let pi = self.symbol(Kernel::Atom(Expression::pi()))?;
         let half = BigRational::new(1.into(), 2.into());
         let monomial = Monomial::power(pi, 1);
         let turn = Self::combined(terms)

@@ -6,7 +6,7 @@ use super::field::{Field, Kernel, Terms, sum};
 use super::leading::{Limit, limit};
 use super::ratio::{Ratio, exact_quotient};
 use super::sign::{Sign, positive_parameters, sign};
-use super::{Expression, Function, Variable};
+use super::{Expression, Function, Node, Variable};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol, integer};
 use crate::parameter::Parameter;
 
@@ -53,8 +53,8 @@ pub(super) fn within(form: Option<Expression>, plain: &Expression) -> Expression
 
 /// atanh(s) as a logarithm, in which 1 - s is formed before it is rounded.
 fn logarithmic(expression: &Expression) -> Expression {
-    expression.substitute(&|e| match e {
-        Expression::Call(Function::Atanh, s) => {
+    expression.substitute(&|e| match e.node() {
+        Node::Call(Function::Atanh, s) => {
             let (one, s) = (Expression::integer(1), logarithmic(s));
             if !s.twice() {
                 return Some(Expression::call(Function::Atanh, s));
@@ -75,15 +75,15 @@ fn from_the_start(name: &Expression) -> Option<Sign> {
 /// Functions that tend to a constant as t grows: that constant, less what vanishes.
 fn at_limit(expression: &Expression) -> Expression {
     let t = Variable::SinceStart;
-    let has_cosh = expression.any(&|e| matches!(e, Expression::Call(Function::Cosh, _)));
+    let has_cosh = expression.any(&|e| matches!(e.node(), Node::Call(Function::Cosh, _)));
     expression.substitute(&|e| {
-        let Expression::Call(function, u) = e else { return None };
+        let Node::Call(function, u) = e.node() else { return None };
         match function {
             Function::Tanh | Function::Atan => {}
             // sinh(u) = cosh(u) tanh(u): their quotient then has its limit.
             Function::Sinh if has_cosh => {
-                let tanh = at_limit(&Expression::call(Function::Tanh, (**u).clone()));
-                return Some(Expression::call(Function::Cosh, (**u).clone()).mul(tanh));
+                let tanh = at_limit(&Expression::call(Function::Tanh, u.clone()));
+                return Some(Expression::call(Function::Cosh, u.clone()).mul(tanh));
             }
             _ => return None,
         }
@@ -108,7 +108,7 @@ fn at_limit(expression: &Expression) -> Expression {
                 Some(Sign::Positive | Sign::NotNegative) => vanishing(u),
                 _ => two.clone().mul(vanishing(u.add(root))),
             };
-            Expression::Pi.div(two).sub(rest)
+            Expression::pi().div(two).sub(rest)
         };
         Some(if falls { value.neg() } else { value })
     })
@@ -185,7 +185,7 @@ fn proper(field: &Field, term: &Ratio) -> Option<Terms> {
 
 /// u/S with S = sqrt(c + u^2) is 1 - c/(S (S + u)): in each term with u/S for a growing u.
 fn without_roots(field: &mut Field, term: Ratio) -> Option<Terms> {
-    let half = Expression::Number(BigRational::new(1.into(), 2.into()));
+    let half = Expression::from(BigRational::new(1.into(), 2.into()));
     let mut result = Vec::new();
     for (monomial, c) in term.num.terms() {
         let own = Ratio { num: Poly::term(c.clone(), monomial.clone()), den: term.den.clone() };

@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::Signed;
 
-use super::{Expression, Variable};
+use super::{Expression, Node, Variable};
 
 impl fmt::Display for Variable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -24,13 +24,13 @@ impl fmt::Display for Variable {
 
 /// How tightly the outermost operation binds.
 fn binding(expression: &Expression) -> u8 {
-    match expression {
-        Expression::Add(..) | Expression::Sub(..) => 1,
-        Expression::Mul(..) | Expression::Div(..) => 2,
-        Expression::Neg(_) => 3,
-        Expression::Number(number) if !number.is_integer() => 2,
-        Expression::Number(number) if number.is_negative() => 3,
-        Expression::Power(..) => 4,
+    match expression.node() {
+        Node::Add(..) | Node::Sub(..) => 1,
+        Node::Mul(..) | Node::Div(..) => 2,
+        Node::Neg(_) => 3,
+        Node::Number(number) if !number.is_integer() => 2,
+        Node::Number(number) if number.is_negative() => 3,
+        Node::Power(..) => 4,
         _ => 5,
     }
 }
@@ -51,7 +51,7 @@ fn list(items: &[&Expression]) -> String {
 impl Expression {
     /// The arguments of a min of several, which is the min of the first ones and the last.
     fn least_of(&self) -> Vec<&Self> {
-        let Self::Min(a, b) = self else { return vec![self] };
+        let Node::Min(a, b) = self.node() else { return vec![self] };
         let mut all = a.least_of();
         all.push(b);
         all
@@ -59,7 +59,7 @@ impl Expression {
 
     /// The arguments of a max of several.
     fn greatest_of(&self) -> Vec<&Self> {
-        let Self::Max(a, b) = self else { return vec![self] };
+        let Node::Max(a, b) = self.node() else { return vec![self] };
         let mut all = a.greatest_of();
         all.push(b);
         all
@@ -68,20 +68,20 @@ impl Expression {
 
 impl fmt::Display for Expression {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(number) => write!(f, "{number}"),
-            Self::Pi => f.write_str("pi"),
-            Self::Parameter(parameter) => f.write_str(&parameter.spelling()),
-            Self::Variable(variable) => write!(f, "{variable}"),
-            Self::Neg(a) => write!(f, "-{}", Operand(a, 3)),
-            Self::Add(a, b) => write!(f, "{} + {}", Operand(a, 1), Operand(b, 2)),
-            Self::Sub(a, b) => write!(f, "{} - {}", Operand(a, 1), Operand(b, 2)),
-            Self::Mul(a, b) => write!(f, "{}*{}", Operand(a, 2), Operand(b, 3)),
-            Self::Div(a, b) => write!(f, "{}/{}", Operand(a, 2), Operand(b, 3)),
-            Self::Power(a, b) => write!(f, "{}^{}", Operand(a, 5), Operand(b, 5)),
-            Self::Min(..) => write!(f, "min({})", list(&self.least_of())),
-            Self::Max(..) => write!(f, "max({})", list(&self.greatest_of())),
-            Self::Call(function, a) => write!(f, "{}({a})", function.name()),
+        match self.node() {
+            Node::Number(number) => write!(f, "{number}"),
+            Node::Pi => f.write_str("pi"),
+            Node::Parameter(parameter) => f.write_str(&parameter.spelling()),
+            Node::Variable(variable) => write!(f, "{variable}"),
+            Node::Neg(a) => write!(f, "-{}", Operand(a, 3)),
+            Node::Add(a, b) => write!(f, "{} + {}", Operand(a, 1), Operand(b, 2)),
+            Node::Sub(a, b) => write!(f, "{} - {}", Operand(a, 1), Operand(b, 2)),
+            Node::Mul(a, b) => write!(f, "{}*{}", Operand(a, 2), Operand(b, 3)),
+            Node::Div(a, b) => write!(f, "{}/{}", Operand(a, 2), Operand(b, 3)),
+            Node::Power(a, b) => write!(f, "{}^{}", Operand(a, 5), Operand(b, 5)),
+            Node::Min(..) => write!(f, "min({})", list(&self.least_of())),
+            Node::Max(..) => write!(f, "max({})", list(&self.greatest_of())),
+            Node::Call(function, a) => write!(f, "{}({a})", function.name()),
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use super::field::{Field, Kernel};
 use super::ratio::Ratio;
-use super::{Expression, Function};
+use super::{Expression, Function, Node};
 use crate::algebra::{BigRational, Monomial, Poly, Symbol};
 
 impl Field {
@@ -32,9 +32,10 @@ impl Field {
             .symbols()
             .into_iter()
             .filter_map(|symbol| match self.kernel(symbol) {
-                Some(Kernel::Atom(Expression::Call(function, u))) => {
-                    Some((symbol, *function, u.as_ref()))
-                }
+                Some(Kernel::Atom(atom)) => match atom.node() {
+                    Node::Call(function, u) => Some((symbol, *function, u)),
+                    _ => None,
+                },
                 _ => None,
             })
             .collect();

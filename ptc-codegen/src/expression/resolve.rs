@@ -2,13 +2,13 @@
 
 use super::existence::needs;
 use super::names::{self, Found};
-use super::{Expression, Function, Subject, Variable, power_bits};
+use super::{Expression, Function, Node, Subject, Variable, power_bits};
 use crate::algebra::integer;
 use crate::diagnostic::{Diagnostics, LARGE, Place, near_miss, shorten};
 use crate::family::{FAMILIES, FamilyInfo};
 use crate::limits::{ARGUMENTS, BITS, Limit, SIZE};
 use crate::parameter::{Fixed, Name, Parameter};
-use crate::syntax::{Argument, Node, Operator, Value, parse};
+use crate::syntax::{self, Argument, Operator, Value, parse};
 
 /// What names mean.
 #[derive(Clone, Copy)]
@@ -25,7 +25,11 @@ pub struct Scope<'a> {
 
 /// The expression that `node` stands for; on failure, records a diagnostic in
 /// `found`.
-pub fn resolve(node: &Node, scope: Scope<'_>, found: &mut Diagnostics) -> Option<Expression> {
+pub fn resolve(
+    node: &syntax::Node,
+    scope: Scope<'_>,
+    found: &mut Diagnostics,
+) -> Option<Expression> {
     let mut resolver = Resolver { scope, found };
     let expression = resolver.node(node)?;
     // With its constants and families written out it still has to be one that can be read: this
@@ -45,11 +49,11 @@ struct Resolver<'a, 'b> {
 }
 
 impl Resolver<'_, '_> {
-    fn node(&mut self, node: &Node) -> Option<Expression> {
+    fn node(&mut self, node: &syntax::Node) -> Option<Expression> {
         let expression = self.operation(node)?;
-        let (limit, size) = match &expression {
-            Expression::Number(n) => (BITS, n.numer().bits().max(n.denom().bits()) as usize),
-            other if matches!(node.value, Value::Call(..)) => (SIZE, other.size()),
+        let (limit, size) = match expression.node() {
+            Node::Number(n) => (BITS, n.numer().bits().max(n.denom().bits()) as usize),
+            _ if matches!(node.value, Value::Call(..)) => (SIZE, expression.size()),
             _ => return Some(expression),
         };
         if limit.admits(size) { Some(expression) } else { self.exceeded(&limit, size, node.place) }
@@ -66,9 +70,9 @@ impl Resolver<'_, '_> {
         None
     }
 
-    fn operation(&mut self, node: &Node) -> Option<Expression> {
+    fn operation(&mut self, node: &syntax::Node) -> Option<Expression> {
         match &node.value {
-            Value::Number(Fixed::Number { value, .. }) => Some(Expression::Number(value.clone())),
+            Value::Number(Fixed::Number { value, .. }) => Some(Expression::from(value.clone())),
             Value::Number(Fixed::Infinite) => self.wrong(
                 node.place,
                 "`inf` is not a number that can be computed with".to_owned(),
@@ -112,16 +116,15 @@ impl Resolver<'_, '_> {
                     }
                 }
                 let zero = Expression::integer(0);
-                let boxed = |e: Expression| Box::new(e);
                 Some(match operator {
                     Operator::Mul
                         if left == zero && self.stays(&right)
                             || right == zero && self.stays(&left) =>
                     {
-                        Expression::Mul(boxed(left), boxed(right))
+                        Node::Mul(left, right).into()
                     }
                     Operator::Power if right == zero && self.stays(&left) => {
-                        Expression::Power(boxed(left), boxed(right))
+                        Node::Power(left, right).into()
                     }
                     Operator::Add => left.add(right),
                     Operator::Sub => left.sub(right),
@@ -163,7 +166,7 @@ impl Resolver<'_, '_> {
             Found::Free => {}
         }
         if let Some(parameter) = self.scope.known.iter().find(|p| p.spelling() == name) {
-            return Some(Expression::Parameter(*parameter));
+            return Some(Expression::from(*parameter));
         }
         if matches!(subject, Subject::Mu | Subject::Kappa)
             && FAMILIES.iter().any(|info| info.name == name)
@@ -178,7 +181,7 @@ impl Resolver<'_, '_> {
             );
         }
         match Name::new(name) {
-            Some(name) => Some(Expression::Parameter(Parameter::Named(name))),
+            Some(name) => Some(Expression::from(Parameter::Named(name))),
             None => self.wrong(
                 place,
                 format!("`{}` cannot name a parameter", shorten(name)),
@@ -219,14 +222,10 @@ impl Resolver<'_, '_> {
             (_, Some((_, function)), 1) => {
                 Some(Expression::call(*function, values.into_iter().next()?))
             }
-            ("min", ..) if count >= 2 => {
-                values.into_iter().reduce(|a, b| Expression::Min(Box::new(a), Box::new(b)))
-            }
-            ("max", ..) if count >= 2 => {
-                values.into_iter().reduce(|a, b| Expression::Max(Box::new(a), Box::new(b)))
-            }
+            ("min", ..) if count >= 2 => values.into_iter().reduce(Expression::min),
+            ("max", ..) if count >= 2 => values.into_iter().reduce(Expression::max),
             ("mean", ..) if count >= 1 => {
-                let share = Expression::Number(integer(1) / integer(i64::try_from(count).ok()?));
+                let share = Expression::from(integer(1) / integer(i64::try_from(count).ok()?));
                 Some(values.into_iter().reduce(Expression::add)?.mul(share))
             }
             (_, Some(_), _) => {
@@ -276,7 +275,7 @@ impl Resolver<'_, '_> {
         let given = |e: &Expression| given.iter().find(|(key, _)| key == e).map(|(_, v)| v.clone());
         let form = form.substitute(&given);
         let zero = Expression::integer(0);
-        if form.any(&|e| matches!(e, Expression::Div(_, divisor) if **divisor == zero)) {
+        if form.any(&|e| matches!(e.node(), Node::Div(_, divisor) if *divisor == zero)) {
             let message = format!("`{name}` with a parameter that is 0 divides by zero");
             return self.wrong(place, message, "its parameters are > 0");
         }

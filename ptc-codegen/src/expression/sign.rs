@@ -5,7 +5,7 @@ use num_traits::Signed;
 use super::effort::bounded;
 use super::field::{Field, Kernel};
 use super::ratio::Ratio;
-use super::{Expression, Function};
+use super::{Expression, Function, Node};
 use crate::algebra::{Monomial, Poly, Symbol, integer};
 
 /// What is known of a sign.
@@ -65,7 +65,7 @@ pub(crate) type Names<'a> = &'a dyn Fn(&Expression) -> Option<Sign>;
 
 /// The signs where every parameter is positive and nothing is known of the variables.
 pub(crate) fn positive_parameters(name: &Expression) -> Option<Sign> {
-    matches!(name, Expression::Parameter(_)).then_some(Positive)
+    matches!(name.node(), Node::Parameter(_)).then_some(Positive)
 }
 
 /// The sign of an expression; `None` if it is not found.
@@ -160,9 +160,12 @@ fn above_one(field: &Field, poly: &Poly, known: Context<'_>) -> Option<Sign> {
 
 fn of_kernel(field: &Field, symbol: Symbol, known: Context<'_>) -> Option<Sign> {
     match field.kernel(symbol)? {
-        Kernel::Atom(Expression::Pi) | Kernel::Exp(_) => Some(Positive),
-        Kernel::Atom(Expression::Call(function, a)) => of_call(*function, a, known),
-        Kernel::Atom(atom) => of_atom(atom, known),
+        Kernel::Exp(_) => Some(Positive),
+        Kernel::Atom(atom) => match atom.node() {
+            Node::Pi => Some(Positive),
+            Node::Call(function, a) => of_call(*function, a, known),
+            _ => of_atom(atom, known),
+        },
         Kernel::Root(base, index) => match of_ratio(field, base, known)? {
             Positive => Some(Positive),
             Zero | NotNegative if index.number().is_some() => Some(NotNegative),
@@ -173,8 +176,10 @@ fn of_kernel(field: &Field, symbol: Symbol, known: Context<'_>) -> Option<Sign> 
 }
 
 fn of_atom(atom: &Expression, known: Context<'_>) -> Option<Sign> {
-    let (Expression::Min(a, b) | Expression::Max(a, b)) = atom else { return (known.names)(atom) };
-    let greater = match of(&(**a).clone().sub((**b).clone()), known) {
+    let (Node::Min(a, b) | Node::Max(a, b)) = atom.node() else {
+        return (known.names)(atom);
+    };
+    let greater = match of(&a.clone().sub(b.clone()), known) {
         Some(Positive | NotNegative | Zero) => true,
         Some(_) => false,
         None => {
@@ -182,7 +187,7 @@ fn of_atom(atom: &Expression, known: Context<'_>) -> Option<Sign> {
             return (both[0] == both[1]).then_some(both[0]);
         }
     };
-    of(if greater == matches!(atom, Expression::Max(..)) { a } else { b }, known)
+    of(if greater == matches!(atom.node(), Node::Max(..)) { a } else { b }, known)
 }
 
 fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sign> {
@@ -193,7 +198,7 @@ fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sig
             _ => Some(NotNegative),
         },
         Function::Ln if of(a, known) != Some(Positive) => None,
-        Function::Ln => of(&a.clone().sub(Expression::Number(integer(1))), known),
+        Function::Ln => of(&a.clone().sub(Expression::from(integer(1))), known),
         Function::Sqrt => of(a, known).filter(|sign| !matches!(sign, Negative | NotPositive)),
         Function::Sign | Function::Sinh | Function::Tanh | Function::Atan | Function::Atanh => {
             of(a, known)
@@ -201,7 +206,7 @@ fn of_call(function: Function, a: &Expression, known: Context<'_>) -> Option<Sig
         // Between -pi/2 and pi/2, or for the sine between 0 and pi.
         Function::Sin | Function::Cos | Function::Tan => {
             let below = |part: i64| {
-                let bound = Expression::Pi.div(Expression::integer(part));
+                let bound = Expression::pi().div(Expression::integer(part));
                 of(&bound.clone().sub(a.clone()), known) == Some(Positive)
                     && of(&bound.add(a.clone()), known) == Some(Positive)
             };
@@ -220,7 +225,7 @@ mod tests {
     use crate::expression::testing::{evaluate, mu, random};
 
     fn all_positive(name: &Expression) -> Option<Sign> {
-        matches!(name, Expression::Parameter(_) | Expression::Variable(_)).then_some(Positive)
+        matches!(name.node(), Node::Parameter(_) | Node::Variable(_)).then_some(Positive)
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The closed-form inverse of an expression in which the unknown occurs once.
 
-use super::{Expression, Function, Variable};
+use super::{Expression, Function, Node, Variable};
 
 /// The `unknown` for which `expression` is `target`, where undoing one operation after the other
 /// finds it: the unknown occurs once, and each operation around it can be undone. Where a branch
@@ -8,21 +8,21 @@ use super::{Expression, Function, Variable};
 pub fn solve(expression: &Expression, unknown: Variable, target: Expression) -> Option<Expression> {
     let here = |e: &Expression| e.contains(unknown);
     let undo = |inner: &Expression, target| solve(inner, unknown, target);
-    match expression {
-        Expression::Variable(variable) if *variable == unknown => Some(target),
-        Expression::Neg(a) => undo(a, target.neg()),
-        Expression::Add(a, b) if !here(b) => undo(a, target.sub((**b).clone())),
-        Expression::Add(a, b) if !here(a) => undo(b, target.sub((**a).clone())),
-        Expression::Sub(a, b) if !here(b) => undo(a, target.add((**b).clone())),
-        Expression::Sub(a, b) if !here(a) => undo(b, (**a).clone().sub(target)),
-        Expression::Mul(a, b) if !here(b) => undo(a, target.div((**b).clone())),
-        Expression::Mul(a, b) if !here(a) => undo(b, target.div((**a).clone())),
-        Expression::Div(a, b) if !here(b) => undo(a, target.mul((**b).clone())),
-        Expression::Div(a, b) if !here(a) => undo(b, (**a).clone().div(target)),
-        Expression::Power(a, b) if !here(b) => {
-            undo(a, target.power(Expression::integer(1).div((**b).clone())))
+    match expression.node() {
+        Node::Variable(variable) if *variable == unknown => Some(target),
+        Node::Neg(a) => undo(a, target.neg()),
+        Node::Add(a, b) if !here(b) => undo(a, target.sub(b.clone())),
+        Node::Add(a, b) if !here(a) => undo(b, target.sub(a.clone())),
+        Node::Sub(a, b) if !here(b) => undo(a, target.add(b.clone())),
+        Node::Sub(a, b) if !here(a) => undo(b, a.clone().sub(target)),
+        Node::Mul(a, b) if !here(b) => undo(a, target.div(b.clone())),
+        Node::Mul(a, b) if !here(a) => undo(b, target.div(a.clone())),
+        Node::Div(a, b) if !here(b) => undo(a, target.mul(b.clone())),
+        Node::Div(a, b) if !here(a) => undo(b, a.clone().div(target)),
+        Node::Power(a, b) if !here(b) => {
+            undo(a, target.power(Expression::integer(1).div(b.clone())))
         }
-        Expression::Call(function, a) => undo(a, inverse(*function, target)?),
+        Node::Call(function, a) => undo(a, inverse(*function, target)?),
         _ => None,
     }
 }

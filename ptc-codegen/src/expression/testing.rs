@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Expression, Function, Scope, Subject, Variable, resolve};
+use super::{Expression, Function, Node, Scope, Subject, Variable, resolve};
 use crate::diagnostic::{Diagnostics, Place};
 use crate::parameter::Parameter;
 use crate::syntax::parse;
@@ -27,22 +27,22 @@ pub(crate) fn kappa(text: &str) -> Expression {
 /// Its value with every variable at `at`, tau = 2, m = 1/2, any other parameter 3/4.
 pub(crate) fn evaluate(expression: &Expression, at: f64) -> f64 {
     let value = |e: &Expression| evaluate(e, at);
-    match expression {
-        Expression::Number(number) => number.to_f64().expect("a float"),
-        Expression::Pi => std::f64::consts::PI,
-        Expression::Parameter(Parameter::Tau) => 2.0,
-        Expression::Parameter(p) if p.spelling() == "m" => 0.5,
-        Expression::Parameter(_) => 0.75,
-        Expression::Variable(_) => at,
-        Expression::Neg(a) => -value(a),
-        Expression::Add(a, b) => value(a) + value(b),
-        Expression::Sub(a, b) => value(a) - value(b),
-        Expression::Mul(a, b) => value(a) * value(b),
-        Expression::Div(a, b) => value(a) / value(b),
-        Expression::Power(a, b) => value(a).powf(value(b)),
-        Expression::Min(a, b) => value(a).min(value(b)),
-        Expression::Max(a, b) => value(a).max(value(b)),
-        Expression::Call(function, a) => {
+    match expression.node() {
+        Node::Number(number) => number.to_f64().expect("a float"),
+        Node::Pi => std::f64::consts::PI,
+        Node::Parameter(Parameter::Tau) => 2.0,
+        Node::Parameter(p) if p.spelling() == "m" => 0.5,
+        Node::Parameter(_) => 0.75,
+        Node::Variable(_) => at,
+        Node::Neg(a) => -value(a),
+        Node::Add(a, b) => value(a) + value(b),
+        Node::Sub(a, b) => value(a) - value(b),
+        Node::Mul(a, b) => value(a) * value(b),
+        Node::Div(a, b) => value(a) / value(b),
+        Node::Power(a, b) => value(a).powf(value(b)),
+        Node::Min(a, b) => value(a).min(value(b)),
+        Node::Max(a, b) => value(a).max(value(b)),
+        Node::Call(function, a) => {
             let a = value(a);
             match function {
                 Function::Abs => a.abs(),

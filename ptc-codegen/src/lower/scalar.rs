@@ -4,45 +4,45 @@ use num_traits::Signed;
 
 use super::builder::Builder;
 use super::coefficient::pi_power;
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
 use crate::program::{Input, Op, Value};
 
 impl Builder<'_> {
     /// The value of an expression.
     pub(super) fn scalar(&mut self, expression: &Expression) -> Value {
-        match expression {
-            Expression::Number(number) => self.number(number.clone()),
-            Expression::Pi => self.number(pi_power(1)),
+        match expression.node() {
+            Node::Number(number) => self.number(number.clone()),
+            Node::Pi => self.number(pi_power(1)),
             // The start is armed anew, whatever the parameter was.
-            Expression::Parameter(Parameter::StartTime) => self.push(Op::Input(Input::StartTime)),
-            Expression::Parameter(parameter) => self.parameter(*parameter),
-            Expression::Variable(variable) => self.variable(*variable),
-            Expression::Neg(a) => {
+            Node::Parameter(Parameter::StartTime) => self.push(Op::Input(Input::StartTime)),
+            Node::Parameter(parameter) => self.parameter(*parameter),
+            Node::Variable(variable) => self.variable(*variable),
+            Node::Neg(a) => {
                 let a = self.scalar(a);
                 self.push(Op::Neg(a))
             }
-            Expression::Power(a, exponent) => {
+            Node::Power(a, exponent) => {
                 let a = self.scalar(a);
                 self.scalar_power(a, exponent)
             }
-            Expression::Call(function, a) => {
+            Node::Call(function, a) => {
                 let a = self.scalar(a);
                 self.push(Op::Call(*function, a))
             }
-            Expression::Add(a, b)
-            | Expression::Sub(a, b)
-            | Expression::Mul(a, b)
-            | Expression::Div(a, b)
-            | Expression::Min(a, b)
-            | Expression::Max(a, b) => {
+            Node::Add(a, b)
+            | Node::Sub(a, b)
+            | Node::Mul(a, b)
+            | Node::Div(a, b)
+            | Node::Min(a, b)
+            | Node::Max(a, b) => {
                 let (a, b) = (self.scalar(a), self.scalar(b));
-                self.push(match expression {
-                    Expression::Add(..) => Op::Add(a, b),
-                    Expression::Sub(..) => Op::Sub(a, b),
-                    Expression::Mul(..) => Op::Mul(a, b),
-                    Expression::Div(..) => Op::Div(a, b),
-                    Expression::Min(..) => Op::Min(a, b),
+                self.push(match expression.node() {
+                    Node::Add(..) => Op::Add(a, b),
+                    Node::Sub(..) => Op::Sub(a, b),
+                    Node::Mul(..) => Op::Mul(a, b),
+                    Node::Div(..) => Op::Div(a, b),
+                    Node::Min(..) => Op::Min(a, b),
                     _ => Op::Max(a, b),
                 })
             }

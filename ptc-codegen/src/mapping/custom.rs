@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::expression::decaying::decaying;
 use crate::expression::effort::{bounded, completed};
 use crate::expression::leading::{Decay, Limit};
-use crate::expression::{Expression, Function, Subject, Variable, leading, normal, solve};
+use crate::expression::{Expression, Function, Node, Subject, Variable, leading, normal, solve};
 use crate::limits::EFFORT;
 use crate::parameter::Parameter;
 
@@ -71,9 +71,9 @@ impl Kappa {
 
     fn form_of(kappa: &Expression) -> Expression {
         // A cotangent in place of a tangent's inverse: the tangent has a pole at the start.
-        let without_tan = kappa.substitute(&|e| match e {
-            Expression::Call(Function::Tan, angle) => {
-                let part = |function| Expression::call(function, (**angle).clone());
+        let without_tan = kappa.substitute(&|e| match e.node() {
+            Node::Call(Function::Tan, angle) => {
+                let part = |function| Expression::call(function, angle.clone());
                 Some(part(Function::Sin).div(part(Function::Cos)))
             }
             _ => None,
@@ -135,7 +135,7 @@ impl Custom {
     ) -> Option<Decay> {
         let oscillates = |form: &Expression, v, limit: fn(&Expression, Variable) -> _| {
             form.any(&|e| {
-                let Expression::Call(Function::Sin | Function::Cos | Function::Tan, a) = e else {
+                let Node::Call(Function::Sin | Function::Cos | Function::Tan, a) = e.node() else {
                     return false;
                 };
                 a.contains(v) && !matches!(limit(a, v), Some(Limit::Finite(_)))

@@ -4,7 +4,7 @@ use super::{Custom, Form, Kappa};
 use crate::algebra::BigRational;
 use crate::expression::decaying::decaying;
 use crate::expression::normal::complement;
-use crate::expression::{Expression, Function, Subject, Variable, family_form, solve};
+use crate::expression::{Expression, Function, Node, Subject, Variable, family_form, solve};
 use crate::family::Family;
 use crate::parameter::Parameter;
 
@@ -59,7 +59,7 @@ impl TimeMapping {
                     Expression::call(Function::Exp, phase.neg())
                 };
                 let sum = (1..=*rates).map(decay).reduce(Expression::add)?;
-                let share = Expression::Number(BigRational::new(1.into(), (*rates).into()));
+                let share = Expression::from(BigRational::new(1.into(), (*rates).into()));
                 Some(Expression::from(Parameter::Tau).mul(share).mul(sum))
             }
             Self::Family { family, .. } => {
@@ -89,8 +89,8 @@ impl Kappa {
 
 /// A form of a family on its own parameters.
 pub(crate) fn form(family: Family, subject: Subject) -> Option<Expression> {
-    let own = |e: &Expression| match e {
-        Expression::Parameter(Parameter::Named(name)) => match name.text() {
+    let own = |e: &Expression| match e.node() {
+        Node::Parameter(Parameter::Named(name)) => match name.text() {
             "a" => Some(Parameter::A.into()),
             "m" => Some(Parameter::M.into()),
             "start" => Some(Parameter::Start.into()),

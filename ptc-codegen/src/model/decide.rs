@@ -25,7 +25,7 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
     let apart = |point: i64| {
         let at = |(index, name): (i64, &Expression)| {
             let value = BigRational::new((1 + (7 * index + 5 * point) % 13).into(), 8.into());
-            let state = matches!(name, Expression::Variable(_));
+            let state = name.variable().is_some();
             let value = if state && (index + point) % 3 == 0 { -value } else { value };
             (name.clone(), Interval::exact(&value))
         };
@@ -38,8 +38,5 @@ pub(super) fn is_zero(expression: &Expression, values: &Values) -> Option<bool> 
 
 /// The expression with the values that are known.
 pub(super) fn with(expression: &Expression, values: &Values) -> Expression {
-    expression.substitute(&|e| match e {
-        Expression::Parameter(parameter) => values.get(parameter).cloned().map(Expression::Number),
-        _ => None,
-    })
+    expression.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from))
 }

@@ -61,9 +61,9 @@ impl Model {
 /// The same expression with the names of a plant in place of its states and its input.
 fn named(states: &[Name], input: Name, expression: &Expression) -> Expression {
     let of = |name: Name| Some(Parameter::Named(name).into());
-    expression.substitute(&|e| match e {
-        Expression::Variable(Variable::State(j)) => states.get(j - 1).copied().and_then(of),
-        Expression::Variable(Variable::Control) => of(input),
+    expression.substitute(&|e| match e.variable()? {
+        Variable::State(j) => states.get(j - 1).copied().and_then(of),
+        Variable::Control => of(input),
         _ => None,
     })
 }

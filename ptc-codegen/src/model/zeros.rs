@@ -79,9 +79,8 @@ impl Point<'_> {
 
     /// The expression at the origin.
     fn at(&self, expression: &Expression) -> Expression {
-        with(expression, self.values).substitute(&|e| match e {
-            Expression::Variable(Variable::State(_)) => Some(Expression::integer(0)),
-            _ => None,
+        with(expression, self.values).substitute(&|e| {
+            matches!(e.variable(), Some(Variable::State(_))).then(|| Expression::integer(0))
         })
     }
 
@@ -127,7 +126,7 @@ impl Point<'_> {
         }
         let control = Expression::from(Variable::Control);
         let applied = |e: &Expression, u: &BigRational| {
-            e.substitute(&|leaf| (*leaf == control).then(|| Expression::Number(u.clone())))
+            e.substitute(&|leaf| (*leaf == control).then(|| Expression::from(u.clone())))
         };
         let at_rest = |e: &Expression| self.number(&applied(e, &BigRational::zero()));
         let slope = |e: &Expression| at_rest(&e.derivative(Variable::Control));

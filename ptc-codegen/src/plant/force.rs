@@ -25,10 +25,7 @@ pub(crate) fn force(
     values: &BTreeMap<Parameter, BigRational>,
     bounded: &[Bounded],
 ) -> Result<[BigRational; 3], String> {
-    let known = f.substitute(&|e| match e {
-        Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
-        _ => None,
-    });
+    let known = f.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from));
     let is = |e: &Expression, symbol: Parameter| *e == Expression::from(symbol);
     let other = || format!("f = {f} is not a sum of bounded symbols");
     // f with one of them 1, and the others 0.
@@ -42,13 +39,13 @@ pub(crate) fn force(
     };
     let alone = with(None)?;
     let (mut middle, mut constant, mut varying) = (alone.clone(), integer(0), integer(0));
-    let mut rest = known.clone().sub(Expression::Number(alone.clone()));
+    let mut rest = known.clone().sub(Expression::from(alone.clone()));
     for (symbol, [low, high], is_constant) in bounded {
         let share = with(Some(*symbol))? - &alone;
         middle += &share * (low + high) / integer(2);
         let most = if *is_constant { &mut constant } else { &mut varying };
         *most += (&share * (high - low) / integer(2)).abs();
-        rest = rest.sub(Expression::Number(share).mul((*symbol).into()));
+        rest = rest.sub(Expression::from(share).mul((*symbol).into()));
     }
     if normal(&rest) != Expression::integer(0) || !existence::needs(f).is_empty() {
         return Err(other());

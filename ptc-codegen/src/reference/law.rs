@@ -3,7 +3,7 @@
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, below, raised};
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
 
 /// A value, and the size of the terms that it consists of: what one relative error of each term
@@ -33,46 +33,46 @@ impl Arithmetic {
     pub(super) fn term(&mut self, expression: &Expression, leaves: &Leaves<'_>) -> Term {
         let mut inner = |e: &Expression| self.term(e, leaves);
         let exact = |own: &Self, value| Term { value, size: own.integer(0) };
-        let (value, size) = match expression {
-            Expression::Number(number) => return exact(self, self.exact(number)),
-            Expression::Pi => {
+        let (value, size) = match expression.node() {
+            Node::Number(number) => return exact(self, self.exact(number)),
+            Node::Pi => {
                 let pi = self.pi();
                 return exact(self, pi);
             }
-            Expression::Parameter(p) => return exact(self, (leaves.parameter)(*p)),
-            Expression::Variable(v) => return (leaves.variable)(*v),
-            Expression::Neg(a) => {
+            Node::Parameter(p) => return exact(self, (leaves.parameter)(*p)),
+            Node::Variable(v) => return (leaves.variable)(*v),
+            Node::Neg(a) => {
                 let a = inner(a);
                 return Term { value: a.value.neg(), size: a.size };
             }
-            Expression::Add(a, b) | Expression::Sub(a, b) => {
+            Node::Add(a, b) | Node::Sub(a, b) => {
                 let (a, b) = (inner(a), inner(b));
-                let minus = matches!(expression, Expression::Sub(..));
+                let minus = matches!(expression.node(), Node::Sub(..));
                 let value =
                     if minus { self.sub(&a.value, &b.value) } else { self.add(&a.value, &b.value) };
                 // Terms of which each is exact, as one of a sum of numbers, still count.
                 let size = |term: &Term| larger(&term.size, &term.value);
                 (value, self.add(&size(&a), &size(&b)))
             }
-            Expression::Mul(a, b) => {
+            Node::Mul(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 let sizes = [self.mul(&a.value, &b.size), self.mul(&b.value, &a.size)];
                 (self.mul(&a.value, &b.value), self.add(&sizes[0].abs(), &sizes[1].abs()))
             }
-            Expression::Div(a, b) => {
+            Node::Div(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 let value = self.div(&a.value, &b.value);
                 let sizes = [a.size.clone(), self.mul(&value, &b.size)];
                 let size = self.add(&sizes[0], &sizes[1].abs());
                 (value, self.div(&size, &b.value.abs()))
             }
-            Expression::Power(a, b) => return self.power_term(a, b, leaves),
-            Expression::Min(a, b) | Expression::Max(a, b) => {
+            Node::Power(a, b) => return self.power_term(a, b, leaves),
+            Node::Min(a, b) | Node::Max(a, b) => {
                 let (a, b) = (inner(a), inner(b));
-                let least = matches!(expression, Expression::Min(..));
+                let least = matches!(expression.node(), Node::Min(..));
                 return if below(&a.value, &b.value) == least { a } else { b };
             }
-            Expression::Call(function, a) => {
+            Node::Call(function, a) => {
                 let a = inner(a);
                 let slope = self.slope(*function, &a.value);
                 (self.call(*function, &a.value), self.mul(&slope, &a.size).abs())

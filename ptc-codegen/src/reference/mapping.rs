@@ -62,7 +62,7 @@ fn definition(family: Family, rates: usize) -> Expression {
             let base = number(1).add(m.clone().mul(at));
             number(1).sub(base.power(number(-1).div(m)))
         }
-        Family::Tan => number(2).div(Expression::Pi).mul(Expression::call(Function::Atan, at)),
+        Family::Tan => number(2).div(Expression::pi()).mul(Expression::call(Function::Atan, at)),
         Family::Tanh => Expression::call(Function::Tanh, at),
         Family::Algebraic => {
             let square = at.clone().power(number(2));

@@ -3,7 +3,7 @@
 use astro_float_num::BigFloat;
 
 use super::long::{Arithmetic, is_finite, raised};
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
 
 /// Coefficients of 1, z, z^2, ... up to a common order.
@@ -192,40 +192,40 @@ impl Arithmetic {
     ) -> Series {
         let length = at.len();
         let mut inner = |e: &Expression| self.series(e, variable, at, parameter);
-        match expression {
-            Expression::Number(number) => self.constant(self.exact(number), length),
-            Expression::Pi => {
+        match expression.node() {
+            Node::Number(number) => self.constant(self.exact(number), length),
+            Node::Pi => {
                 let pi = self.pi();
                 self.constant(pi, length)
             }
-            Expression::Parameter(p) => self.constant(self.double(parameter(*p)), length),
-            Expression::Variable(v) if *v == variable => at.clone(),
+            Node::Parameter(p) => self.constant(self.double(parameter(*p)), length),
+            Node::Variable(v) if *v == variable => at.clone(),
             // No mapping has another variable; none is better than a wrong one.
-            Expression::Variable(_) => self.constant(astro_float_num::NAN, length),
-            Expression::Neg(a) => inner(a).iter().map(BigFloat::neg).collect(),
-            Expression::Add(a, b) => {
+            Node::Variable(_) => self.constant(astro_float_num::NAN, length),
+            Node::Neg(a) => inner(a).iter().map(BigFloat::neg).collect(),
+            Node::Add(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 self.each(&a, &b, |a, b| self.add(a, b))
             }
-            Expression::Sub(a, b) => {
+            Node::Sub(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 self.each(&a, &b, |a, b| self.sub(a, b))
             }
-            Expression::Mul(a, b) => {
+            Node::Mul(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 self.product(&a, &b)
             }
-            Expression::Div(a, b) => {
+            Node::Div(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 self.quotient(&a, &b)
             }
-            Expression::Min(a, b) | Expression::Max(a, b) => {
+            Node::Min(a, b) | Node::Max(a, b) => {
                 let (a, b) = (inner(a), inner(b));
                 let first_is_less = super::long::below(&a[0], &b[0]);
-                let least = matches!(expression, Expression::Min(..));
+                let least = matches!(expression.node(), Node::Min(..));
                 if first_is_less == least { a } else { b }
             }
-            Expression::Power(a, b) => {
+            Node::Power(a, b) => {
                 let base = inner(a);
                 if let Some(k) = b.small_integer() {
                     return self.whole_power(&base, k);
@@ -238,7 +238,7 @@ impl Arithmetic {
                 let product = self.product(&exponent, &logarithm);
                 self.exponential(&product)
             }
-            Expression::Call(function, a) => {
+            Node::Call(function, a) => {
                 let a = inner(a);
                 self.function(*function, &a)
             }

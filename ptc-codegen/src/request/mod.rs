@@ -268,10 +268,7 @@ impl Spec {
     pub fn latches(&self) -> bool {
         self.expressions().any(|e| {
             e.any(&|e| {
-                matches!(
-                    e,
-                    Expression::Variable(Variable::StateAtStart(_) | Variable::XiAtStart(_))
-                )
+                matches!(e.variable(), Some(Variable::StateAtStart(_) | Variable::XiAtStart(_)))
             })
         })
     }

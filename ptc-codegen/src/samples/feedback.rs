@@ -8,7 +8,7 @@ use super::controller::Builder;
 use super::rows::{deadbeat, deadbeat_from, rows};
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
-use crate::expression::Expression;
+use crate::expression::{Expression, Node};
 use crate::internal::fault;
 use crate::linear::{Linear, Pair, dot};
 use crate::parameter::Parameter;
@@ -159,9 +159,9 @@ impl Builder<'_> {
     /// f in units of u. It is divided in the call, where its field may have changed.
     pub(super) fn force(&mut self) -> Expr {
         let over_gain = integer(1) / &self.sampled.gain;
-        match &self.spec.drift {
-            Some(Expression::Number(force)) => Expr::Number(force * over_gain),
-            Some(Expression::Parameter(parameter)) => {
+        match self.spec.drift.as_ref().map(Expression::node) {
+            Some(Node::Number(force)) => Expr::Number(force * over_gain),
+            Some(Node::Parameter(parameter)) => {
                 let force = self.parameter(*parameter);
                 self.keep("f", "known f", force).mul(Expr::Number(over_gain))
             }

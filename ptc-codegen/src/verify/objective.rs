@@ -105,7 +105,7 @@ impl From<Kind> for Objective {
 impl Objective {
     /// Whether it holds or fails at t0 whatever the control does.
     pub fn is_of_state(&self) -> bool {
-        let control = Expression::Variable(crate::expression::Variable::Control);
+        let control = Expression::from(crate::expression::Variable::Control);
         match &self.kind {
             Kind::State { .. } => true,
             Kind::Within { h, .. } => !h.any(&|e| *e == control),

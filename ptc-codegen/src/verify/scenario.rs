@@ -175,7 +175,7 @@ impl Campaign {
                 .disturbances
                 .iter()
                 .enumerate()
-                .find(|(_, (symbol, ..))| *e == Expression::Parameter(*symbol))?;
+                .find(|(_, (symbol, ..))| *e == Expression::from(*symbol))?;
             let [bias, size, rate, phase] = wave(d).map(Expression::from);
             if !signals.contains(&Signal::Sine) {
                 return Some(bias);

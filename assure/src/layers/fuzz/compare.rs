@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use ptc_codegen::expression::{Expression, Variable};
+use ptc_codegen::expression::{Expression, Node, Variable};
 use ptc_codegen::law::Law;
 use ptc_codegen::lower::lower;
 use ptc_codegen::parameter::{Parameter, Precision};
@@ -103,8 +103,8 @@ pub(super) fn against_definition(
 /// Whether the law or the input gain calls a function whose last bit depends on the library.
 fn calls_in_mapping(spec: &Spec) -> bool {
     use ptc_codegen::expression::Function::{Abs, Sign, Sqrt};
-    let is_call = |e: &Expression| match e {
-        Expression::Call(function, _) => !matches!(function, Abs | Sign | Sqrt),
+    let is_call = |e: &Expression| match e.node() {
+        Node::Call(function, _) => !matches!(function, Abs | Sign | Sqrt),
         _ => false,
     };
     spec.expressions().any(|e| e.any(&is_call))

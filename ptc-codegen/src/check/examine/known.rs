@@ -8,7 +8,7 @@ use crate::algebra::{BigRational, integer};
 use crate::check::growth::Modes;
 use crate::expression::enclosure::{Evaluator, Existence, Names};
 use crate::expression::interval::Interval;
-use crate::expression::{Expression, Variable, leading};
+use crate::expression::{Expression, Node, Variable, leading};
 use crate::family::Family;
 use crate::mapping::{Form, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
@@ -95,10 +95,7 @@ pub(crate) fn decay(spec: &Spec) -> Decay {
         }
         TimeMapping::Family { .. } => Decay::of_family(Some(integer(0)), Modes::Other),
         TimeMapping::Custom(custom) => {
-            let fixed = |e: &Expression| match e {
-                Expression::Parameter(parameter) => exact(spec, *parameter).map(Expression::Number),
-                _ => None,
-            };
+            let fixed = |e: &Expression| exact(spec, e.parameter()?).map(Expression::from);
             // Limits are found for positive parameters.
             let lowest = |p: &Parameter| match spec.bounds.get(p) {
                 Some((least, _)) => least.number().cloned(),
@@ -156,29 +153,27 @@ fn rate_of(spec: &Spec, rate: &Expression) -> Rate {
 /// The greatest value of an expression in positive parameters that are fixed or bounded; none
 /// where it falls with a bounded one.
 fn evaluate(spec: &Spec, expression: &Expression) -> Option<BigRational> {
-    let falls = matches!(
-        expression,
-        Expression::Neg(_) | Expression::Sub(..) | Expression::Div(..) | Expression::Power(..)
-    );
+    let falls =
+        matches!(expression.node(), Node::Neg(_) | Node::Sub(..) | Node::Div(..) | Node::Power(..));
     if falls && expression.parameters().iter().any(|p| spec.bounds.contains_key(p)) {
         return None;
     }
     let of = |e: &Expression| evaluate(spec, e);
-    match expression {
-        Expression::Number(number) => Some(number.clone()),
-        Expression::Parameter(parameter) => greatest(spec, *parameter),
-        Expression::Neg(a) => of(a).map(|a| -a),
-        Expression::Add(a, b) => Some(of(a)? + of(b)?),
-        Expression::Sub(a, b) => Some(of(a)? - of(b)?),
-        Expression::Mul(a, b) => Some(of(a)? * of(b)?),
-        Expression::Div(a, b) => of(b).filter(|b| *b != integer(0)).and_then(|b| Some(of(a)? / b)),
-        Expression::Min(a, b) => Some(of(a)?.min(of(b)?)),
-        Expression::Max(a, b) => Some(of(a)?.max(of(b)?)),
-        Expression::Power(a, b) => {
+    match expression.node() {
+        Node::Number(number) => Some(number.clone()),
+        Node::Parameter(parameter) => greatest(spec, *parameter),
+        Node::Neg(a) => of(a).map(|a| -a),
+        Node::Add(a, b) => Some(of(a)? + of(b)?),
+        Node::Sub(a, b) => Some(of(a)? - of(b)?),
+        Node::Mul(a, b) => Some(of(a)? * of(b)?),
+        Node::Div(a, b) => of(b).filter(|b| *b != integer(0)).and_then(|b| Some(of(a)? / b)),
+        Node::Min(a, b) => Some(of(a)?.min(of(b)?)),
+        Node::Max(a, b) => Some(of(a)?.max(of(b)?)),
+        Node::Power(a, b) => {
             let exponent = b.small_integer().filter(|k| (0..=64).contains(k))?;
             Some(of(a)?.pow(exponent))
         }
-        Expression::Pi | Expression::Variable(_) | Expression::Call(..) => None,
+        Node::Pi | Node::Variable(_) | Node::Call(..) => None,
     }
 }
 

@@ -11,15 +11,15 @@ use crate::expression::interval::Interval;
 use crate::expression::leading::{scale, scale_at_zero};
 use crate::expression::normal::normal;
 use crate::expression::sign::Sign;
-use crate::expression::{Expression, Function};
+use crate::expression::{Expression, Function, Node};
 
 impl Problem<'_> {
     pub(super) fn growth(&mut self) -> Verdict {
         let name = self.quantity();
         let start = if self.is_mu { integer(0) } else { integer(1) };
-        let there = Expression::Number(start.clone());
+        let there = Expression::from(start.clone());
         let first = self.slope.substitute(&|e| (*e == self.v.into()).then(|| there.clone()));
-        let kinks = |e: &Expression| matches!(e, Expression::Call(Function::Sign, _));
+        let kinks = |e: &Expression| matches!(e.node(), Node::Call(Function::Sign, _));
         if normal(&first) == Expression::integer(0) && !self.slope.any(&kinks) {
             return Verdict::Refuted { at: self.at(&start), why: format!("{name}' is 0") };
         }

@@ -9,7 +9,7 @@ use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::normal::{complement, normal};
 use crate::expression::sign::{Sign, sign};
-use crate::expression::{Expression, Subject, Variable};
+use crate::expression::{Expression, Node, Subject, Variable};
 use crate::mapping::Custom;
 use crate::parameter::Parameter;
 
@@ -35,11 +35,8 @@ impl<'a> Problem<'a> {
     pub(super) fn new(custom: &Custom, n: usize, ranges: Ranges<'a>) -> Self {
         let is_mu = custom.subject == Subject::Mu;
         let tau = Expression::from(Parameter::Tau);
-        let fixed = |e: &Expression| match e {
-            Expression::Parameter(parameter) => {
-                ranges(*parameter).filter(|(a, b)| a == b).map(|(a, _)| Expression::Number(a))
-            }
-            _ => None,
+        let fixed = |e: &Expression| {
+            ranges(e.parameter()?).filter(|(a, b)| a == b).map(|(a, _)| Expression::from(a))
         };
         let parameters = &custom.parameters;
         let positive =
@@ -76,21 +73,21 @@ impl<'a> Problem<'a> {
             (Expression::from(Variable::TimeToGo), Expression::from(Variable::Elapsed));
         let both = to_go.clone().add(elapsed.clone());
         let share = |part: &Expression| part.clone().div(both.clone());
-        let scaled = expression.substitute(&|e| match e {
-            Expression::Variable(Variable::TimeToGo) => Some(share(&to_go)),
-            Expression::Variable(Variable::Elapsed) => Some(share(&elapsed)),
+        let scaled = expression.substitute(&|e| match e.node() {
+            Node::Variable(Variable::TimeToGo) => Some(share(&to_go)),
+            Node::Variable(Variable::Elapsed) => Some(share(&elapsed)),
             _ => None,
         });
-        sign(&scaled, &|name| match name {
-            Expression::Parameter(parameter) => match (self.ranges)(*parameter) {
+        sign(&scaled, &|name| match name.node() {
+            Node::Parameter(parameter) => match (self.ranges)(*parameter) {
                 None => Some(Sign::Positive),
                 Some((low, _)) if low.is_positive() => Some(Sign::Positive),
                 Some((low, _)) if low.is_zero() => Some(Sign::NotNegative),
                 Some((_, high)) if high.is_negative() => Some(Sign::Negative),
                 Some(_) => None,
             },
-            Expression::Variable(Variable::TimeToGo) => Some(Sign::Positive),
-            Expression::Variable(_) => Some(Sign::NotNegative),
+            Node::Variable(Variable::TimeToGo) => Some(Sign::Positive),
+            Node::Variable(_) => Some(Sign::NotNegative),
             _ => None,
         })
     }

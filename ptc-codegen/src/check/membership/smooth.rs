@@ -1,6 +1,6 @@
 //! What must hold of the parts of an expression for it to be smooth.
 
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 
 /// A condition on a part of an expression, wherever the variable may be.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +15,6 @@ pub(super) struct Need {
 
 /// All conditions under which `expression` is smooth in `v`.
 pub(super) fn needs(expression: &Expression, v: Variable) -> Vec<Need> {
-    use Expression as E;
     let mut found = Vec::new();
     let mut need = |part: Expression, positive: bool, why: String| {
         if part.contains(v) {
@@ -23,31 +22,31 @@ pub(super) fn needs(expression: &Expression, v: Variable) -> Vec<Need> {
         }
     };
     let one = || Expression::integer(1);
-    match expression {
-        E::Div(_, b) => need((**b).clone(), false, format!("{b}, a divisor, may be 0")),
-        E::Power(a, b) => match b.small_integer() {
+    match expression.node() {
+        Node::Div(_, b) => need(b.clone(), false, format!("{b}, a divisor, may be 0")),
+        Node::Power(a, b) => match b.small_integer() {
             Some(k) if k >= 0 => {}
-            Some(_) => need((**a).clone(), false, format!("{a}, a divisor, may be 0")),
-            None => need((**a).clone(), true, format!("{a}, to the power {b}, may be 0")),
+            Some(_) => need(a.clone(), false, format!("{a}, a divisor, may be 0")),
+            None => need(a.clone(), true, format!("{a}, to the power {b}, may be 0")),
         },
-        E::Min(a, b) | E::Max(a, b) => {
-            let part = (**a).clone().sub((**b).clone());
+        Node::Min(a, b) | Node::Max(a, b) => {
+            let part = a.clone().sub(b.clone());
             need(part, false, format!("{expression} has a kink where both are equal"));
         }
-        E::Call(Function::Abs | Function::Sign, a) => {
-            need((**a).clone(), false, format!("{expression} has a kink where {a} is 0"));
+        Node::Call(Function::Abs | Function::Sign, a) => {
+            need(a.clone(), false, format!("{expression} has a kink where {a} is 0"));
         }
-        E::Call(function @ (Function::Ln | Function::Sqrt), a) => {
-            need((**a).clone(), true, format!("{a}, under {}, may be 0", function.name()));
+        Node::Call(function @ (Function::Ln | Function::Sqrt), a) => {
+            need(a.clone(), true, format!("{a}, under {}, may be 0", function.name()));
         }
-        E::Call(Function::Tan, a) => {
-            let cosine = Expression::call(Function::Cos, (**a).clone());
+        Node::Call(Function::Tan, a) => {
+            let cosine = Expression::call(Function::Cos, a.clone());
             need(cosine, false, format!("{expression} may have a pole"));
         }
-        E::Call(Function::Atanh, a) => {
+        Node::Call(Function::Atanh, a) => {
             let why = format!("{a}, under atanh, may reach 1 or -1");
-            need(one().sub((**a).clone()), true, why.clone());
-            need(one().add((**a).clone()), true, why);
+            need(one().sub(a.clone()), true, why.clone());
+            need(one().add(a.clone()), true, why);
         }
         _ => {}
     }

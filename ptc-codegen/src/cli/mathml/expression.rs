@@ -2,7 +2,7 @@
 
 use num_traits::{Signed, ToPrimitive};
 use ptc_codegen::algebra::{BigRational, integer};
-use ptc_codegen::expression::{Expression, Function, Variable};
+use ptc_codegen::expression::{Expression, Function, Node, Variable};
 use ptc_codegen::parameter::Parameter;
 
 use super::element::{
@@ -43,34 +43,34 @@ const DIGITS: u32 = 9;
 /// The expression.
 pub(crate) fn of_expression(expression: &Expression) -> Math {
     let tight = |e: &Expression, least: u8| operand(e, least);
-    match expression {
-        Expression::Number(value) => of_number(value),
-        Expression::Pi => named("pi"),
-        Expression::Parameter(parameter) => of_parameter(*parameter),
-        Expression::Variable(v) => variable(*v),
-        Expression::Neg(a) => row([operator("\u{2212}"), tight(a, 3)]),
-        Expression::Add(a, b) => relation(tight(a, 1), "+", tight(b, 2)),
-        Expression::Sub(a, b) => relation(tight(a, 1), "\u{2212}", tight(b, 2)),
-        Expression::Mul(a, b) => relation(tight(a, 2), "\u{22c5}", tight(b, 3)),
-        Expression::Div(a, b) => fraction(of_expression(a), of_expression(b)),
-        Expression::Power(a, b) => sup(tight(a, 6), of_expression(b)),
-        Expression::Min(..) | Expression::Max(..) => several(expression),
-        Expression::Call(function, a) => call(*function, a),
+    match expression.node() {
+        Node::Number(value) => of_number(value),
+        Node::Pi => named("pi"),
+        Node::Parameter(parameter) => of_parameter(*parameter),
+        Node::Variable(v) => variable(*v),
+        Node::Neg(a) => row([operator("\u{2212}"), tight(a, 3)]),
+        Node::Add(a, b) => relation(tight(a, 1), "+", tight(b, 2)),
+        Node::Sub(a, b) => relation(tight(a, 1), "\u{2212}", tight(b, 2)),
+        Node::Mul(a, b) => relation(tight(a, 2), "\u{22c5}", tight(b, 3)),
+        Node::Div(a, b) => fraction(of_expression(a), of_expression(b)),
+        Node::Power(a, b) => sup(tight(a, 6), of_expression(b)),
+        Node::Min(..) | Node::Max(..) => several(expression),
+        Node::Call(function, a) => call(*function, a),
     }
 }
 
 /// How tightly the outermost operation binds, as it is written here.
 fn binding(expression: &Expression) -> u8 {
-    match expression {
-        Expression::Add(..) | Expression::Sub(..) => 1,
-        Expression::Mul(..) => 2,
-        Expression::Neg(_) => 3,
-        Expression::Number(value) if value.is_negative() => 3,
+    match expression.node() {
+        Node::Add(..) | Node::Sub(..) => 1,
+        Node::Mul(..) => 2,
+        Node::Neg(_) => 3,
+        Node::Number(value) if value.is_negative() => 3,
         // A fraction takes an exponent in brackets alone.
-        Expression::Number(value) if !value.is_integer() => 4,
-        Expression::Div(..) | Expression::Power(..) => 4,
-        Expression::Call(Function::Exp, _) => 4,
-        Expression::Call(..) | Expression::Min(..) | Expression::Max(..) => 5,
+        Node::Number(value) if !value.is_integer() => 4,
+        Node::Div(..) | Node::Power(..) => 4,
+        Node::Call(Function::Exp, _) => 4,
+        Node::Call(..) | Node::Min(..) | Node::Max(..) => 5,
         _ => 6,
     }
 }
@@ -86,7 +86,7 @@ fn call(function: Function, argument: &Expression) -> Math {
         Function::Abs => fenced("|", inner, "|"),
         Function::Sqrt => root(inner),
         // A fraction in an exponent is too small to be read.
-        Function::Exp if !argument.any(&|e| matches!(e, Expression::Div(..))) => {
+        Function::Exp if !argument.any(&|e| matches!(e.node(), Node::Div(..))) => {
             sup(name("e"), inner)
         }
         Function::Sign => applied(name("sgn"), inner),
@@ -97,15 +97,16 @@ fn call(function: Function, argument: &Expression) -> Math {
 /// The least or the greatest of several.
 fn several(expression: &Expression) -> Math {
     let mut parts = Vec::new();
-    let word = match expression {
-        Expression::Min(..) => "min",
+    let word = match expression.node() {
+        Node::Min(..) => "min",
         _ => "max",
     };
     let mut left = vec![expression];
     while let Some(next) = left.pop() {
-        match (next, expression) {
-            (Expression::Min(a, b), Expression::Min(..))
-            | (Expression::Max(a, b), Expression::Max(..)) => left.extend([&**b, &**a]),
+        match (next.node(), expression.node()) {
+            (Node::Min(a, b), Node::Min(..)) | (Node::Max(a, b), Node::Max(..)) => {
+                left.extend([b, a]);
+            }
             _ => {
                 if !parts.is_empty() {
                     parts.push(operator(","));
@@ -176,7 +177,7 @@ mod tests {
     use super::*;
 
     fn number_of(numerator: i64, denominator: i64) -> Expression {
-        Expression::Number(integer(numerator) / integer(denominator))
+        Expression::from(integer(numerator) / integer(denominator))
     }
 
     #[test]
@@ -191,7 +192,7 @@ mod tests {
     #[test]
     fn brackets_stand_where_they_are_needed() {
         let x = Expression::from(Variable::State(1));
-        let sum = x.clone().add(Expression::Pi);
+        let sum = x.clone().add(Expression::pi());
         let brackets =
             |e: &Expression| of_expression(e).to_string().matches("fence=\"true\"").count();
         assert_eq!(brackets(&sum.clone().mul(sum.clone())), 4);
@@ -206,9 +207,8 @@ mod tests {
 
     #[test]
     fn a_min_of_several_is_one() {
-        let x = |j| Box::new(Expression::from(Variable::State(j)));
-        let two = Box::new(Expression::Min(x(1), x(2)));
-        let written = of_expression(&Expression::Min(two, x(3))).to_string();
+        let x = |j| Expression::from(Variable::State(j));
+        let written = of_expression(&x(1).min(x(2)).min(x(3))).to_string();
         assert_eq!(written.matches("<mi>min</mi>").count(), 1);
         let place = |j: usize| written.find(&format!("<mn>{j}</mn>")).expect("a state");
         assert!(place(1) < place(2) && place(2) < place(3), "{written}");

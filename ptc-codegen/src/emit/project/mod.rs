@@ -139,10 +139,7 @@ const NAMES: &str = "
 
 /// A number that an input gain is.
 fn constant(gain: &Expression) -> Option<&BigRational> {
-    match gain {
-        Expression::Number(number) => Some(number),
-        _ => None,
-    }
+    gain.number()
 }
 
 fn file(name: &str, template: &impl Template) -> File {

@@ -5,7 +5,7 @@ use super::super::plant;
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
-use crate::expression::Expression;
+use crate::expression::{Expression, Node};
 use crate::internal::fault;
 use crate::linear::{Delay, Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
@@ -60,9 +60,9 @@ impl Samples {
             Some(plant) => linear(spec, plant, &sampled.delay, &text),
             None => Plant::Chain {
                 gain: (sampled.gain != integer(1)).then(|| text(&sampled.gain)),
-                force: match &spec.drift {
-                    Some(Expression::Number(force)) => Some(text(force)),
-                    Some(Expression::Parameter(parameter)) => {
+                force: match spec.drift.as_ref().map(Expression::node) {
+                    Some(Node::Number(force)) => Some(text(force)),
+                    Some(Node::Parameter(parameter)) => {
                         Some(words.parameter(spec, example, *parameter).0)
                     }
                     _ => None,

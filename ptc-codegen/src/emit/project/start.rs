@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use super::super::example::Example;
 use crate::algebra::BigRational;
 use crate::code::{Code, Instance};
-use crate::expression::Expression;
+use crate::expression::{Expression, Node};
 use crate::linear::{Linear, zero_order_hold};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Sampled, Spec};
@@ -75,9 +75,9 @@ impl Run {
             older: row(&held.older)?,
             newer: row(&held.newer)?,
             c: rows(&plant.c)?,
-            known: match &spec.drift {
-                Some(Expression::Number(force)) => (force / &sampled.gain).to_f64()?,
-                Some(Expression::Parameter(parameter)) => {
+            known: match spec.drift.as_ref().map(Expression::node) {
+                Some(Node::Number(force)) => (force / &sampled.gain).to_f64()?,
+                Some(Node::Parameter(parameter)) => {
                     example.value(*parameter) / sampled.gain.to_f64()?
                 }
                 _ => 0.0,

@@ -310,7 +310,7 @@ impl Interval {
 mod tests {
     use super::*;
     use crate::algebra::integer;
-    use crate::expression::{Expression, Function, testing};
+    use crate::expression::{Expression, Function, Node, testing};
 
     fn number(value: f64) -> BigRational {
         BigRational::from_float(value).expect("a finite number")
@@ -329,7 +329,7 @@ mod tests {
             for at in
                 [-700.5, -3.0, -1.0, -0.4, -1e-30, 0.0, 1e-200, 1e-9, 0.5, 1.0, 1.5, 2.0, 40.0, 1e5]
             {
-                let call = Expression::call(function, Expression::Number(number(at)));
+                let call = Expression::call(function, Expression::from(number(at)));
                 let value = testing::evaluate(&call, 0.0);
                 let got = Interval::exact(&number(at)).call(function, &mut cache);
                 let jumps = function == Function::Sign && at == 0.0;
@@ -354,10 +354,7 @@ mod tests {
                 let got = wide.call(function, &mut cache);
                 for step in 0..=40 {
                     let at = number(low + width * f64::from(step) / 40.0);
-                    let value = testing::evaluate(
-                        &Expression::Call(function, Box::new(Expression::Number(at))),
-                        0.0,
-                    );
+                    let value = testing::evaluate(&Node::Call(function, at.into()).into(), 0.0);
                     assert!(!value.is_finite() || holds(&got, value), "{name} from {low}: {value}");
                 }
             }

@@ -6,7 +6,7 @@ use super::scale::{Product, Scale};
 use super::series::{Series, Term};
 use super::{inverted, ordering, search, zero};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Variable};
+use crate::expression::{Expression, Node, Variable};
 
 /// The rate at which something falls: -lim (ln f)'.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,22 +40,20 @@ pub(crate) fn decay(falling: &Expression, v: Variable) -> Option<Decay> {
         return Some(decay);
     }
     // Of terms that cannot be compared before the parameters are known, the slower one decides.
-    match falling {
-        Expression::Neg(a) => decay(a, v),
-        Expression::Mul(a, b) | Expression::Div(a, b) => {
+    match falling.node() {
+        Node::Neg(a) => decay(a, v),
+        Node::Mul(a, b) | Node::Div(a, b) => {
             let (changed, other) = if a.contains(v) { (a, b) } else { (b, a) };
-            let plain = !other.contains(v) && matches!(falling, Expression::Mul(..));
+            let plain = !other.contains(v) && matches!(falling.node(), Node::Mul(..));
             (plain || changed == a && !other.contains(v)).then(|| decay(changed, v))?
         }
-        Expression::Add(a, b) => {
+        Node::Add(a, b) => {
             // Of one sign, so that they cannot cancel.
             let signs = [leading_sign(a, v)?, leading_sign(b, v)?];
             let (a, b) = (decay(a, v)?, decay(b, v)?);
             let pure = a.pure && b.pure;
             let rate = match (a.rate, b.rate) {
-                (Rate::Finite(a), Rate::Finite(b)) => {
-                    Rate::Finite(Expression::Min(Box::new(a), Box::new(b)))
-                }
+                (Rate::Finite(a), Rate::Finite(b)) => Rate::Finite(a.min(b)),
                 (Rate::Infinite, slower) | (slower, Rate::Infinite) => slower,
             };
             (signs[0] == signs[1]).then_some(Decay { rate, pure })
@@ -100,8 +98,8 @@ fn decay_of(term: &Term) -> Option<Decay> {
 fn leading_sign(expression: &Expression, v: Variable) -> Option<bool> {
     match leading(expression, v) {
         Some(term) => Some(ordering(&term.coefficient).filter(|o| o.is_ne())?.is_gt()),
-        None => match expression {
-            Expression::Add(a, b) => {
+        None => match expression.node() {
+            Node::Add(a, b) => {
                 let first = leading_sign(a, v)?;
                 (first == leading_sign(b, v)?).then_some(first)
             }

@@ -6,7 +6,7 @@ use super::scale::Scale;
 use super::series::Series;
 use super::{Walk, ordering, zero};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Function};
+use crate::expression::{Expression, Function, Node};
 
 pub(super) fn series(expression: &Expression, walk: &Walk<'_>) -> Option<Series> {
     use Expression as E;
@@ -15,28 +15,28 @@ pub(super) fn series(expression: &Expression, walk: &Walk<'_>) -> Option<Series>
     if !expression.contains(v) {
         return Some(Series::constant(normal(expression)));
     }
-    match expression {
-        E::Number(_) | E::Pi | E::Parameter(_) => None,
-        E::Variable(_) => Some(Series::term(E::integer(1), Scale::variable())),
-        E::Neg(a) => series(a, walk)?.negative(walk),
-        E::Add(a, b) => series(a, walk)?.plus(series(b, walk)?, walk),
-        E::Sub(a, b) => series(a, walk)?.plus(series(b, walk)?.negative(walk)?, walk),
-        E::Mul(a, b) => series(a, walk)?.times(&series(b, walk)?, walk),
-        E::Div(a, b) => {
+    match expression.node() {
+        Node::Number(_) | Node::Pi | Node::Parameter(_) => None,
+        Node::Variable(_) => Some(Series::term(E::integer(1), Scale::variable())),
+        Node::Neg(a) => series(a, walk)?.negative(walk),
+        Node::Add(a, b) => series(a, walk)?.plus(series(b, walk)?, walk),
+        Node::Sub(a, b) => series(a, walk)?.plus(series(b, walk)?.negative(walk)?, walk),
+        Node::Mul(a, b) => series(a, walk)?.times(&series(b, walk)?, walk),
+        Node::Div(a, b) => {
             series(a, walk)?.times(&series(b, walk)?.raised(&E::integer(-1), walk)?, walk)
         }
-        E::Power(a, b) if !b.contains(v) => series(a, walk)?.raised(&normal(b), walk),
-        E::Power(a, b) => {
+        Node::Power(a, b) if !b.contains(v) => series(a, walk)?.raised(&normal(b), walk),
+        Node::Power(a, b) => {
             let logarithm = series(a, walk)?.logarithm(walk)?;
             logarithm.times(&series(b, walk)?, walk)?.exponential(walk)
         }
-        E::Min(a, b) | E::Max(a, b) => {
+        Node::Min(a, b) | Node::Max(a, b) => {
             let (a, b) = (series(a, walk)?, series(b, walk)?);
             let difference = a.clone().plus(b.clone().negative(walk)?, walk)?;
-            let first = (difference.sign()? > 0) == matches!(expression, E::Max(..));
+            let first = (difference.sign()? > 0) == matches!(expression.node(), Node::Max(..));
             Some(if first { a } else { b })
         }
-        E::Call(function, a) => call(*function, series(a, walk)?, walk),
+        Node::Call(function, a) => call(*function, series(a, walk)?, walk),
     }
 }
 
@@ -80,7 +80,7 @@ fn call(function: Function, a: Series, walk: &Walk<'_>) -> Option<Series> {
             } else {
                 let inverse = a.scaled(&sign, walk)?.raised(&integer(-1), walk)?;
                 let rest = taylor(F::Atan, &zero(), &inverse, walk)?.negative(walk)?;
-                Series::constant(Expression::Pi.mul(half())).plus(rest, walk)?
+                Series::constant(Expression::pi().mul(half())).plus(rest, walk)?
             };
             limited.scaled(&sign, walk)
         }
@@ -97,7 +97,7 @@ fn half() -> Expression {
 
 /// Whether an angle is between -pi/2 and pi/2.
 fn is_acute(angle: &Expression) -> bool {
-    let right = Expression::Pi.mul(half());
+    let right = Expression::pi().mul(half());
     let room = [right.clone().sub(angle.clone()), right.add(angle.clone())];
     room.iter().all(|room| ordering(room) == Some(Ordering::Greater))
 }

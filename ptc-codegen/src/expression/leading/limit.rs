@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::series::Series;
 use super::{Scale, inverted, ordering, search, zero};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Variable};
+use crate::expression::{Expression, Node, Variable};
 
 /// The limit of an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,13 +41,13 @@ pub(crate) fn limit(expression: &Expression, v: Variable) -> Option<Limit> {
     }
     // Terms that cannot be compared before the parameters are known still have limits.
     use Limit::{Finite, Infinite, MinusInfinite};
-    match expression {
-        Expression::Neg(a) => Some(negative(limit(a, v)?)),
-        Expression::Add(a, b) | Expression::Sub(a, b) => {
+    match expression.node() {
+        Node::Neg(a) => Some(negative(limit(a, v)?)),
+        Node::Add(a, b) | Node::Sub(a, b) => {
             let first = limit(a, v)?;
             let second = limit(b, v)?;
-            let second = match expression {
-                Expression::Sub(..) => negative(second),
+            let second = match expression.node() {
+                Node::Sub(..) => negative(second),
                 _ => second,
             };
             match (first, second) {
@@ -59,7 +59,7 @@ pub(crate) fn limit(expression: &Expression, v: Variable) -> Option<Limit> {
                 _ => None,
             }
         }
-        Expression::Mul(a, b) => match (limit(a, v)?, limit(b, v)?) {
+        Node::Mul(a, b) => match (limit(a, v)?, limit(b, v)?) {
             (Finite(a), Finite(b)) => Some(Finite(normal(&a.mul(b)))),
             (Finite(factor), grown) | (grown, Finite(factor)) => match ordering(&factor)? {
                 Ordering::Greater => Some(grown),
@@ -68,8 +68,8 @@ pub(crate) fn limit(expression: &Expression, v: Variable) -> Option<Limit> {
             },
             _ => None,
         },
-        Expression::Div(a, b) if !b.contains(v) => {
-            limit(&(**a).clone().mul(Expression::integer(1).div((**b).clone())), v)
+        Node::Div(a, b) if !b.contains(v) => {
+            limit(&a.clone().mul(Expression::integer(1).div(b.clone())), v)
         }
         _ => None,
     }

@@ -35,7 +35,7 @@ impl Product {
         let mut scale = Scale::one();
         for (depth, power) in self.0.iter().enumerate().filter(|(_, power)| !power.is_zero()) {
             let logarithm = (depth < 3).then(|| Product::logarithm(depth + 1))?;
-            scale.exponent.insert(logarithm, Expression::Number(power.clone()));
+            scale.exponent.insert(logarithm, Expression::from(power.clone()));
         }
         Some(scale)
     }

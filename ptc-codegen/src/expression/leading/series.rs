@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::scale::{Product, Scale};
 use super::{Walk, ordering, zero};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Function};
+use crate::expression::{Expression, Function, Node};
 
 /// A coefficient times a scale. Only the coefficient's sign is known where the scale is open.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -336,15 +336,17 @@ impl Series {
 /// e to a constant, in which e^(k ln a) is a^k, so that it cancels.
 fn exponential_of(constant: &Expression) -> Expression {
     use Expression as E;
-    match constant {
-        E::Call(Function::Ln, a) => (**a).clone(),
-        E::Neg(a) => E::integer(1).div(exponential_of(a)),
-        E::Add(a, b) => exponential_of(a).mul(exponential_of(b)),
-        E::Sub(a, b) => exponential_of(a).div(exponential_of(b)),
-        E::Mul(a, b) if a.number().is_some() && matches!(**b, E::Call(Function::Ln, _)) => {
-            exponential_of(b).power((**a).clone())
+    match constant.node() {
+        Node::Call(Function::Ln, a) => a.clone(),
+        Node::Neg(a) => E::integer(1).div(exponential_of(a)),
+        Node::Add(a, b) => exponential_of(a).mul(exponential_of(b)),
+        Node::Sub(a, b) => exponential_of(a).div(exponential_of(b)),
+        Node::Mul(a, b)
+            if a.number().is_some() && matches!(b.node(), Node::Call(Function::Ln, _)) =>
+        {
+            exponential_of(b).power(a.clone())
         }
-        other => E::call(Function::Exp, other.clone()),
+        _ => E::call(Function::Exp, constant.clone()),
     }
 }
 

@@ -226,7 +226,7 @@ impl Sense {
             Self::Variable(variable) => variable.into(),
             Self::Indexed(variable) => variable(index).into(),
             Self::Parameter(parameter) => parameter.into(),
-            Self::Pi | Self::Gain => Expression::Pi,
+            Self::Pi | Self::Gain => Expression::pi(),
         }
     }
 }

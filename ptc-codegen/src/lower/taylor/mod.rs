@@ -7,7 +7,7 @@ mod function;
 use super::builder::Builder;
 use super::coefficients::Coefficient::{self, Exact};
 use crate::algebra::BigRational;
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 use crate::program::Value;
 
 /// offset + scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that
@@ -49,71 +49,69 @@ impl Builder<'_> {
             let scale = expression.number().is_none().then(|| self.scalar(expression));
             return Series::new(scale, terms);
         }
-        match expression {
-            Expression::Variable(_)
-            | Expression::Number(_)
-            | Expression::Pi
-            | Expression::Parameter(_) => point.series.clone(),
-            Expression::Neg(a) => {
+        match expression.node() {
+            Node::Variable(_) | Node::Number(_) | Node::Pi | Node::Parameter(_) => {
+                point.series.clone()
+            }
+            Node::Neg(a) => {
                 let a = self.series(a, point);
                 self.negated(a)
             }
-            Expression::Add(a, b) => {
+            Node::Add(a, b) => {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 self.added(&a, &b)
             }
-            Expression::Sub(a, b) => {
+            Node::Sub(a, b) => {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 let b = self.negated(b);
                 self.added(&a, &b)
             }
-            Expression::Mul(a, b) => {
+            Node::Mul(a, b) => {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 self.multiplied(a, b)
             }
             // A cotangent, whose series is sound where that of the tangent is not.
-            Expression::Div(a, b) if matches!(&**b, Expression::Call(Function::Tan, _)) => {
+            Node::Div(a, b) if matches!(b.node(), Node::Call(Function::Tan, _)) => {
                 let angle = b.operands().next().unwrap_or(b).clone();
                 let (sin, cos) = (Function::Sin, Function::Cos);
-                let above = (**a).clone().mul(Expression::call(cos, angle.clone()));
+                let above = a.clone().mul(Expression::call(cos, angle.clone()));
                 self.series(&above.div(Expression::call(sin, angle)), point)
             }
-            Expression::Div(a, b) => {
+            Node::Div(a, b) => {
                 let (a, b) = (self.series(a, point), self.series(b, point));
                 self.divided(a, b)
             }
-            Expression::Power(a, b) if !b.contains(point.variable) => {
+            Node::Power(a, b) if !b.contains(point.variable) => {
                 let a = self.series(a, point);
                 self.raised(a, b)
             }
-            Expression::Power(a, b) => {
-                let logarithm = Expression::call(Function::Ln, (**a).clone());
-                let product = (**b).clone().mul(logarithm);
+            Node::Power(a, b) => {
+                let logarithm = Expression::call(Function::Ln, a.clone());
+                let product = b.clone().mul(logarithm);
                 self.series(&Expression::call(Function::Exp, product), point)
             }
-            Expression::Call(Function::Sqrt, a) => {
+            Node::Call(Function::Sqrt, a) => {
                 let a = self.series(a, point);
-                self.raised(a, &Expression::Number(BigRational::new(1.into(), 2.into())))
+                self.raised(a, &Expression::from(BigRational::new(1.into(), 2.into())))
             }
-            Expression::Call(function, a) => match &**a {
+            Node::Call(function, a) => match a.node() {
                 // Without the pole of the quotient, where the angle is a right one.
-                Expression::Div(over, under)
+                Node::Div(over, under)
                     if *function == Function::Atan && under.contains(point.variable) =>
                 {
                     let (over, under) = (self.series(over, point), self.series(under, point));
                     self.angle(&over, &under)
                 }
-                a => {
+                _ => {
                     let a = self.series(a, point);
                     self.function(*function, a)
                 }
             },
             // Away from kinks, where alone a mapping has a series.
-            Expression::Min(a, b) | Expression::Max(a, b) => {
-                let (sum, gap) =
-                    ((**a).clone().add((**b).clone()), (**a).clone().sub((**b).clone()));
+            Node::Min(a, b) | Node::Max(a, b) => {
+                let (sum, gap) = (a.clone().add(b.clone()), a.clone().sub(b.clone()));
                 let gap = Expression::call(Function::Abs, gap);
-                let least = matches!(expression, Expression::Min(..));
+                let least = matches!(expression.node(), Node::Min(..));
                 let twice = if least { sum.sub(gap) } else { sum.add(gap) };
                 self.series(&twice.div(Expression::integer(2)), point)
             }

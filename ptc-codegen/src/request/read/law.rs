@@ -23,8 +23,7 @@ pub(super) struct Law {
 /// k_1, ..., k_n where a law is -(k_1 xi_1 + ... + k_n xi_n) with numbers k_i, however it is spelt, as
 /// far as that is found within the effort.
 fn gains_of(law: &Expression, n: usize) -> Option<Vec<BigRational>> {
-    let other =
-        |e: &Expression| matches!(e, Expression::Variable(v) if !matches!(v, Variable::Xi(_)));
+    let other = |e: &Expression| e.variable().is_some_and(|v| !matches!(v, Variable::Xi(_)));
     if law.any(&Expression::is_kink) || law.any(&other) {
         return None;
     }

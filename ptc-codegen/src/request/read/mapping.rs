@@ -15,16 +15,8 @@ type Read = (TimeMapping, Vec<(Parameter, Fixed)>);
 
 /// Whether abs, sign, min or max is taken of something that time changes.
 fn has_kink(expression: &Expression) -> bool {
-    let of_time = |e: &Expression| e.any(&|e| matches!(e, Expression::Variable(_)));
-    expression.any(&|e| {
-        let kink = matches!(
-            e,
-            Expression::Min(..)
-                | Expression::Max(..)
-                | Expression::Call(Function::Abs | Function::Sign, _)
-        );
-        kink && of_time(e)
-    })
+    let of_time = |e: &Expression| e.any(&|e| e.variable().is_some());
+    expression.any(&|e| e.is_kink() && of_time(e))
 }
 
 impl Reader<'_> {

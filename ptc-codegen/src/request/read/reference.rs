@@ -53,7 +53,7 @@ impl Reader<'_> {
             return;
         }
         let latches = |v: &Expression| {
-            matches!(v, Expression::Variable(Variable::StateAtStart(_) | Variable::XiAtStart(_)))
+            matches!(v.variable(), Some(Variable::StateAtStart(_) | Variable::XiAtStart(_)))
         };
         let of_start = matches!(&spec.feedback, Feedback::Expression(law) if law.any(&latches));
         let beside = [
@@ -153,8 +153,8 @@ fn tidied(rate: Expression, parts: &[Expression]) -> Expression {
     // States of the infinite-time system stand for them, which no reference knows.
     let stand_in = |index: usize| Expression::from(Variable::Xi(index + 1));
     let kept = rate.substitute(&|e| parts.iter().position(|part| part == e).map(stand_in));
-    let form = normal(&kept).substitute(&|e| match e {
-        Expression::Variable(Variable::Xi(index)) => parts.get(index - 1).cloned(),
+    let form = normal(&kept).substitute(&|e| match e.variable()? {
+        Variable::Xi(index) => parts.get(index - 1).cloned(),
         _ => None,
     });
     if form.size() <= rate.size() { form } else { rate }

@@ -14,7 +14,7 @@ use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::interval::Interval;
 use crate::expression::normal::normal;
 use crate::expression::range::Range;
-use crate::expression::{Expression, Variable};
+use crate::expression::{Expression, Node, Variable};
 use crate::mapping::{Form, Kappa, TimeMapping};
 use crate::parameter::{Fixed, Parameter};
 
@@ -43,13 +43,13 @@ impl Clock {
     pub(super) fn new(campaign: &Campaign, order: usize, rate: &BigRational) -> Option<Self> {
         let values = values(campaign);
         let (low, high) = campaign.tau;
-        let tau = Expression::Number(BigRational::from_float(low)?);
+        let tau = Expression::from(BigRational::from_float(low)?);
         let with = |form: &Expression, tau: &Expression| {
             let share = Expression::from(Variable::TimeToGo).mul(tau.clone());
-            normal(&form.substitute(&|e| match e {
-                Expression::Variable(Variable::TimeToGo) => Some(share.clone()),
-                Expression::Parameter(Parameter::Tau) => Some(tau.clone()),
-                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
+            normal(&form.substitute(&|e| match e.node() {
+                Node::Variable(Variable::TimeToGo) => Some(share.clone()),
+                Node::Parameter(Parameter::Tau) => Some(tau.clone()),
+                Node::Parameter(name) => values.get(name).cloned().map(Expression::from),
                 _ => None,
             }))
         };

@@ -15,7 +15,7 @@ use std::slice::Iter;
 use crate::algebra::BigRational;
 use crate::expression::existence::{self, Condition};
 use crate::expression::normal::normal;
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 use crate::parameter::Parameter;
 
 /// Patterns of signs for which an expression is brought to its normal form.
@@ -91,10 +91,9 @@ impl Form {
 
 /// What decides each kink of an expression, from the outside in and from left to right.
 fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
-    use Expression as E;
-    match expression {
-        E::Call(Function::Abs | Function::Sign, a) => kinks.push((**a).clone()),
-        E::Min(a, b) | E::Max(a, b) => kinks.push((**a).clone().sub((**b).clone())),
+    match expression.node() {
+        Node::Call(Function::Abs | Function::Sign, a) => kinks.push(a.clone()),
+        Node::Min(a, b) | Node::Max(a, b) => kinks.push(a.clone().sub(b.clone())),
         _ => {}
     }
     expression.operands().for_each(|operand| collect(operand, kinks));
@@ -102,40 +101,43 @@ fn collect(expression: &Expression, kinks: &mut Vec<Expression>) {
 
 /// The expression with its kinks replaced where their signs, in the order of [`collect`], are known.
 fn smooth(expression: &Expression, signs: &mut Iter<'_, Option<bool>>) -> Expression {
-    use Expression as E;
-    let kink =
-        matches!(expression, E::Call(Function::Abs | Function::Sign, _) | E::Min(..) | E::Max(..));
+    let kink = matches!(
+        expression.node(),
+        Node::Call(Function::Abs | Function::Sign, _) | Node::Min(..) | Node::Max(..)
+    );
     let sign = if kink { signs.next().copied().flatten() } else { None };
     let mut inner = |a: &Expression| smooth(a, signs);
-    match (expression, sign) {
-        (E::Number(_) | E::Pi | E::Parameter(_) | E::Variable(_), _) => expression.clone(),
-        (E::Neg(a), _) => inner(a).neg(),
-        (E::Call(Function::Abs, a), Some(true)) => inner(a),
-        (E::Call(Function::Abs, a), Some(false)) => inner(a).neg(),
-        (E::Call(Function::Sign, a), Some(positive)) => {
+    match (expression.node(), sign) {
+        (Node::Number(_) | Node::Pi | Node::Parameter(_) | Node::Variable(_), _) => {
+            expression.clone()
+        }
+        (Node::Neg(a), _) => inner(a).neg(),
+        (Node::Call(Function::Abs, a), Some(true)) => inner(a),
+        (Node::Call(Function::Abs, a), Some(false)) => inner(a).neg(),
+        (Node::Call(Function::Sign, a), Some(positive)) => {
             inner(a);
             Expression::integer(if positive { 1 } else { -1 })
         }
-        (E::Call(function, a), _) => Expression::call(*function, inner(a)),
-        (E::Add(a, b), _) => inner(a).add(inner(b)),
-        (E::Sub(a, b), _) => inner(a).sub(inner(b)),
-        (E::Mul(a, b), _) => inner(a).mul(inner(b)),
-        (E::Div(a, b), _) => inner(a).div(inner(b)),
-        (E::Power(a, b), _) => inner(a).power(inner(b)),
-        (E::Min(a, b), sign) => {
+        (Node::Call(function, a), _) => Expression::call(*function, inner(a)),
+        (Node::Add(a, b), _) => inner(a).add(inner(b)),
+        (Node::Sub(a, b), _) => inner(a).sub(inner(b)),
+        (Node::Mul(a, b), _) => inner(a).mul(inner(b)),
+        (Node::Div(a, b), _) => inner(a).div(inner(b)),
+        (Node::Power(a, b), _) => inner(a).power(inner(b)),
+        (Node::Min(a, b), sign) => {
             let (a, b) = (inner(a), inner(b));
             match sign {
                 Some(true) => b,
                 Some(false) => a,
-                None => E::Min(Box::new(a), Box::new(b)),
+                None => a.min(b),
             }
         }
-        (E::Max(a, b), sign) => {
+        (Node::Max(a, b), sign) => {
             let (a, b) = (inner(a), inner(b));
             match sign {
                 Some(true) => a,
                 Some(false) => b,
-                None => E::Max(Box::new(a), Box::new(b)),
+                None => a.max(b),
             }
         }
     }
@@ -146,16 +148,14 @@ impl Part {
         let tau = || Expression::from(Parameter::Tau);
         let share = || tau().mul(Variable::TimeToGo.into());
         let fixed = |name: Parameter| {
-            values.get(&name).cloned().map_or(Expression::from(name), Expression::Number)
+            values.get(&name).cloned().map_or(Expression::from(name), Expression::from)
         };
         let with = |elapsed: &dyn Fn() -> Expression| {
-            expression.substitute(&|e| match e {
-                Expression::Variable(Variable::TimeToGo) => Some(share()),
-                Expression::Variable(Variable::Elapsed) => Some(elapsed()),
-                Expression::Variable(Variable::Time) => {
-                    Some(fixed(Parameter::StartTime).add(elapsed()))
-                }
-                Expression::Parameter(name) => Some(fixed(*name)),
+            expression.substitute(&|e| match e.node() {
+                Node::Variable(Variable::TimeToGo) => Some(share()),
+                Node::Variable(Variable::Elapsed) => Some(elapsed()),
+                Node::Variable(Variable::Time) => Some(fixed(Parameter::StartTime).add(elapsed())),
+                Node::Parameter(name) => Some(fixed(*name)),
                 _ => None,
             })
         };
@@ -175,10 +175,8 @@ impl Part {
 fn moves(expression: &Expression) -> bool {
     expression.any(&|e| {
         matches!(
-            e,
-            Expression::Variable(
-                Variable::State(_) | Variable::Control | Variable::StateAtStart(_)
-            )
+            e.variable(),
+            Some(Variable::State(_) | Variable::Control | Variable::StateAtStart(_))
         )
     })
 }
@@ -190,17 +188,17 @@ impl Linear {
         if !moves(expression) {
             return Some(Self { slopes: BTreeMap::new(), rest: expression.clone() });
         }
-        Some(match expression {
-            E::Variable(variable) => {
+        Some(match expression.node() {
+            Node::Variable(variable) => {
                 let slopes = BTreeMap::from([(*variable, Expression::integer(1))]);
                 Self { slopes, rest: Expression::integer(0) }
             }
-            E::Neg(a) => Self::of(a)?.map(&E::neg),
-            E::Add(a, b) => Self::of(a)?.plus(Self::of(b)?),
-            E::Sub(a, b) => Self::of(a)?.plus(Self::of(b)?.map(&E::neg)),
-            E::Mul(a, b) if !moves(a) => Self::of(b)?.map(&|e| (**a).clone().mul(e)),
-            E::Mul(a, b) if !moves(b) => Self::of(a)?.map(&|e| e.mul((**b).clone())),
-            E::Div(a, b) if !moves(b) => Self::of(a)?.map(&|e| e.div((**b).clone())),
+            Node::Neg(a) => Self::of(a)?.map(&E::neg),
+            Node::Add(a, b) => Self::of(a)?.plus(Self::of(b)?),
+            Node::Sub(a, b) => Self::of(a)?.plus(Self::of(b)?.map(&E::neg)),
+            Node::Mul(a, b) if !moves(a) => Self::of(b)?.map(&|e| a.clone().mul(e)),
+            Node::Mul(a, b) if !moves(b) => Self::of(a)?.map(&|e| e.mul(b.clone())),
+            Node::Div(a, b) if !moves(b) => Self::of(a)?.map(&|e| e.div(b.clone())),
             _ => return None,
         })
     }

@@ -112,7 +112,7 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
     };
     // As long as |u| < u_max the loop is the linear one.
     if let Some(most) = campaign.spec.fixed.get(&Parameter::UMax).and_then(Fixed::number) {
-        let unclipped = Kind::Input { upsilon: Expression::Number(most.clone()) };
+        let unclipped = Kind::Input { upsilon: Expression::from(most.clone()) };
         if let Err(why) = prover.of_kind(&unclipped, &values) {
             return all(format!("u may be clipped by u_max: {why}"));
         }
@@ -150,10 +150,8 @@ impl Prover {
     fn of(campaign: &Campaign, values: &Values) -> Result<Self, String> {
         let spec = &campaign.spec;
         let number = |g: &Expression| {
-            let known = g.substitute(&|e| match e {
-                Expression::Parameter(name) => values.get(name).cloned().map(Expression::Number),
-                _ => None,
-            });
+            let known =
+                g.substitute(&|e| values.get(&e.parameter()?).cloned().map(Expression::from));
             normal(&known).number().cloned().ok_or(known)
         };
         if spec.feedback != Feedback::Linear {

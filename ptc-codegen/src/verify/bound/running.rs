@@ -151,9 +151,9 @@ enum Part {
 
 impl Part {
     fn of(h: &Expression) -> Option<Self> {
-        match h {
-            Expression::Variable(Variable::State(j)) => Some(Self::State(j - 1)),
-            Expression::Variable(Variable::Control) => Some(Self::Control),
+        match h.variable()? {
+            Variable::State(j) => Some(Self::State(j - 1)),
+            Variable::Control => Some(Self::Control),
             _ => None,
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::expression::enclosure::{Evaluator, Names};
 use crate::expression::range::Range;
-use crate::expression::{Expression, Function, Variable};
+use crate::expression::{Expression, Function, Node, Variable};
 
 /// scale * sum_k terms\[k\] z^k. The scale keeps a common factor out of the terms, so that those of a
 /// power of the variable stay single numbers, however wide the variable is.
@@ -127,14 +127,16 @@ impl Arithmetic<'_> {
             let value = Range::from(&self.evaluator.sound(e, self.names)?);
             return Some(Series::constant(value, self.series.terms.len()));
         }
-        Some(match e {
-            E::Variable(_) | E::Number(_) | E::Pi | E::Parameter(_) => self.series.clone(),
-            E::Neg(a) => self.series(a)?.neg(),
-            E::Add(a, b) => self.series(a)?.plus(&self.series(b)?),
-            E::Sub(a, b) => self.series(a)?.plus(&self.series(b)?.neg()),
-            E::Mul(a, b) => self.series(a)?.times(&self.series(b)?),
-            E::Div(a, b) => self.series(a)?.times(&self.series(b)?.reciprocal()),
-            E::Power(a, b) if !b.contains(self.variable) => {
+        Some(match e.node() {
+            Node::Variable(_) | Node::Number(_) | Node::Pi | Node::Parameter(_) => {
+                self.series.clone()
+            }
+            Node::Neg(a) => self.series(a)?.neg(),
+            Node::Add(a, b) => self.series(a)?.plus(&self.series(b)?),
+            Node::Sub(a, b) => self.series(a)?.plus(&self.series(b)?.neg()),
+            Node::Mul(a, b) => self.series(a)?.times(&self.series(b)?),
+            Node::Div(a, b) => self.series(a)?.times(&self.series(b)?.reciprocal()),
+            Node::Power(a, b) if !b.contains(self.variable) => {
                 let a = self.series(a)?;
                 let whole = b.small_integer().filter(|k| k.unsigned_abs() <= 64 && *k != 0);
                 match whole {
@@ -146,15 +148,15 @@ impl Arithmetic<'_> {
                     }
                 }
             }
-            E::Power(a, b) => {
-                let logarithm = E::call(Function::Ln, (**a).clone());
-                self.series(&E::call(Function::Exp, (**b).clone().mul(logarithm)))?
+            Node::Power(a, b) => {
+                let logarithm = E::call(Function::Ln, a.clone());
+                self.series(&E::call(Function::Exp, b.clone().mul(logarithm)))?
             }
-            E::Min(a, b) | E::Max(a, b) => {
+            Node::Min(a, b) | Node::Max(a, b) => {
                 let (a, b) = (self.series(a)?, self.series(b)?);
                 let gap = a.plus(&b.clone().neg()).plain().swap_remove(0);
-                let first = match e {
-                    E::Min(..) => gap.is_negative(),
+                let first = match e.node() {
+                    Node::Min(..) => gap.is_negative(),
                     _ => gap.is_positive(),
                 };
                 match gap.has_zero() {
@@ -163,11 +165,11 @@ impl Arithmetic<'_> {
                     false => b,
                 }
             }
-            E::Call(Function::Sqrt, a) => {
+            Node::Call(Function::Sqrt, a) => {
                 let a = self.series(a)?;
                 self.power(&a, Range::from(0.5))?
             }
-            E::Call(function, a) => {
+            Node::Call(function, a) => {
                 let a = self.series(a)?;
                 self.function(*function, &a)?
             }

@@ -120,25 +120,23 @@ fn names(model: &Model) -> Vec<(Name, Variable)> {
 /// The same as it was written.
 fn in_names(expression: &Expression, model: &Model) -> Expression {
     let of = |name: &Name| Parameter::Named(*name).into();
-    expression.substitute(&|e| match e {
-        Expression::Variable(Variable::Xi(j)) => model.states.get(j - 1).map(of),
-        Expression::Variable(Variable::Control) => Some(of(&model.input)),
+    expression.substitute(&|e| match e.variable()? {
+        Variable::Xi(j) => model.states.get(j - 1).map(of),
+        Variable::Control => Some(of(&model.input)),
         _ => None,
     })
 }
 
 /// The same in the states of a model, in which the chain is what the law takes it to be.
 fn in_states(expression: &Expression, model: &Model) -> Expression {
-    let at_start = |e: &Expression| match e {
-        Expression::Variable(Variable::State(j)) => Some(Variable::StateAtStart(*j).into()),
+    let at_start = |e: &Expression| match e.variable()? {
+        Variable::State(j) => Some(Variable::StateAtStart(j).into()),
         _ => None,
     };
-    expression.substitute(&|e| match e {
-        Expression::Variable(Variable::Xi(j)) => Some(Variable::State(*j).into()),
-        Expression::Variable(Variable::State(j)) => Some(model.coordinates[j - 1].clone()),
-        Expression::Variable(Variable::StateAtStart(j)) => {
-            Some(model.coordinates[j - 1].substitute(&at_start))
-        }
+    expression.substitute(&|e| match e.variable()? {
+        Variable::Xi(j) => Some(Variable::State(j).into()),
+        Variable::State(j) => Some(model.coordinates[j - 1].clone()),
+        Variable::StateAtStart(j) => Some(model.coordinates[j - 1].substitute(&at_start)),
         _ => None,
     })
 }

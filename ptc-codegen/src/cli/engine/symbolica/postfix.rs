@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use num_traits::Signed;
-use ptc_codegen::algebra::{Poly, Symbol};
-use ptc_codegen::expression::{Expression, Function};
+use ptc_codegen::algebra::{BigRational, Poly, Symbol};
+use ptc_codegen::expression::{Expression, Function, Node};
 
 use super::words::Target;
 
@@ -64,24 +64,24 @@ impl Target for Polynomials<'_> {
 pub(super) fn of_expression(expression: &Expression, names: &mut Names) -> String {
     let mut two =
         |a, b, end: &str| format!("{} {} {end}", of_expression(a, names), of_expression(b, names));
-    match expression {
-        Expression::Number(number) => number.to_string(),
-        Expression::Neg(a) => format!("-1 {} *2", of_expression(a, names)),
-        Expression::Add(a, b) => two(a, b, "+2"),
-        Expression::Sub(a, b) => two(a, b, "-1 *2 +2"),
-        Expression::Mul(a, b) => two(a, b, "*2"),
-        Expression::Div(a, b) => two(a, b, "-1 ^ *2"),
-        Expression::Power(a, b) => two(a, b, "^"),
-        Expression::Pi
-        | Expression::Parameter(_)
-        | Expression::Variable(_)
-        | Expression::Min(..)
-        | Expression::Max(..)
-        | Expression::Call(Function::Abs | Function::Sign, _) => {
+    match expression.node() {
+        Node::Number(number) => number.to_string(),
+        Node::Neg(a) => format!("-1 {} *2", of_expression(a, names)),
+        Node::Add(a, b) => two(a, b, "+2"),
+        Node::Sub(a, b) => two(a, b, "-1 *2 +2"),
+        Node::Mul(a, b) => two(a, b, "*2"),
+        Node::Div(a, b) => two(a, b, "-1 ^ *2"),
+        Node::Power(a, b) => two(a, b, "^"),
+        Node::Pi
+        | Node::Parameter(_)
+        | Node::Variable(_)
+        | Node::Min(..)
+        | Node::Max(..)
+        | Node::Call(Function::Abs | Function::Sign, _) => {
             format!("v{}", names.place(expression))
         }
-        Expression::Call(Function::Sqrt, a) => format!("{} 1/2 ^", of_expression(a, names)),
-        Expression::Call(function, a) => format!("{} {}", of_expression(a, names), function.name()),
+        Node::Call(Function::Sqrt, a) => format!("{} 1/2 ^", of_expression(a, names)),
+        Node::Call(function, a) => format!("{} {}", of_expression(a, names), function.name()),
     }
 }
 
@@ -107,7 +107,7 @@ impl Target for Names {
     type Value = Expression;
 
     fn number(&self, text: &str) -> Option<Expression> {
-        text.parse().ok().map(Expression::Number)
+        text.parse().ok().map(|number: BigRational| number.into())
     }
 
     fn symbol(&self, place: usize) -> Option<Expression> {
@@ -129,16 +129,16 @@ impl Target for Names {
         let one = || Expression::integer(1);
         let (mut over, mut under, mut negative) = (one(), one(), false);
         for factor in factors {
-            let factor = match factor {
-                Expression::Number(number) if number.is_negative() => {
+            let factor = match factor.number().filter(|number| number.is_negative()) {
+                Some(number) => {
                     negative = !negative;
-                    Expression::Number(-number)
+                    Expression::from(-number)
                 }
-                factor => factor,
+                None => factor,
             };
-            match factor {
-                Expression::Div(a, b) if *a == one() => under = under.mul(*b),
-                factor => over = over.mul(factor),
+            match factor.node() {
+                Node::Div(a, b) if *a == one() => under = under.mul(b.clone()),
+                _ => over = over.mul(factor),
             }
         }
         let fraction = if under == one() { over } else { over.div(under) };
@@ -149,14 +149,14 @@ impl Target for Names {
     fn power(&self, base: Expression, exponent: Expression) -> Option<Expression> {
         let Some(number) = exponent.number().cloned() else { return Some(base.power(exponent)) };
         if number.is_negative() {
-            let inverse = self.power(base, Expression::Number(-number))?;
+            let inverse = self.power(base, Expression::from(-number))?;
             return Some(Expression::integer(1).div(inverse));
         }
         if *number.denom() != 2.into() {
             return Some(base.power(exponent));
         }
         let root = Expression::call(Function::Sqrt, base.clone());
-        let whole = Expression::Number(number.floor());
+        let whole = Expression::from(number.floor());
         Some(if whole == Expression::integer(0) { root } else { base.power(whole).mul(root) })
     }
 
@@ -174,10 +174,10 @@ impl Target for Names {
 
 /// a + b, with a sign before both or between them.
 fn plus(a: Expression, b: Expression) -> Expression {
-    match (a, b) {
-        (Expression::Neg(a), Expression::Neg(b)) => a.add(*b).neg(),
-        (Expression::Neg(a), b) => b.sub(*a),
-        (a, b) => a.add(b),
+    match (a.node(), b.node()) {
+        (Node::Neg(a), Node::Neg(b)) => a.clone().add(b.clone()).neg(),
+        (Node::Neg(a), _) => b.sub(a.clone()),
+        _ => a.add(b),
     }
 }
 
@@ -189,7 +189,7 @@ mod tests {
     use ptc_codegen::expression::Variable;
 
     fn expression(text: &str) -> Option<String> {
-        let names = Names(vec![Variable::TimeToGo.into(), Expression::Pi]);
+        let names = Names(vec![Variable::TimeToGo.into(), Expression::pi()]);
         read(text, &names).map(|expression| expression.to_string())
     }
 
@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn an_expression_is_sent_with_its_names_by_place() {
         let mut names = Names::new(Variable::TimeToGo.into());
-        let kink = Expression::call(Function::Abs, Expression::Pi);
+        let kink = Expression::call(Function::Abs, Expression::pi());
         let ratio = Expression::from(Variable::TimeToGo).div(kink.clone());
         assert_eq!(of_expression(&ratio, &mut names), "v0 v1 -1 ^ *2");
         assert_eq!(names.symbol(1), Some(kink));

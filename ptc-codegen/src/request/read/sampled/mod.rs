@@ -8,8 +8,8 @@ use super::{Reader, items, shown, whole};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::stability::is_hurwitz;
 use crate::algebra::{BigRational, integer};
-use crate::expression::Expression;
 use crate::expression::normal::normal;
+use crate::expression::{Expression, Node};
 use crate::family::Family;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, Feedback, Guard, MAX_ORDER, Sampled, Spec, What};
@@ -268,10 +268,9 @@ impl Reader<'_> {
     /// Between samples f must not move, so it is a number or a parameter.
     fn force_is_constant(&mut self, spec: &mut Spec) {
         let Some(force) = spec.drift.take() else { return };
-        spec.drift = match normal(&force) {
-            known @ (Expression::Number(_) | Expression::Parameter(Parameter::Named(_))) => {
-                Some(known)
-            }
+        let known = normal(&force);
+        spec.drift = match known.node() {
+            Node::Number(_) | Node::Parameter(Parameter::Named(_)) => Some(known),
             _ => {
                 let place = self.keys.get("f").map(|node| node.place);
                 let message = format!("f = {force} is not a number or a parameter");
