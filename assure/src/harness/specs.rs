@@ -97,7 +97,7 @@ fn without_comments(text: &str) -> String {
 }
 
 /// Mappings of random controllers: families with and without what can be fixed, and expressions.
-const MAPPINGS: [(&str, &str); 17] = [
+const MAPPINGS: [(&str, &str); 19] = [
     ("mu", "exp"),
     ("mu", "exp(a=0.7)"),
     ("mu", "rational"),
