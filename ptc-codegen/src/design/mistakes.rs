@@ -6,7 +6,7 @@ use crate::keys::KEYS;
 
 /// Whether `found` explains why `key` seems to be missing: its value could not be read, or the
 /// file or a line of it could not, which may have held it.
-fn explains_missing(found: &[Diagnostic], key: &str) -> bool {
+pub fn explains_missing(found: &[Diagnostic], key: &str) -> bool {
     found.iter().any(|own| [SYNTAX, UNREADABLE].contains(&own.code) || own.key == key)
 }
 

@@ -21,7 +21,7 @@ mod template;
 mod value;
 
 pub use file::load;
-pub use mistakes::{mistakes, root};
+pub use mistakes::{explains_missing, mistakes, root};
 pub use quote::Quote;
 pub use template::template;
 
