@@ -118,7 +118,7 @@ fn an_altered_controller_fails() {
     let home = folder("selftest_altered");
     let altered = [
         (&[("n", "2"), ("mu", "rational")][..], "= -K2;", "= K2;"),
-        (&[("n", "2"), ("mu", "exp")], "&& (isfinite(x2) != 0)", ""),
+        (&[("n", "2"), ("mu", "exp")], "\n            && (isfinite(x[1]) != 0)", ""),
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
         (&[("n", "2"), ("mu", "exp")], "*u = self->u_max;", "*u = 2.0 * self->u_max;"),
         (&[("n", "2"), ("mu", "exp")], "(self->u_max < v)", "((1.6 * self->u_max) < v)"),
@@ -134,8 +134,8 @@ fn an_altered_controller_fails() {
         ),
         (
             &[("n", "1"), ("mu", "exp"), ("after", "zero")],
-            "} else if (0.0 <= past) {",
-            "} else if (1.0 <= past) {",
+            "if (0.0 <= past) {",
+            "if (1.0 <= past) {",
         ),
     ];
     altered_fail(&home, &altered);

@@ -132,14 +132,7 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)) {
+        if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -152,22 +145,29 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
             const double s2 = ((self->c2_4 * y_squared) + self->c2_2) * y_squared;
             const double row2 = s2 + self->c2_0 + (((self->c2_3 * y_squared) + self->c2_3) * y);
             const double row3 = (self->c3_2 * y_squared) + self->c3_2 + (self->c3_1 * y);
-            const double v = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
+            const double v = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0)
+                && (isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
                     status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
                 }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -215,24 +215,25 @@ ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double v = s1 + (gains->gain[2] * x3);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double v = s1 + (gains->gain[2] * x[2]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

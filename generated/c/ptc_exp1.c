@@ -77,11 +77,16 @@ ptc_status ptc_exp1_step(const ptc_exp1 *self, double t, const double x[1], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v = (self->K1 * x1) / late;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v = (self->K1 * x[0]) / late;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x[0]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -89,15 +94,14 @@ ptc_status ptc_exp1_step(const ptc_exp1 *self, double t, const double x[1], doub
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -132,21 +136,24 @@ ptc_status ptc_exp1_axis(const ptc_exp1_gains *gains, const double x[1], double 
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if (isfinite(x1) != 0) {
-            const double v = gains->gain[0] * x1;
+        const double v = gains->gain[0] * x[0];
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if (isfinite(x[0]) != 0) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

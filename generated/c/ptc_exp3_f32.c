@@ -99,19 +99,22 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
         *u = 0.0f;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const float x1 = x[0];
-        const float x2 = x[1];
-        const float x3 = x[2];
-        if ((isfinite(t) != 0)
+        const float past = (t - self->deadline) - self->correction;
+        const float late = (past < self->hold_from) ? past : self->hold_from;
+        const float inv_T = (-1.0f) / late;
+        const float s1 = ((self->c1 * x[0] * inv_T) + (self->c2 * x[1])) * inv_T;
+        const float v = (s1 + (self->c3 * x[2])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabsf(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)) {
-            const float past = (t - self->deadline) - self->correction;
-            const float late = (past < self->hold_from) ? past : self->hold_from;
-            const float inv_T = (-1.0f) / late;
-            const float s1 = ((self->c1 * x1 * inv_T) + (self->c2 * x2)) * inv_T;
-            const float v = (s1 + (self->c3 * x3)) * inv_T;
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -119,15 +122,14 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0f;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0f;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -165,24 +167,25 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
         *u = 0.0f;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const float x1 = x[0];
-        const float x2 = x[1];
-        const float x3 = x[2];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
-            const float s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const float v = s1 + (gains->gain[2] * x3);
+        const float s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const float v = s1 + (gains->gain[2] * x[2]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabsf(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0f;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0f;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -50,19 +50,19 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if ((isfinite(t) != 0)
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < -0.001) ? past : -0.001;
+        const double inv_T = (-1.0) / late;
+        const double s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
+        const double v = (s1 + ((-12.0) * x[2])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t) && (isfinite(v) != 0) && (fabs(v) <= 50.0) && (late < -0.001)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < -0.001) ? past : -0.001;
-            const double inv_T = (-1.0) / late;
-            const double s1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
-            const double v = s1 * inv_T;
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)) {
             if (50.0 < v) {
                 *u = 50.0;
                 status = PTC_SATURATED;
@@ -70,15 +70,14 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
                 *u = -50.0;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < -0.001) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -115,24 +114,25 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0) && (isfinite(x3) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double v = s1 + (gains->gain[2] * x3);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double v = s1 + (gains->gain[2] * x[2]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= 50.0)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0) && (isfinite(x[2]) != 0)) {
             if (50.0 < v) {
                 *u = 50.0;
                 status = PTC_SATURATED;
             } else if (v < -50.0) {
                 *u = -50.0;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

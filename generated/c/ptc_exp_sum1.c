@@ -107,8 +107,7 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
+        if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -160,22 +159,26 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
             const double s3 = self->b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
             const double s4 = s3 + (self->b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
             const double inv_r1 = 1.0 / s4;
-            const double v = self->w1 * x1 * inv_r1;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
+            const double v = self->w1 * x[0] * inv_r1;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
                     status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
                 }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -260,21 +263,24 @@ ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1],
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if (isfinite(x1) != 0) {
-            const double v = gains->gain[0] * x1;
+        const double v = gains->gain[0] * x[0];
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if (isfinite(x[0]) != 0) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -181,18 +181,7 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
+        if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -258,24 +247,33 @@ ptc_status ptc_exp_sum5_step(const ptc_exp_sum5 *self, double t, const double x[
             const double row4 = s4 * 0.16666666666666666;
             const double row5 = (self->w5 + ((-120.0) * (v28 + p2))) * 0.041666666666666664;
             const double s5 = self->w2 + (self->w3 * p2) + (self->w4 * p3) + (self->w5 * p4);
-            const double s6 = ((self->w1 * x1 * inv_r1) + ((s5 + ((-120.0) * p5)) * x2)) * inv_r1;
-            const double s7 = (((s6 + (row3 * x3)) * inv_r1) + (row4 * x4)) * inv_r1;
-            const double v = (s7 + (row5 * x5)) * inv_r1;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
+            const double s6 = (self->w1 * x[0] * inv_r1) + ((s5 + ((-120.0) * p5)) * x[1]);
+            const double s7 = ((((s6 * inv_r1) + (row3 * x[2])) * inv_r1) + (row4 * x[3])) * inv_r1;
+            const double v = (s7 + (row5 * x[4])) * inv_r1;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0)
+                && (isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)
+                && (isfinite(x[3]) != 0)
+                && (isfinite(x[4]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
                     status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
                 }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -379,31 +377,30 @@ ptc_status ptc_exp_sum5_axis(const ptc_exp_sum5_gains *gains, const double x[5],
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
-            const double v = s2 + (gains->gain[4] * x5);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
+        const double v = s2 + (gains->gain[4] * x[4]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

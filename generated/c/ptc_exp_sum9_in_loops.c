@@ -287,26 +287,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        const double x6 = x[5];
-        const double x7 = x[6];
-        const double x8 = x[7];
-        const double x9 = x[8];
-        if ((isfinite(t) != 0)
-            && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)
-            && (isfinite(x6) != 0)
-            && (isfinite(x7) != 0)
-            && (isfinite(x8) != 0)
-            && (isfinite(x9) != 0)) {
+        if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -386,25 +367,39 @@ ptc_status ptc_exp_sum9_in_loops_step(
             const double row7 = row[5] * 0.001388888888888889;
             const double row8 = row[6] * 0.0001984126984126984;
             const double row9 = row[7] * 2.48015873015873e-5;
-            const double s3 = (((self->w1 * x1 * inv_r1) + (row[0] * x2)) * inv_r1) + (row3 * x3);
-            const double s4 = ((((s3 * inv_r1) + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
-            const double s5 = (((s4 + (row6 * x6)) * inv_r1) + (row7 * x7)) * inv_r1;
-            const double v = (((s5 + (row8 * x8)) * inv_r1) + (row9 * x9)) * inv_r1;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
+            const double s3 = ((self->w1 * x[0] * inv_r1) + (row[0] * x[1])) * inv_r1;
+            const double s4 = (((s3 + (row3 * x[2])) * inv_r1) + (row4 * x[3])) * inv_r1;
+            const double s5 = (((s4 + (row5 * x[4])) * inv_r1) + (row6 * x[5])) * inv_r1;
+            const double s6 = (((s5 + (row7 * x[6])) * inv_r1) + (row8 * x[7])) * inv_r1;
+            const double v = (s6 + (row9 * x[8])) * inv_r1;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0)
+                && (isfinite(x[0]) != 0)
+                && (isfinite(x[1]) != 0)
+                && (isfinite(x[2]) != 0)
+                && (isfinite(x[3]) != 0)
+                && (isfinite(x[4]) != 0)
+                && (isfinite(x[5]) != 0)
+                && (isfinite(x[6]) != 0)
+                && (isfinite(x[7]) != 0)
+                && (isfinite(x[8]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
                     status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
                 }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -534,41 +529,36 @@ ptc_status ptc_exp_sum9_in_loops_axis(
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        const double x6 = x[5];
-        const double x7 = x[6];
-        const double x8 = x[7];
-        const double x9 = x[8];
-        if ((isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)
-            && (isfinite(x6) != 0)
-            && (isfinite(x7) != 0)
-            && (isfinite(x8) != 0)
-            && (isfinite(x9) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
-            const double s3 = s2 + (gains->gain[4] * x5) + (gains->gain[5] * x6);
-            const double s4 = s3 + (gains->gain[6] * x7) + (gains->gain[7] * x8);
-            const double v = s4 + (gains->gain[8] * x9);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
+        const double s3 = s2 + (gains->gain[4] * x[4]) + (gains->gain[5] * x[5]);
+        const double s4 = s3 + (gains->gain[6] * x[6]) + (gains->gain[7] * x[7]);
+        const double v = s4 + (gains->gain[8] * x[8]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)
+            && (isfinite(x[5]) != 0)
+            && (isfinite(x[6]) != 0)
+            && (isfinite(x[7]) != 0)
+            && (isfinite(x[8]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -85,19 +85,26 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
-            const double v1 = T * T;
-            const double v2 = self->f15 + v1;
-            const double unit = T / v2;
-            const double inv_r1 = 1.0 / (T * unit);
-            const double s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
-            const double s2 = ((self->w1 * x1 * inv_r1) + ((self->w2 + s1) * x2)) * inv_r1;
-            const double v = (0.0 <= past) ? 0.0 : s2;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double v1 = T * T;
+        const double v2 = self->f15 + v1;
+        const double unit = T / v2;
+        const double inv_r1 = 1.0 / (T * unit);
+        const double s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
+        const double s2 = ((self->w1 * x[0] * inv_r1) + ((self->w2 + s1) * x[1])) * inv_r1;
+        const double v = (0.0 <= past) ? 0.0 : s2;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -105,17 +112,18 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else if (0.0 <= past) {
+                if (0.0 <= past) {
                     status = PTC_AFTER;
                 } else {
                     status = PTC_HOLD;
                 }
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -77,14 +77,19 @@ ptc_status ptc_own_law1_latched_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double T = -late;
-            const double inv_r1 = 1.0 / T;
-            const double law = ((-2.0) * x1) - (x1 * self->x1_0);
-            const double v = law * inv_r1;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double T = -late;
+        const double inv_r1 = 1.0 / T;
+        const double law = ((-2.0) * x[0]) - (x[0] * self->x1_0);
+        const double v = law * inv_r1;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x[0]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -92,15 +97,14 @@ ptc_status ptc_own_law1_latched_step(
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

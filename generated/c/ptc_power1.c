@@ -88,29 +88,32 @@ ptc_status ptc_power1_step(const ptc_power1 *self, double t, const double x[1], 
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
+        if (self->t0 <= t) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
             const double q = pow(inv_w, self->m);
             const double row1 = self->c1_1 * q;
-            const double v = ((-row1) * x1) / late;
-            if (self->u_max < v) {
-                *u = self->u_max;
-                status = PTC_SATURATED;
-            } else if (v < -self->u_max) {
-                *u = -self->u_max;
-                status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
+            const double v = ((-row1) * x[0]) / late;
+            *u = v;
+            if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
+                status = PTC_OK;
+            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0)) {
+                if (self->u_max < v) {
+                    *u = self->u_max;
+                    status = PTC_SATURATED;
+                } else if (v < -self->u_max) {
+                    *u = -self->u_max;
+                    status = PTC_SATURATED;
+                } else if (isfinite(v) != 0) {
                     status = PTC_HOLD;
+                } else {
+                    *u = 0.0;
+                    status = PTC_E_RANGE;
                 }
             } else {
-                status = PTC_E_RANGE;
+                *u = 0.0;
+                status = PTC_E_INPUT;
             }
         }
     }
@@ -149,21 +152,24 @@ ptc_status ptc_power1_axis(const ptc_power1_gains *gains, const double x[1], dou
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if (isfinite(x1) != 0) {
-            const double v = gains->gain[0] * x1;
+        const double v = gains->gain[0] * x[0];
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if (isfinite(x[0]) != 0) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

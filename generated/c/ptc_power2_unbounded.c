@@ -77,28 +77,31 @@ ptc_status ptc_power2_unbounded_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_w = self->minus_tau / late;
-            const double q = inv_w * inv_w;
-            const double v1 = (-4.0) * q;
-            const double row1 = v1 * q;
-            const double row2 = v1 + 3.0;
-            const double inv_T = inv_w * self->inv_tau;
-            const double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_w = self->minus_tau / late;
+        const double q = inv_w * inv_w;
+        const double v1 = (-4.0) * q;
+        const double row1 = v1 * q;
+        const double row2 = v1 + 3.0;
+        const double inv_T = inv_w * self->inv_tau;
+        const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t) && (isfinite(v) != 0) && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)) {
             if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -145,16 +148,16 @@ ptc_status ptc_power2_unbounded_axis(
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
-            } else {
-                status = PTC_E_RANGE;
-            }
+        const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        *u = v;
+        if (isfinite(v) != 0) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            *u = 0.0;
+            status = PTC_E_RANGE;
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

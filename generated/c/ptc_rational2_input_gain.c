@@ -97,17 +97,24 @@ ptc_status ptc_rational2_input_gain_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double row1 = self->c1_2 * inv_T * inv_T;
-            const double row2 = (self->c2_1 * inv_T) + 2.0;
-            const double v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-            const double input_gain = 2.0 + (x1 * x1);
-            const double v = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
+        const double row1 = self->c1_2 * inv_T * inv_T;
+        const double row2 = (self->c2_1 * inv_T) + 2.0;
+        const double v1 = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        const double input_gain = 2.0 + (x[0] * x[0]);
+        const double v = v1 / (((input_gain < 0.0) || (input_gain > 0.0)) ? input_gain : (double)NAN);
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -115,15 +122,14 @@ ptc_status ptc_rational2_input_gain_step(
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -139,31 +139,32 @@ ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double 
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(t) != 0)
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double inv_T = (-1.0) / late;
+        const double v1 = inv_T * inv_T;
+        const double row1 = self->c1_5 * inv_T * v1 * v1;
+        const double s1 = (((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2;
+        const double row2 = (((s1 * inv_T) + self->c2_1) * inv_T) - 120.0;
+        const double s2 = (((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1;
+        const double row3 = (s2 * inv_T) + 240.0;
+        const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
+        const double row5 = (self->c5_1 * inv_T) + 20.0;
+        const double s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
+        const double v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double inv_T = (-1.0) / late;
-            const double v1 = inv_T * inv_T;
-            const double row1 = self->c1_5 * inv_T * v1 * v1;
-            const double s1 = (((self->c2_4 * inv_T) + self->c2_3) * inv_T) + self->c2_2;
-            const double row2 = (((s1 * inv_T) + self->c2_1) * inv_T) - 120.0;
-            const double s2 = (((self->c3_3 * inv_T) + self->c3_2) * inv_T) + self->c3_1;
-            const double row3 = (s2 * inv_T) + 240.0;
-            const double row4 = (((self->c4_2 * inv_T) + self->c4_1) * inv_T) - 120.0;
-            const double row5 = (self->c5_1 * inv_T) + 20.0;
-            const double s3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-            const double v = (((s3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -171,15 +172,14 @@ ptc_status ptc_rational5_step(const ptc_rational5 *self, double t, const double 
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -227,31 +227,30 @@ ptc_status ptc_rational5_axis(const ptc_rational5_gains *gains, const double x[5
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
-            const double v = s2 + (gains->gain[4] * x5);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
+        const double v = s2 + (gains->gain[4] * x[4]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

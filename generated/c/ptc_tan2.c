@@ -104,31 +104,38 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = late * self->inv_tau;
-            const double inv_T_squared = 1.0 / (late * late);
-            const double v2 = v1 * v1;
-            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
-            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
-            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
-            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
-            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
-            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
-            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
-            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
-            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
-            const double th_cot_th = (s9 * v2) + 1.0;
-            const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
-            const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-            const double row1 = self->c1_2 * slope * slope;
-            const double T = -late;
-            const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double row2 = (self->c2_2 * cot_rate_squared) + self->c2_0 + (2.0 * cot_rate);
-            const double v = (row1 * x1) + (row2 * x2);
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = late * self->inv_tau;
+        const double inv_T_squared = 1.0 / (late * late);
+        const double v2 = v1 * v1;
+        const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+        const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+        const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+        const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+        const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+        const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+        const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+        const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+        const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+        const double th_cot_th = (s9 * v2) + 1.0;
+        const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+        const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
+        const double row1 = self->c1_2 * slope * slope;
+        const double T = -late;
+        const double cot_rate = T * inv_T_squared * th_cot_th;
+        const double row2 = (self->c2_2 * cot_rate_squared) + self->c2_0 + (2.0 * cot_rate);
+        const double v = (row1 * x[0]) + (row2 * x[1]);
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -136,15 +143,14 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -199,22 +205,24 @@ ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double 
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+        const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

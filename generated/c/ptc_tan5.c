@@ -234,56 +234,58 @@ ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(t) != 0)
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = late * self->inv_tau;
+        const double inv_T_squared = 1.0 / (late * late);
+        const double v2 = v1 * v1;
+        const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
+        const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
+        const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
+        const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
+        const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
+        const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
+        const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
+        const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
+        const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
+        const double th_cot_th = (s9 * v2) + 1.0;
+        const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
+        const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
+        const double v3 = slope * slope;
+        const double row1 = self->c1_5 * slope * v3 * v3;
+        const double T = -late;
+        const double cot_rate = T * inv_T_squared * th_cot_th;
+        const double s10 = (self->c2_8 * cot_rate_squared) + self->c2_6;
+        const double s11 = ((s10 * cot_rate_squared) + self->c2_4) * cot_rate_squared;
+        const double s12 = (self->c2_7 * cot_rate_squared) + self->c2_5;
+        const double s13 = ((s12 * cot_rate_squared) + self->c2_3) * cot_rate_squared;
+        const double s14 = ((s11 + self->c2_2) * cot_rate_squared) + self->c2_0;
+        const double row2 = s14 + ((s13 + self->c2_1) * cot_rate);
+        const double s15 = (self->c3_6 * cot_rate_squared) + self->c3_4;
+        const double s16 = ((s15 * cot_rate_squared) + self->c3_2) * cot_rate_squared;
+        const double s17 = (self->c3_5 * cot_rate_squared) + self->c3_3;
+        const double s18 = ((s17 * cot_rate_squared) + self->c3_1) * cot_rate;
+        const double row3 = s16 + self->c3_0 + s18;
+        const double s19 = (self->c4_4 * cot_rate_squared) + self->c4_2;
+        const double s20 = ((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate;
+        const double row4 = (s19 * cot_rate_squared) + self->c4_0 + s20;
+        const double s21 = (self->c5_2 * cot_rate_squared) + self->c5_0;
+        const double row5 = s21 + (20.0 * cot_rate);
+        const double s22 = (row1 * x[0]) + (row2 * x[1]) + (row3 * x[2]) + (row4 * x[3]);
+        const double v = s22 + (row5 * x[4]);
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = late * self->inv_tau;
-            const double inv_T_squared = 1.0 / (late * late);
-            const double v2 = v1 * v1;
-            const double s1 = (((-1.4910885650059303e-8) * v2) + 5.2188099741561376e-8) * v2;
-            const double s2 = ((s1 - 1.6867939433688022e-7) * v2) + 8.247582914168544e-8;
-            const double s3 = ((s2 * v2) - 6.748341805449633e-7) * v2;
-            const double s4 = ((s3 - 1.7709607183780777e-6) * v2) - 7.696335899623563e-6;
-            const double s5 = ((s4 * v2) - 3.049467456647586e-5) * v2;
-            const double s6 = ((s5 - 0.00012208352032846455) * v2) - 0.0004884004503196425;
-            const double s7 = ((s6 * v2) - 0.001955067633906801) * v2;
-            const double s8 = ((s7 - 0.007844354338480027) * v2) - 0.031791970687246554;
-            const double s9 = (((s8 * v2) - 0.13529040421388916) * v2) - 0.8224670334241132;
-            const double th_cot_th = (s9 * v2) + 1.0;
-            const double cot_rate_squared = inv_T_squared * (th_cot_th * th_cot_th);
-            const double slope = self->angle_rate + (self->inv_angle_rate * cot_rate_squared);
-            const double v3 = slope * slope;
-            const double row1 = self->c1_5 * slope * v3 * v3;
-            const double T = -late;
-            const double cot_rate = T * inv_T_squared * th_cot_th;
-            const double s10 = (self->c2_8 * cot_rate_squared) + self->c2_6;
-            const double s11 = ((s10 * cot_rate_squared) + self->c2_4) * cot_rate_squared;
-            const double s12 = (self->c2_7 * cot_rate_squared) + self->c2_5;
-            const double s13 = ((s12 * cot_rate_squared) + self->c2_3) * cot_rate_squared;
-            const double s14 = ((s11 + self->c2_2) * cot_rate_squared) + self->c2_0;
-            const double row2 = s14 + ((s13 + self->c2_1) * cot_rate);
-            const double s15 = (self->c3_6 * cot_rate_squared) + self->c3_4;
-            const double s16 = ((s15 * cot_rate_squared) + self->c3_2) * cot_rate_squared;
-            const double s17 = (self->c3_5 * cot_rate_squared) + self->c3_3;
-            const double s18 = ((s17 * cot_rate_squared) + self->c3_1) * cot_rate;
-            const double row3 = s16 + self->c3_0 + s18;
-            const double s19 = (self->c4_4 * cot_rate_squared) + self->c4_2;
-            const double s20 = ((self->c4_3 * cot_rate_squared) + self->c4_1) * cot_rate;
-            const double row4 = (s19 * cot_rate_squared) + self->c4_0 + s20;
-            const double s21 = (self->c5_2 * cot_rate_squared) + self->c5_0;
-            const double row5 = s21 + (20.0 * cot_rate);
-            const double v = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4) + (row5 * x5);
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -291,15 +293,14 @@ ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], doub
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -373,31 +374,30 @@ ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double 
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
-            const double v = s2 + (gains->gain[4] * x5);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
+        const double v = s2 + (gains->gain[4] * x[4]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

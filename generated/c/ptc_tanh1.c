@@ -84,14 +84,19 @@ ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double E = late * (late * ((-1.0) / (late * (self->two_tau + late))));
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_1 * one_plus_E;
-            const double v = ((-row1) * x1) / late;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double E = late * (late * ((-1.0) / (late * (self->two_tau + late))));
+        const double one_plus_E = 1.0 + E;
+        const double row1 = self->c1_1 * one_plus_E;
+        const double v = ((-row1) * x[0]) / late;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x[0]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -99,15 +104,14 @@ ptc_status ptc_tanh1_step(const ptc_tanh1 *self, double t, const double x[1], do
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -145,21 +149,24 @@ ptc_status ptc_tanh1_axis(const ptc_tanh1_gains *gains, const double x[1], doubl
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        if (isfinite(x1) != 0) {
-            const double v = gains->gain[0] * x1;
+        const double v = gains->gain[0] * x[0];
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if (isfinite(x[0]) != 0) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -96,19 +96,26 @@ ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(t) != 0) && (self->t0 <= t) && (isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
-            const double one_plus_E = 1.0 + E;
-            const double row1 = self->c1_2 * one_plus_E * one_plus_E;
-            const double row2 = (self->c2_1 * E) + self->c2_0;
-            const double inv_T = v2 * v1;
-            const double v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
+        const double one_plus_E = 1.0 + E;
+        const double row1 = self->c1_2 * one_plus_E * one_plus_E;
+        const double row2 = (self->c2_1 * E) + self->c2_0;
+        const double inv_T = v2 * v1;
+        const double v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
+            && (self->t0 <= t)
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -116,15 +123,14 @@ ptc_status ptc_tanh2_step(const ptc_tanh2 *self, double t, const double x[2], do
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -167,22 +173,24 @@ ptc_status ptc_tanh2_axis(const ptc_tanh2_gains *gains, const double x[2], doubl
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if ((isfinite(x1) != 0) && (isfinite(x2) != 0)) {
-            const double v = (gains->gain[0] * x1) + (gains->gain[1] * x2);
+        const double v = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

@@ -166,35 +166,36 @@ ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(t) != 0)
+        const double past = (t - self->deadline) - self->correction;
+        const double late = (past < self->hold_from) ? past : self->hold_from;
+        const double v1 = self->two_tau + late;
+        const double v2 = (-1.0) / (late * v1);
+        const double E = late * (late * v2);
+        const double one_plus_E = 1.0 + E;
+        const double v3 = one_plus_E * one_plus_E;
+        const double row1 = self->c1_5 * one_plus_E * v3 * v3;
+        const double s1 = ((((self->c2_4 * E) + self->c2_3) * E) + self->c2_2) * E;
+        const double row2 = ((s1 + self->c2_1) * E) + self->c2_0;
+        const double s2 = ((((self->c3_3 * E) + self->c3_2) * E) + self->c3_1) * E;
+        const double row3 = s2 + self->c3_0;
+        const double row4 = (((self->c4_2 * E) + self->c4_1) * E) + self->c4_0;
+        const double row5 = (self->c5_1 * E) + self->c5_0;
+        const double inv_T = v2 * v1;
+        const double s3 = (((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T) + (row3 * x[2]);
+        const double v = ((((s3 * inv_T) + (row4 * x[3])) * inv_T) + (row5 * x[4])) * inv_T;
+        *u = v;
+        if ((self->t0 <= t)
+            && (isfinite(v) != 0)
+            && (fabs(v) <= self->u_max)
+            && (late < self->hold_from)) {
+            status = PTC_OK;
+        } else if ((isfinite(t) != 0)
             && (self->t0 <= t)
-            && (isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double past = (t - self->deadline) - self->correction;
-            const double late = (past < self->hold_from) ? past : self->hold_from;
-            const double v1 = self->two_tau + late;
-            const double v2 = (-1.0) / (late * v1);
-            const double E = late * (late * v2);
-            const double one_plus_E = 1.0 + E;
-            const double v3 = one_plus_E * one_plus_E;
-            const double row1 = self->c1_5 * one_plus_E * v3 * v3;
-            const double s1 = ((((self->c2_4 * E) + self->c2_3) * E) + self->c2_2) * E;
-            const double row2 = ((s1 + self->c2_1) * E) + self->c2_0;
-            const double s2 = ((((self->c3_3 * E) + self->c3_2) * E) + self->c3_1) * E;
-            const double row3 = s2 + self->c3_0;
-            const double row4 = (((self->c4_2 * E) + self->c4_1) * E) + self->c4_0;
-            const double row5 = (self->c5_1 * E) + self->c5_0;
-            const double inv_T = v2 * v1;
-            const double s3 = ((((row1 * x1 * inv_T) + (row2 * x2)) * inv_T) + (row3 * x3)) * inv_T;
-            const double v = (((s3 + (row4 * x4)) * inv_T) + (row5 * x5)) * inv_T;
+            && (isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (self->u_max < v) {
                 *u = self->u_max;
                 status = PTC_SATURATED;
@@ -202,15 +203,14 @@ ptc_status ptc_tanh5_step(const ptc_tanh5 *self, double t, const double x[5], do
                 *u = -self->u_max;
                 status = PTC_SATURATED;
             } else if (isfinite(v) != 0) {
-                *u = v;
-                if (late < self->hold_from) {
-                    status = PTC_OK;
-                } else {
-                    status = PTC_HOLD;
-                }
+                status = PTC_HOLD;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;
@@ -263,31 +263,30 @@ ptc_status ptc_tanh5_axis(const ptc_tanh5_gains *gains, const double x[5], doubl
         *u = 0.0;
     }
     if ((gains != NULL) && (x != NULL) && (u != NULL)) {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        const double x4 = x[3];
-        const double x5 = x[4];
-        if ((isfinite(x1) != 0)
-            && (isfinite(x2) != 0)
-            && (isfinite(x3) != 0)
-            && (isfinite(x4) != 0)
-            && (isfinite(x5) != 0)) {
-            const double s1 = (gains->gain[0] * x1) + (gains->gain[1] * x2);
-            const double s2 = s1 + (gains->gain[2] * x3) + (gains->gain[3] * x4);
-            const double v = s2 + (gains->gain[4] * x5);
+        const double s1 = (gains->gain[0] * x[0]) + (gains->gain[1] * x[1]);
+        const double s2 = s1 + (gains->gain[2] * x[2]) + (gains->gain[3] * x[3]);
+        const double v = s2 + (gains->gain[4] * x[4]);
+        *u = v;
+        if ((isfinite(v) != 0) && (fabs(v) <= gains->u_max)) {
+            status = gains->status;
+        } else if ((isfinite(x[0]) != 0)
+            && (isfinite(x[1]) != 0)
+            && (isfinite(x[2]) != 0)
+            && (isfinite(x[3]) != 0)
+            && (isfinite(x[4]) != 0)) {
             if (gains->u_max < v) {
                 *u = gains->u_max;
                 status = PTC_SATURATED;
             } else if (v < -gains->u_max) {
                 *u = -gains->u_max;
                 status = PTC_SATURATED;
-            } else if (isfinite(v) != 0) {
-                *u = v;
-                status = gains->status;
             } else {
+                *u = 0.0;
                 status = PTC_E_RANGE;
             }
+        } else {
+            *u = 0.0;
+            status = PTC_E_INPUT;
         }
     }
     return status;

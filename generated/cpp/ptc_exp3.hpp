@@ -130,22 +130,20 @@ struct [[nodiscard]] PtcExp3Gains {
         if (status < Status::Ok) {
             return {0.0, status};
         }
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if (!(finite(x1) && finite(x2) && finite(x3))) {
-            return {0.0, Status::Input};
-        }
-        const double s1 = (gain[0] * x1) + (gain[1] * x2);
-        const double v = s1 + (gain[2] * x3);
-        if (u_max < v) {
-            return {u_max, Status::Saturated};
-        } else if (v < -u_max) {
-            return {-u_max, Status::Saturated};
-        } else if (finite(v)) {
+        const double s1 = (gain[0] * x[0]) + (gain[1] * x[1]);
+        const double v = s1 + (gain[2] * x[2]);
+        if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
+        } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
+            if (u_max < v) {
+                return {u_max, Status::Saturated};
+            } else if (v < -u_max) {
+                return {-u_max, Status::Saturated};
+            } else {
+                return {0.0, Status::Range};
+            }
         } else {
-            return {0.0, Status::Range};
+            return {0.0, Status::Input};
         }
     }
 
@@ -254,29 +252,25 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        const double x3 = x[2];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
-            return {0.0, Status::Input};
-        }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double inv_T = (-1.0) / late;
-        const double s1 = ((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T;
-        const double v = (s1 + (c3_ * x3)) * inv_T;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
-                return {v, Status::Ok};
-            } else {
+        const double s1 = ((c1_ * x[0] * inv_T) + (c2_ * x[1])) * inv_T;
+        const double v = (s1 + (c3_ * x[2])) * inv_T;
+        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+            return {v, Status::Ok};
+        } else if (finite(t) && (t0_ <= t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (finite(v)) {
                 return {v, Status::Hold};
+            } else {
+                return {0.0, Status::Range};
             }
         } else {
-            return {0.0, Status::Range};
+            return {0.0, Status::Input};
         }
     }
 

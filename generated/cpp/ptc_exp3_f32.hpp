@@ -130,22 +130,20 @@ struct [[nodiscard]] PtcExp3F32Gains {
         if (status < Status::Ok) {
             return {0.0f, status};
         }
-        const float x1 = x[0];
-        const float x2 = x[1];
-        const float x3 = x[2];
-        if (!(finite(x1) && finite(x2) && finite(x3))) {
-            return {0.0f, Status::Input};
-        }
-        const float s1 = (gain[0] * x1) + (gain[1] * x2);
-        const float v = s1 + (gain[2] * x3);
-        if (u_max < v) {
-            return {u_max, Status::Saturated};
-        } else if (v < -u_max) {
-            return {-u_max, Status::Saturated};
-        } else if (finite(v)) {
+        const float s1 = (gain[0] * x[0]) + (gain[1] * x[1]);
+        const float v = s1 + (gain[2] * x[2]);
+        if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
+        } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
+            if (u_max < v) {
+                return {u_max, Status::Saturated};
+            } else if (v < -u_max) {
+                return {-u_max, Status::Saturated};
+            } else {
+                return {0.0f, Status::Range};
+            }
         } else {
-            return {0.0f, Status::Range};
+            return {0.0f, Status::Input};
         }
     }
 
@@ -254,29 +252,25 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<float> step(float t, const std::array<float, 3>& x) const noexcept
     {
-        const float x1 = x[0];
-        const float x2 = x[1];
-        const float x3 = x[2];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
-            return {0.0f, Status::Input};
-        }
         const float past = (t - deadline_) - correction_;
         const float late = (past < hold_from_) ? past : hold_from_;
         const float inv_T = (-1.0f) / late;
-        const float s1 = ((c1_ * x1 * inv_T) + (c2_ * x2)) * inv_T;
-        const float v = (s1 + (c3_ * x3)) * inv_T;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
-                return {v, Status::Ok};
-            } else {
+        const float s1 = ((c1_ * x[0] * inv_T) + (c2_ * x[1])) * inv_T;
+        const float v = (s1 + (c3_ * x[2])) * inv_T;
+        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+            return {v, Status::Ok};
+        } else if (finite(t) && (t0_ <= t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (finite(v)) {
                 return {v, Status::Hold};
+            } else {
+                return {0.0f, Status::Range};
             }
         } else {
-            return {0.0f, Status::Range};
+            return {0.0f, Status::Input};
         }
     }
 

@@ -127,20 +127,19 @@ struct [[nodiscard]] PtcExpSum2Gains {
         if (status < Status::Ok) {
             return {0.0, status};
         }
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if (!(finite(x1) && finite(x2))) {
-            return {0.0, Status::Input};
-        }
-        const double v = (gain[0] * x1) + (gain[1] * x2);
-        if (u_max < v) {
-            return {u_max, Status::Saturated};
-        } else if (v < -u_max) {
-            return {-u_max, Status::Saturated};
-        } else if (finite(v)) {
+        const double v = (gain[0] * x[0]) + (gain[1] * x[1]);
+        if (finite(v) && (absolute(v) <= u_max)) {
             return {v, status};
+        } else if (finite(x[0]) && finite(x[1])) {
+            if (u_max < v) {
+                return {u_max, Status::Saturated};
+            } else if (v < -u_max) {
+                return {-u_max, Status::Saturated};
+            } else {
+                return {0.0, Status::Range};
+            }
         } else {
-            return {0.0, Status::Range};
+            return {0.0, Status::Input};
         }
     }
 
@@ -271,9 +270,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
-        const double x1 = x[0];
-        const double x2 = x[1];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2))) {
+        if (!(t0_ <= t)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -328,20 +325,22 @@ public:
         const double v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
         const double inv_r1 = 1.0 / ((b1_1_ * v22) + (b1_2_ * v24));
         const double p2 = ((b2_1_ * v22) + (b2_2_ * v24)) * inv_r1;
-        const double s3 = (w1_ * x1 * inv_r1) + ((w2_ + ((-2.0) * p2)) * x2);
+        const double s3 = (w1_ * x[0] * inv_r1) + ((w2_ + ((-2.0) * p2)) * x[1]);
         const double v = s3 * inv_r1;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
-                return {v, Status::Ok};
-            } else {
+        if (finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+            return {v, Status::Ok};
+        } else if (finite(t) && finite(x[0]) && finite(x[1])) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (finite(v)) {
                 return {v, Status::Hold};
+            } else {
+                return {0.0, Status::Range};
             }
         } else {
-            return {0.0, Status::Range};
+            return {0.0, Status::Input};
         }
     }
 

@@ -166,28 +166,26 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 1>& x) const noexcept
     {
-        const double x1 = x[0];
-        if (!(finite(t) && (t0_ <= t) && finite(x1))) {
-            return {0.0, Status::Input};
-        }
         const double past = (t - deadline_) - correction_;
         const double late = (past < hold_from_) ? past : hold_from_;
         const double T = -late;
         const double inv_r1 = 1.0 / T;
-        const double law = ((-2.0) * x1) - (x1 * x1_0_);
+        const double law = ((-2.0) * x[0]) - (x[0] * x1_0_);
         const double v = law * inv_r1;
-        if (u_max_ < v) {
-            return {u_max_, Status::Saturated};
-        } else if (v < -u_max_) {
-            return {-u_max_, Status::Saturated};
-        } else if (finite(v)) {
-            if (late < hold_from_) {
-                return {v, Status::Ok};
-            } else {
+        if ((t0_ <= t) && finite(v) && (absolute(v) <= u_max_) && (late < hold_from_)) {
+            return {v, Status::Ok};
+        } else if (finite(t) && (t0_ <= t) && finite(x[0])) {
+            if (u_max_ < v) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
+            } else if (finite(v)) {
                 return {v, Status::Hold};
+            } else {
+                return {0.0, Status::Range};
             }
         } else {
-            return {0.0, Status::Range};
+            return {0.0, Status::Input};
         }
     }
 
@@ -196,6 +194,11 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
+    }
+
+    static constexpr double absolute(double v) noexcept
+    {
+        return (v > 0.0) ? v : (0.0 - v);
     }
 
     double t0_{}; // start time

@@ -17,25 +17,22 @@ if status < 0
     return;
 end
 x = double(x);
-x1 = x(1);
-x2 = x(2);
-x3 = x(3);
-if ~(isfinite(x1) && isfinite(x2) && isfinite(x3))
-    status = int32(-2);
-    return;
-end
-s1 = (gains.gain(1) * x1) + (gains.gain(2) * x2);
-v = s1 + (gains.gain(3) * x3);
-if gains.u_max < v
-    u = gains.u_max;
-    status = int32(2);
-elseif v < -gains.u_max
-    u = -gains.u_max;
-    status = int32(2);
-elseif isfinite(v)
+s1 = (gains.gain(1) * x(1)) + (gains.gain(2) * x(2));
+v = s1 + (gains.gain(3) * x(3));
+if isfinite(v) && (abs(v) <= gains.u_max)
     u = v;
     status = gains.status;
+elseif isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
+    if gains.u_max < v
+        u = gains.u_max;
+        status = int32(2);
+    elseif v < -gains.u_max
+        u = -gains.u_max;
+        status = int32(2);
+    else
+        status = int32(-3);
+    end
 else
-    status = int32(-3);
+    status = int32(-2);
 end
 end

@@ -14,34 +14,29 @@ function [u, status] = ptc_exp3_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-x1 = x(1);
-x2 = x(2);
-x3 = x(3);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
-    status = int32(-2);
-    return;
-end
 past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 inv_T = (-1.0) / late;
-s1 = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
-v = (s1 + (self.c3 * x3)) * inv_T;
-if self.u_max < v
-    u = self.u_max;
-    status = int32(2);
-elseif v < -self.u_max
-    u = -self.u_max;
-    status = int32(2);
-elseif isfinite(v)
-    if late < self.hold_from
-        u = v;
-        status = int32(0);
-    else
+s1 = ((self.c1 * x(1) * inv_T) + (self.c2 * x(2))) * inv_T;
+v = (s1 + (self.c3 * x(3))) * inv_T;
+if (self.t0 <= t) && isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && (self.t0 <= t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif isfinite(v)
         u = v;
         status = int32(1);
+    else
+        status = int32(-3);
     end
 else
-    status = int32(-3);
+    status = int32(-2);
 end
 end
 

@@ -14,9 +14,7 @@ function [u, status] = ptc_exp_sum2_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-x1 = x(1);
-x2 = x(2);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2))
+if ~(self.t0 <= t)
     status = int32(-2);
     return;
 end
@@ -72,24 +70,26 @@ v23 = self.a2 * v20;
 v24 = v15 - (v15 * (v23 * (1.0 - (0.5 * v23))));
 inv_r1 = 1.0 / ((self.b1_1 * v22) + (self.b1_2 * v24));
 p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
-s3 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x2);
+s3 = (self.w1 * x(1) * inv_r1) + ((self.w2 + ((-2.0) * p2)) * x(2));
 v = s3 * inv_r1;
-if self.u_max < v
-    u = self.u_max;
-    status = int32(2);
-elseif v < -self.u_max
-    u = -self.u_max;
-    status = int32(2);
-elseif isfinite(v)
-    if late < self.hold_from
-        u = v;
-        status = int32(0);
-    else
+if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif isfinite(v)
         u = v;
         status = int32(1);
+    else
+        status = int32(-3);
     end
 else
-    status = int32(-3);
+    status = int32(-2);
 end
 end
 

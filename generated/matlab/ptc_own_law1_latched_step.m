@@ -14,33 +14,30 @@ function [u, status] = ptc_own_law1_latched_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-x1 = x(1);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1))
-    status = int32(-2);
-    return;
-end
 past = (t - self.deadline) - self.correction;
 late = pick(past < self.hold_from, past, self.hold_from);
 T = -late;
 inv_r1 = 1.0 / T;
-law = ((-2.0) * x1) - (x1 * self.x1_0);
+law = ((-2.0) * x(1)) - (x(1) * self.x1_0);
 v = law * inv_r1;
-if self.u_max < v
-    u = self.u_max;
-    status = int32(2);
-elseif v < -self.u_max
-    u = -self.u_max;
-    status = int32(2);
-elseif isfinite(v)
-    if late < self.hold_from
-        u = v;
-        status = int32(0);
-    else
+if (self.t0 <= t) && isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
+    u = v;
+    status = int32(0);
+elseif isfinite(t) && (self.t0 <= t) && isfinite(x(1))
+    if self.u_max < v
+        u = self.u_max;
+        status = int32(2);
+    elseif v < -self.u_max
+        u = -self.u_max;
+        status = int32(2);
+    elseif isfinite(v)
         u = v;
         status = int32(1);
+    else
+        status = int32(-3);
     end
 else
-    status = int32(-3);
+    status = int32(-2);
 end
 end
 

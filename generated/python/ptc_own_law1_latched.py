@@ -195,9 +195,10 @@ class PtcOwnLaw1Latched:
             inv_r1 = 1.0 / T
             law = ((-2.0) * x1) - (x1 * self._x1_0)
             v = law * inv_r1
-            way1 = self._u_max < v
-            way2 = v < -self._u_max
-            way3 = np.isfinite(v)
-            way4 = late < self._hold_from
-            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1), np.where(way1, Status.SATURATED, np.where(way2, Status.SATURATED, np.where(way3, np.where(way4, Status.OK, Status.HOLD), Status.RANGE))), Status.INPUT)
-            return Control(np.where(status < 0, _R(0.0), np.where(way1, self._u_max, np.where(way2, -self._u_max, v))), status.astype(np.int8))
+            way1 = (self._t0 <= t) & np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
+            way2 = np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1)
+            way3 = self._u_max < v
+            way4 = v < -self._u_max
+            way5 = np.isfinite(v)
+            status = np.where(way1, Status.OK, np.where(way2, np.where(way3, Status.SATURATED, np.where(way4, Status.SATURATED, np.where(way5, Status.HOLD, Status.RANGE))), Status.INPUT))
+            return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way3, self._u_max, np.where(way4, -self._u_max, v)))), status.astype(np.int8))

@@ -530,19 +530,7 @@ impl PtcAlgebraic5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        let x5 = x[4];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite())
-        {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -571,20 +559,28 @@ impl PtcAlgebraic5 {
         let s9 = ((self.c4_4 * y_squared) + self.c4_2) * y_squared;
         let row4 = s9 + self.c4_0 + (((self.c4_3 * y_squared) + self.c4_3) * y);
         let row5 = (self.c5_2 * y_squared) + self.c5_2 + (self.c5_1 * y);
-        let s10 = ((((row1 * x1 * sec) + (row2 * x2)) * sec) + (row3 * x3)) * sec;
-        let v = (((s10 + (row4 * x4)) * sec) + (row5 * x5)) * sec;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s10 = ((((row1 * x[0] * sec) + (row2 * x[1])) * sec) + (row3 * x[2])) * sec;
+        let v = (((s10 + (row4 * x[3])) * sec) + (row5 * x[4])) * sec;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -660,26 +656,26 @@ impl PtcAlgebraic5Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        let x5 = x[4];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite() && x5.is_finite())
-        {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let s2 = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
-        let v = s2 + (self.gain[4] * x5);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let s2 = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let v = s2 + (self.gain[4] * x[4]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -296,13 +296,6 @@ impl PtcExp3F32 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f32, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
-        {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -310,20 +303,31 @@ impl PtcExp3F32 {
             self.hold_from
         };
         let inv_T = (-1.0) / late;
-        let s1 = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
-        let v = (s1 + (self.c3 * x3)) * inv_T;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s1 = ((self.c1 * x[0] * inv_T) + (self.c2 * x[1])) * inv_T;
+        let v = (s1 + (self.c3 * x[2])) * inv_T;
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && (self.t0 <= t)
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -377,22 +381,20 @@ impl PtcExp3F32Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

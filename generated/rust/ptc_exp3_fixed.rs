@@ -213,30 +213,31 @@ impl PtcExp3Fixed {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
-        {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < -0.001 { past } else { -0.001 };
         let inv_T = (-1.0) / late;
-        let s1 = ((((-120.0) * x1 * inv_T) + ((-60.0) * x2)) * inv_T) + ((-12.0) * x3);
-        let v = s1 * inv_T;
-        let (u, status) = if 50.0 < v {
-            (50.0, Status::Saturated)
-        } else if v < -50.0 {
-            (-50.0, Status::Saturated)
-        } else if v.is_finite() {
-            if late < -0.001 {
-                (v, Status::Ok)
-            } else {
+        let s1 = (((-120.0) * x[0] * inv_T) + ((-60.0) * x[1])) * inv_T;
+        let v = (s1 + ((-12.0) * x[2])) * inv_T;
+        let (u, status) = if (self.t0 <= t) && v.is_finite() && (v.abs() <= 50.0) && (late < -0.001)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && (self.t0 <= t)
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+        {
+            if 50.0 < v {
+                (50.0, Status::Saturated)
+            } else if v < -50.0 {
+                (-50.0, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -285,22 +286,20 @@ impl PtcExp3FixedGains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3);
-        let (u, status) = if 50.0 < v {
-            (50.0, Status::Saturated)
-        } else if v < -50.0 {
-            (-50.0, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]);
+        let (u, status) = if v.is_finite() && (v.abs() <= 50.0) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if 50.0 < v {
+                (50.0, Status::Saturated)
+            } else if v < -50.0 {
+                (-50.0, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

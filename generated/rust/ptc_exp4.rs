@@ -314,19 +314,6 @@ impl PtcExp4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite())
-        {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -334,20 +321,32 @@ impl PtcExp4 {
             self.hold_from
         };
         let inv_T = (-1.0) / late;
-        let s1 = ((self.c1 * x1 * inv_T) + (self.c2 * x2)) * inv_T;
-        let v = (((s1 + (self.c3 * x3)) * inv_T) + (self.c4 * x4)) * inv_T;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s1 = ((self.c1 * x[0] * inv_T) + (self.c2 * x[1])) * inv_T;
+        let v = (((s1 + (self.c3 * x[2])) * inv_T) + (self.c4 * x[3])) * inv_T;
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && (self.t0 <= t)
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -403,23 +402,20 @@ impl PtcExp4Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -335,8 +335,7 @@ impl PtcExpSum1 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite()) {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -394,19 +393,21 @@ impl PtcExpSum1 {
         let s3 = self.b1_1 * (v14 - (v14 * (v21 * (1.0 - (0.5 * v21)))));
         let s4 = s3 + (self.b1_2 * (v15 - (v15 * (v22 * (1.0 - (0.5 * v22))))));
         let inv_r1 = 1.0 / s4;
-        let v = self.w1 * x1 * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let v = self.w1 * x[0] * inv_r1;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -504,19 +505,19 @@ impl PtcExpSum1Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        if !x1.is_finite() {
-            return Err(Error::Input);
-        }
-        let v = self.gain[0] * x1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let v = self.gain[0] * x[0];
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -392,11 +392,7 @@ impl PtcExpSum3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
-        {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -457,20 +453,23 @@ impl PtcExpSum3 {
         let p2 = ((self.b2_1 * v22) + (self.b2_2 * v24)) * inv_r1;
         let p3 = ((self.b3_1 * v22) + (self.b3_2 * v24)) * inv_r1;
         let row3 = (self.w3 + ((-6.0) * (p2 + p2))) * 0.5;
-        let s3 = (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * x2;
-        let v = ((((self.w1 * x1 * inv_r1) + s3) * inv_r1) + (row3 * x3)) * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s3 = (self.w2 + (self.w3 * p2) + ((-6.0) * p3)) * x[1];
+        let s4 = (((self.w1 * x[0] * inv_r1) + s3) * inv_r1) + (row3 * x[2]);
+        let v = s4 * inv_r1;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -575,22 +574,20 @@ impl PtcExpSum3Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -422,17 +422,7 @@ impl PtcExpSum4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite())
-        {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -497,21 +487,28 @@ impl PtcExpSum4 {
         let s3 = self.w3 + (self.w4 * v25) + ((-24.0) * (p3 + p3 + (p2 * p2)));
         let row3 = s3 * 0.5;
         let row4 = (self.w4 + ((-24.0) * (v25 + p2))) * 0.16666666666666666;
-        let s4 = (self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4)) * x2;
-        let s5 = ((((self.w1 * x1 * inv_r1) + s4) * inv_r1) + (row3 * x3)) * inv_r1;
-        let v = (s5 + (row4 * x4)) * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s4 = self.w2 + (self.w3 * p2) + (self.w4 * p3) + ((-24.0) * p4);
+        let s5 = ((self.w1 * x[0] * inv_r1) + (s4 * x[1])) * inv_r1;
+        let v = (((s5 + (row3 * x[2])) * inv_r1) + (row4 * x[3])) * inv_r1;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -623,23 +620,20 @@ impl PtcExpSum4Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -561,27 +561,7 @@ impl PtcExpSum9InLoops {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 9]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        let x5 = x[4];
-        let x6 = x[5];
-        let x7 = x[6];
-        let x8 = x[7];
-        let x9 = x[8];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite()
-            && x6.is_finite()
-            && x7.is_finite()
-            && x8.is_finite()
-            && x9.is_finite())
-        {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -659,22 +639,35 @@ impl PtcExpSum9InLoops {
         let row7 = row[5] * 0.001388888888888889;
         let row8 = row[6] * 0.0001984126984126984;
         let row9 = row[7] * 2.48015873015873e-5;
-        let s3 = (((self.w1 * x1 * inv_r1) + (row[0] * x2)) * inv_r1) + (row3 * x3);
-        let s4 = ((((s3 * inv_r1) + (row4 * x4)) * inv_r1) + (row5 * x5)) * inv_r1;
-        let s5 = (((s4 + (row6 * x6)) * inv_r1) + (row7 * x7)) * inv_r1;
-        let v = (((s5 + (row8 * x8)) * inv_r1) + (row9 * x9)) * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let s3 = ((self.w1 * x[0] * inv_r1) + (row[0] * x[1])) * inv_r1;
+        let s4 = (((s3 + (row3 * x[2])) * inv_r1) + (row4 * x[3])) * inv_r1;
+        let s5 = (((s4 + (row5 * x[4])) * inv_r1) + (row6 * x[5])) * inv_r1;
+        let s6 = (((s5 + (row7 * x[6])) * inv_r1) + (row8 * x[7])) * inv_r1;
+        let v = (s6 + (row9 * x[8])) * inv_r1;
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+            && x[5].is_finite()
+            && x[6].is_finite()
+            && x[7].is_finite()
+            && x[8].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -830,40 +823,32 @@ impl PtcExpSum9InLoopsGains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 9]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        let x5 = x[4];
-        let x6 = x[5];
-        let x7 = x[6];
-        let x8 = x[7];
-        let x9 = x[8];
-        if !(x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite()
-            && x5.is_finite()
-            && x6.is_finite()
-            && x7.is_finite()
-            && x8.is_finite()
-            && x9.is_finite())
-        {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let s2 = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
-        let s3 = s2 + (self.gain[4] * x5) + (self.gain[5] * x6);
-        let s4 = s3 + (self.gain[6] * x7) + (self.gain[7] * x8);
-        let v = s4 + (self.gain[8] * x9);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let s2 = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let s3 = s2 + (self.gain[4] * x[4]) + (self.gain[5] * x[5]);
+        let s4 = s3 + (self.gain[6] * x[6]) + (self.gain[7] * x[7]);
+        let v = s4 + (self.gain[8] * x[8]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+            && x[4].is_finite()
+            && x[5].is_finite()
+            && x[6].is_finite()
+            && x[7].is_finite()
+            && x[8].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

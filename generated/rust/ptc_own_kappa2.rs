@@ -253,11 +253,6 @@ impl PtcOwnKappa2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -270,22 +265,30 @@ impl PtcOwnKappa2 {
         let unit = T / v2;
         let inv_r1 = 1.0 / (T * unit);
         let s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
-        let s2 = ((self.w1 * x1 * inv_r1) + ((self.w2 + s1) * x2)) * inv_r1;
+        let s2 = ((self.w1 * x[0] * inv_r1) + ((self.w2 + s1) * x[1])) * inv_r1;
         let v = if 0.0 <= past { 0.0 } else { s2 };
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else if 0.0 <= past {
-                (v, Status::After)
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
+                if 0.0 <= past {
+                    (v, Status::After)
+                } else {
+                    (v, Status::Hold)
+                }
             } else {
-                (v, Status::Hold)
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -230,10 +230,6 @@ impl PtcOwnLaw1Latched {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite()) {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -242,20 +238,26 @@ impl PtcOwnLaw1Latched {
         };
         let T = -late;
         let inv_r1 = 1.0 / T;
-        let law = ((-2.0) * x1) - (x1 * self.x1_0);
+        let law = ((-2.0) * x[0]) - (x[0] * self.x1_0);
         let v = law * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

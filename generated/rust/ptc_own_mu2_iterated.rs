@@ -306,9 +306,7 @@ impl PtcOwnMu2Iterated {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
+        if !(self.t0 <= t) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -360,20 +358,22 @@ impl PtcOwnMu2Iterated {
         let inv_r1 = 1.0 / (-v18);
         let s2 = (-((v15 * v16) + (v12 * self.f63 * v14))) + (self.f29 * v16);
         let s3 = ((v11 * (-(v9 * v10))) + (v17 * (s2 + self.f63))) * (1.0 / v18);
-        let s4 = (self.w1 * x1 * inv_r1) + ((self.w2 + ((-2.0) * s3)) * x2);
+        let s4 = (self.w1 * x[0] * inv_r1) + ((self.w2 + ((-2.0) * s3)) * x[1]);
         let v = s4 * inv_r1;
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
+            (v, Status::Ok)
+        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -468,20 +468,19 @@ impl PtcOwnMu2IteratedGains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(x1.is_finite() && x2.is_finite()) {
-            return Err(Error::Input);
-        }
-        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let v = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -249,11 +249,6 @@ impl PtcPower2Unbounded {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -266,15 +261,17 @@ impl PtcPower2Unbounded {
         let row1 = v1 * q;
         let row2 = v1 + 3.0;
         let inv_T = inv_w * self.inv_tau;
-        let v = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-        let status = if v.is_finite() {
-            if late < self.hold_from {
-                Status::Ok
-            } else {
+        let v = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        let status = if (self.t0 <= t) && v.is_finite() && (late < self.hold_from) {
+            Status::Ok
+        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+            if v.is_finite() {
                 Status::Hold
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u: v, status })
     }
@@ -328,16 +325,13 @@ impl PtcPower2UnboundedGains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(x1.is_finite() && x2.is_finite()) {
-            return Err(Error::Input);
-        }
-        let v = (self.gain[0] * x1) + (self.gain[1] * x2);
+        let v = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
         let status = if v.is_finite() {
             self.status
-        } else {
+        } else if x[0].is_finite() && x[1].is_finite() {
             return Err(Error::Range);
+        } else {
+            return Err(Error::Input);
         };
         Ok(Control { u: v, status })
     }

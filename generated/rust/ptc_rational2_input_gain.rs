@@ -268,11 +268,6 @@ impl PtcRational2InputGain {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite()) {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -282,25 +277,31 @@ impl PtcRational2InputGain {
         let inv_T = (-1.0) / late;
         let row1 = self.c1_2 * inv_T * inv_T;
         let row2 = (self.c2_1 * inv_T) + 2.0;
-        let v1 = ((row1 * x1 * inv_T) + (row2 * x2)) * inv_T;
-        let input_gain = 2.0 + (x1 * x1);
+        let v1 = ((row1 * x[0] * inv_T) + (row2 * x[1])) * inv_T;
+        let input_gain = 2.0 + (x[0] * x[0]);
         let v = if input_gain < 0.0 || input_gain > 0.0 {
             v1 / input_gain
         } else {
             f64::NAN
         };
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite() && (self.t0 <= t) && x[0].is_finite() && x[1].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

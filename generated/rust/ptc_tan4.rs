@@ -418,19 +418,6 @@ impl PtcTan4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(t.is_finite()
-            && (self.t0 <= t)
-            && x1.is_finite()
-            && x2.is_finite()
-            && x3.is_finite()
-            && x4.is_finite())
-        {
-            return Err(Error::Input);
-        }
         let past = (t - self.deadline) - self.correction;
         let late = if past < self.hold_from {
             past
@@ -466,19 +453,31 @@ impl PtcTan4 {
         let row3 = (s14 * cot_rate_squared) + self.c3_0 + s15;
         let s16 = (self.c4_2 * cot_rate_squared) + self.c4_0;
         let row4 = s16 + (12.0 * cot_rate);
-        let v = (row1 * x1) + (row2 * x2) + (row3 * x3) + (row4 * x4);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
-            if late < self.hold_from {
-                (v, Status::Ok)
-            } else {
+        let v = (row1 * x[0]) + (row2 * x[1]) + (row3 * x[2]) + (row4 * x[3]);
+        let (u, status) = if (self.t0 <= t)
+            && v.is_finite()
+            && (v.abs() <= self.u_max)
+            && (late < self.hold_from)
+        {
+            (v, Status::Ok)
+        } else if t.is_finite()
+            && (self.t0 <= t)
+            && x[0].is_finite()
+            && x[1].is_finite()
+            && x[2].is_finite()
+            && x[3].is_finite()
+        {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else if v.is_finite() {
                 (v, Status::Hold)
+            } else {
+                return Err(Error::Range);
             }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }
@@ -556,23 +555,20 @@ impl PtcTan4Gains {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn axis(&self, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        let x1 = x[0];
-        let x2 = x[1];
-        let x3 = x[2];
-        let x4 = x[3];
-        if !(x1.is_finite() && x2.is_finite() && x3.is_finite() && x4.is_finite()) {
-            return Err(Error::Input);
-        }
-        let s1 = (self.gain[0] * x1) + (self.gain[1] * x2);
-        let v = s1 + (self.gain[2] * x3) + (self.gain[3] * x4);
-        let (u, status) = if self.u_max < v {
-            (self.u_max, Status::Saturated)
-        } else if v < -self.u_max {
-            (-self.u_max, Status::Saturated)
-        } else if v.is_finite() {
+        let s1 = (self.gain[0] * x[0]) + (self.gain[1] * x[1]);
+        let v = s1 + (self.gain[2] * x[2]) + (self.gain[3] * x[3]);
+        let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) {
             (v, self.status)
+        } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
+            if self.u_max < v {
+                (self.u_max, Status::Saturated)
+            } else if v < -self.u_max {
+                (-self.u_max, Status::Saturated)
+            } else {
+                return Err(Error::Range);
+            }
         } else {
-            return Err(Error::Range);
+            return Err(Error::Input);
         };
         Ok(Control { u, status })
     }

@@ -94,12 +94,12 @@ fn compile(
 
 /// Defects, and the pass that must see each.
 const DEFECTS: [(Defect, usize); 4] = [
-    (("const double x1 = x[0];", "const float x1 = x[0];", "a state narrowed to float"), 0),
+    (("const double past = ", "const float past = ", "a time narrowed to float"), 0),
     (("if (u != NULL) {", "if (u == NULL) {", "the check for NULL turned round"), 1),
     (
         (
-            "const double x1 = x[0];",
-            "const double x1 = x[0]; double x1_copy = x1;",
+            "const double past = ",
+            "double t_copy = t; const double past = ",
             "a value that nothing uses",
         ),
         2,

@@ -120,7 +120,7 @@ fn seeded(context: &Context, kept: &[Measured], finding: &mut Finding) -> Result
     let spec = context.families(2).into_iter().find(|spec| spec.n == 2);
     let spec = spec.context("a controller of order 2")?;
     let sources = sources(&empty(&folder.join("controller")), &spec)?;
-    let slower = "const double inv_T = (-1.0) / (late * ((x1 * 0.0) + 1.0));";
+    let slower = "const double inv_T = (-1.0) / (late * ((x[0] * 0.0) + 1.0));";
     let defect =
         ("const double inv_T = (-1.0) / late;", slower, "a product and a sum more in step");
     put_in(&sources, defect)?;

@@ -130,7 +130,7 @@ fn shrunk(folder: &Path, mut keys: Keys, mut difference: Difference) -> (Keys, D
 
 /// Text of the emitted C of the example, what takes its place, and what it is.
 const DEFECTS: [(&str, &str, &str); 3] = [
-    ("inv_T) + (self->c2 * x2)", "inv_T) - (self->c2 * x2)", "one operation changed in step"),
+    ("inv_T) + (self->c2 * x[1])", "inv_T) - (self->c2 * x[1])", "one operation changed in step"),
     ("k1 / (a * a)", "k1 / a / a", "one rounding more in a coefficient"),
     ("(past < self->hold_from)", "(past <= 2.0 * self->hold_from)", "the hold begun too early"),
 ];

@@ -158,7 +158,7 @@ fn seeded(context: &Context, finding: &mut Finding) -> Result<()> {
     let text = fs::read_to_string(&file)?;
     let odd = text
         .replace("#![forbid(unsafe_code)]", "#![allow(unsafe_code)]")
-        .replace("let x2 = x[1];", "let x2 = unsafe { *x.as_ptr().add(2) };");
+        .replace("self.c2 * x[1]", "self.c2 * unsafe { *x.as_ptr().add(2) }");
     fs::write(&file, odd)?;
     let told = interpret(context, &home, &[spec])?.unwrap_or_default();
     let line = told.lines().find(|line| line.contains("Undefined Behavior"));

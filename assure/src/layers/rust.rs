@@ -75,12 +75,12 @@ fn run(context: &Context) -> Result<Finding> {
 
 /// Defects, and what the tools say of each.
 const DEFECTS: [(Defect, &str); 3] = [
-    (("let x1 = x[0];", "let x1 = x[self.t0 as usize];", "an index that is not checked"), PANIC),
-    (("let x1 = x[0];", "let x1 = unsafe { *x.as_ptr() };", "an unsafe block"), "unsafe"),
+    (("self.c1 * x[0]", "self.c1 * x[self.t0 as usize]", "an index that is not checked"), PANIC),
+    (("self.c1 * x[0]", "self.c1 * unsafe { *x.as_ptr() }", "an unsafe block"), "unsafe"),
     (
         (
-            "let x1 = x[0];",
-            "extern crate alloc; let all = alloc::vec![x[0], t]; let x1 = all[0];",
+            "let past = ",
+            "extern crate alloc; let all = alloc::vec![x[0], t]; let t = all[1]; let past = ",
             "a vector",
         ),
         "allocator",

@@ -19,6 +19,7 @@ pub mod kink;
 pub mod machine;
 pub mod number;
 pub mod passes;
+mod reach;
 pub mod rows;
 
 pub use arithmetic::apply;

@@ -14,9 +14,13 @@ use crate::layers::seeded::{Defect, put_in};
 
 /// Defects of the example, and the mode in which each is seen.
 const DEFECTS: [(Defect, usize); 10] = [
-    ((" && (isfinite(x1) != 0)", "", "the guard of x1 left out"), 0),
+    (("\n            && (isfinite(x[0]) != 0)", "", "the guard of x1 left out"), 0),
     (
-        ("(isfinite(t) != 0) && (self->t0 <= t)", "(isfinite(t) != 0)", "the guard of t0 left out"),
+        (
+            "(self->t0 <= t)\n            && (isfinite(v)",
+            "(isfinite(v)",
+            "the guard of t0 left out",
+        ),
         1,
     ),
     (("&& (x != NULL)", "", "the check of x for NULL left out"), 0),
@@ -25,7 +29,7 @@ const DEFECTS: [(Defect, usize); 10] = [
     (("hold_from = -eps", "hold_from = eps", "the bound of the hold with the wrong sign"), 1),
     (("(past < self->hold_from) ? past : self->hold_from", "past", "the hold at eps left out"), 1),
     (("                built.c2 = c2;\n", "", "a field that nothing sets"), 1),
-    (("x2 = x[1]", "x2 = x[2]", "a state beyond the array"), 0),
+    (("self->c2 * x[1]", "self->c2 * x[2]", "a state beyond the array"), 0),
     (
         (
             "            const double hold_from",

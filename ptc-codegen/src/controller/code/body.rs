@@ -15,20 +15,20 @@ pub(super) struct Body {
     pub(super) roots: Vec<Expr>,
 }
 
-/// What `routine` computes. Its states are local values or, where nothing has checked them, elements of
-/// x; the array xi is given to the infinite-time system. Behind the roots of the routine stand those of
-/// `further` values.
+/// What `routine` computes. The states and references `local` are local values, the others elements of
+/// x and r; the array xi is given to the infinite-time system. Behind the roots of the routine stand
+/// those of `further` values.
 pub(super) fn body(
     plan: &Plan<'_>,
     routine: Routine,
-    (local_states, xi_is_given): (bool, bool),
+    (local, xi_is_given): (&[Input], bool),
     further: &[Value],
 ) -> Body {
     let roots = [plan.roots(routine).as_slice(), further].concat();
     let mut writer = Writer {
         plan,
         routine,
-        local_states,
+        local,
         xi_is_given,
         uses: uses(plan, routine, &roots),
         known: BTreeMap::new(),
@@ -69,7 +69,7 @@ fn uses(plan: &Plan<'_>, routine: Routine, roots: &[Value]) -> BTreeMap<Value, u
 struct Writer<'a> {
     plan: &'a Plan<'a>,
     routine: Routine,
-    local_states: bool,
+    local: &'a [Input],
     xi_is_given: bool,
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expr>,
@@ -161,9 +161,11 @@ impl Writer<'_> {
             Input::Parameter(parameter) => Expr::local(parameter_name(parameter)),
             Input::StartTime => Expr::local("t0"),
             Input::Time => Expr::local("t"),
-            Input::State(j) if self.local_states => Expr::local(format!("x{j}")),
+            Input::State(j) if self.local.contains(&input) => Expr::local(format!("x{j}")),
             Input::State(j) => Expr::Element("x".to_owned(), j - 1),
-            Input::Reference(order) if self.local_states => Expr::local(format!("r{order}")),
+            Input::Reference(order) if self.local.contains(&input) => {
+                Expr::local(format!("r{order}"))
+            }
             Input::Reference(order) => Expr::Element("r".to_owned(), order),
             Input::StateAtStart(j) => Expr::Element("x0".to_owned(), j - 1),
             Input::Gain(j) => Expr::FieldElement("gain".to_owned(), j - 1),

@@ -37,7 +37,7 @@ impl Builder<'_> {
         if self.guarded() {
             statements.push(Statement::Require(Test::All(self.legal_time()), Status::Input));
         }
-        let body = self.body(Routine::Tick);
+        let body = self.body(Routine::Tick, &[]);
         statements.extend(body.statements);
         let Some((late, gains)) = body.roots.split_last() else { fault("a tick without gains") };
         let mut values = gains.to_vec();
@@ -62,23 +62,23 @@ impl Builder<'_> {
     }
 
     pub(super) fn axis(&self) -> Function {
-        let mut statements = Vec::new();
-        if self.guarded() {
-            statements.extend(self.states("x"));
-            let tests = self.finite_states().collect();
-            statements.push(Statement::Require(Test::All(tests), Status::Input));
-        }
-        let body = self.body(Routine::Axis);
+        let Some(axis) = self.controller.program.axis else { fault("gains without an axis") };
+        let inputs = self.inputs_of_axis(axis);
+        let mut statements = self.locals(&inputs.local);
+        statements.extend(inputs.required());
+        let body = self.body(Routine::Axis, &inputs.local);
         statements.extend(body.statements);
-        let Some(u) = body.roots.first() else { fault("gains without an axis") };
+        let Some(u) = body.roots.first() else { fault("an axis without u") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, u.clone()));
         let v = || Expr::local("v");
         let (give, fail) = (Finish::Give(vec![v()], Ending::OfGains), Finish::Fail(Status::Range));
-        let within = if self.guarded() {
-            Finish::choose(Test::Finite(v()), give, fail)
+        let finish = if self.guarded() && inputs.waiting.is_empty() {
+            self.clipped(Finish::choose(Test::Finite(v()), give, fail))
+        } else if self.guarded() {
+            inputs.behind(self.within_bounds(), give, self.clipped(fail))
         } else {
             let nothing = Expr::binary(Operator::Sub, v(), v());
-            Finish::choose(Test::NotNumber(nothing), fail, give)
+            self.clipped(Finish::choose(Test::NotNumber(nothing), fail, give))
         };
         Function {
             name: "axis",
@@ -96,7 +96,7 @@ impl Builder<'_> {
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
             failures: self.failures(),
             body: statements,
-            finish: self.clipped(within),
+            finish,
             guarded: self.guarded(),
         }
     }

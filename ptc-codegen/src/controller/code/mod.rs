@@ -2,6 +2,7 @@
 
 mod body;
 mod gains;
+mod guard;
 mod start;
 mod step;
 
@@ -10,7 +11,7 @@ use super::plan::{Field, Plan, Routine};
 use crate::code::{Callback, Code, Expr, Shape, Statement, Test, Variable};
 use crate::internal::fault;
 use crate::parameter::Parameter;
-use crate::program::{Op, Value};
+use crate::program::{Input, Op, Value};
 use crate::request::{After, Feedback, Guard, Spec, What};
 use body::{Body, body};
 
@@ -77,9 +78,10 @@ impl Builder<'_> {
         functions
     }
 
-    fn body(&self, routine: Routine) -> Body {
+    /// What `routine` computes; of the elements of x and r those that are `local` are local values.
+    fn body(&self, routine: Routine, local: &[Input]) -> Body {
         let given = self.spec.what == What::Associated;
-        body(&self.plan, routine, (self.guarded(), given), &[])
+        body(&self.plan, routine, (local, given), &[])
     }
 
     /// Whether arguments are checked.
@@ -87,21 +89,40 @@ impl Builder<'_> {
         self.spec.guard == Guard::Full || self.spec.what == What::Associated
     }
 
-    /// The local values of the states in the array `from`, and of the reference.
-    fn states(&self, from: &str) -> Vec<Statement> {
-        let local = |name: String, array: &str, index: usize| {
-            Statement::Let(name, Shape::Real, Expr::Element(array.to_owned(), index))
-        };
-        let states = (1..=self.spec.states()).map(|j| local(format!("x{j}"), from, j - 1));
-        let reference = (0..self.spec.references()).map(|i| local(format!("r{i}"), "r", i));
-        states.chain(reference).collect()
+    /// The states, and the reference: what a call is given in arrays.
+    fn arrays(&self) -> Vec<Input> {
+        let states = (1..=self.spec.states()).map(Input::State);
+        states.chain((0..self.spec.references()).map(Input::Reference)).collect()
     }
 
-    /// The tests that they are finite.
-    fn finite_states(&self) -> impl Iterator<Item = Test> {
-        let states = (1..=self.spec.states()).map(|j| format!("x{j}"));
-        let reference = (0..self.spec.references()).map(|i| format!("r{i}"));
-        states.chain(reference).map(|name| Test::Finite(Expr::local(name)))
+    /// Such an input as a local value.
+    fn local(&self, input: Input) -> Expr {
+        match input {
+            Input::State(j) => Expr::local(format!("x{j}")),
+            Input::Reference(order) => Expr::local(format!("r{order}")),
+            other => fault(format!("{other:?} is in no array")),
+        }
+    }
+
+    /// Such an input in its array.
+    fn element(&self, input: Input) -> Expr {
+        match input {
+            Input::State(j) if self.spec.what == What::Associated => {
+                Expr::Element("xi".to_owned(), j - 1)
+            }
+            Input::State(j) => Expr::Element("x".to_owned(), j - 1),
+            Input::Reference(order) => Expr::Element("r".to_owned(), order),
+            other => fault(format!("{other:?} is in no array")),
+        }
+    }
+
+    /// Their local values.
+    fn locals(&self, inputs: &[Input]) -> Vec<Statement> {
+        let local = |input: &Input| match self.local(*input) {
+            Expr::Local(name) => Statement::Let(name, Shape::Real, self.element(*input)),
+            other => fault(format!("{other:?} is no local value")),
+        };
+        inputs.iter().map(local).collect()
     }
 
     /// That t is finite and not before the start.

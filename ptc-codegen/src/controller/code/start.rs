@@ -31,7 +31,7 @@ impl Builder<'_> {
         }
         let checks = digits::checks(self.spec, self.controller.program);
         let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let mut body = body(&self.plan, Routine::Init, (false, false), &values);
+        let mut body = body(&self.plan, Routine::Init, (&[], false), &values);
         let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
         let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
         let kept = checks.iter().map(kept).collect();
@@ -127,7 +127,7 @@ impl Builder<'_> {
             What::Associated => Vec::new(),
             _ => vec![Test::Finite(Expr::local("deadline"))],
         };
-        statements.extend(self.fields(self.body(Routine::Arm), true, tests));
+        statements.extend(self.fields(self.body(Routine::Arm, &[]), true, tests));
         let latching = if self.spec.latches() { ", latching the state x0" } else { "" };
         let time = Variable::new("t0", Shape::Real, "start time, s");
         Function {

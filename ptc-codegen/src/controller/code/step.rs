@@ -11,13 +11,10 @@ use crate::request::{After, Guard};
 
 impl Builder<'_> {
     pub(super) fn step(&self) -> Function {
-        let mut statements = Vec::new();
-        if self.guarded() {
-            statements.extend(self.states("x"));
-            let tests = self.legal_time().into_iter().chain(self.finite_states()).collect();
-            statements.push(Statement::Require(Test::All(tests), Status::Input));
-        }
-        let body = self.body(Routine::Step);
+        let inputs = self.inputs_of_step();
+        let mut statements = self.locals(&inputs.local);
+        statements.extend(inputs.required());
+        let body = self.body(Routine::Step, &inputs.local);
         statements.extend(body.statements);
         let [law, late, past @ ..] = body.roots.as_slice() else { fault("a step without a law") };
         let past = past.first();
@@ -57,10 +54,16 @@ impl Builder<'_> {
             None => give(Status::Hold),
         };
         let range = Finish::Fail(Status::Range);
-        let finish = if self.guarded() {
-            let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
-            let legal = Finish::choose(tracks, give(Status::Ok), held);
-            Finish::choose(Test::Finite(Expr::local("v")), legal, range)
+        let finite = || Test::Finite(Expr::local("v"));
+        let ahead = Test::Less(late.clone(), self.field(self.limits.hold_from));
+        let finish = if self.guarded() && inputs.waiting.is_empty() {
+            let legal = Finish::choose(ahead, give(Status::Ok), held);
+            self.clipped(Finish::choose(finite(), legal, range))
+        } else if self.guarded() {
+            let started = inputs.waiting.iter().find(|test| matches!(test, Test::AtMost(..)));
+            let hot = started.cloned().into_iter().chain(self.within_bounds()).chain([ahead]);
+            let rest = self.clipped(Finish::choose(finite(), held, range));
+            inputs.behind(hot.collect(), give(Status::Ok), rest)
         } else {
             let about =
                 "Time-to-go, or no number where v is not finite: one comparison detects tracking.";
@@ -72,7 +75,7 @@ impl Builder<'_> {
             let margin = Expr::local("margin");
             let tracks = Test::Less(self.field(self.limits.eps), margin.clone());
             let other = Finish::choose(Test::NotNumber(margin), range, held);
-            Finish::choose(tracks, give(Status::Ok), other)
+            self.clipped(Finish::choose(tracks, give(Status::Ok), other))
         };
         Function {
             name: "step",
@@ -106,7 +109,7 @@ impl Builder<'_> {
             results: vec![Variable::new("u", Shape::Real, "input of the plant")],
             failures: self.failures(),
             body: statements,
-            finish: self.clipped(finish),
+            finish,
             guarded: self.guarded(),
         }
     }
@@ -131,11 +134,13 @@ impl Builder<'_> {
     }
 
     pub(super) fn rate(&self) -> Function {
-        let mut statements = self.states("xi");
+        let states = self.arrays();
+        let mut statements = self.locals(&states);
         let drift = [Test::Finite(Expr::local("f"))];
-        let tests = self.legal_time().into_iter().chain(drift).chain(self.finite_states());
+        let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
+        let tests = self.legal_time().into_iter().chain(drift).chain(finite);
         statements.push(Statement::Require(Test::All(tests.collect()), Status::Input));
-        let body = self.body(Routine::Step);
+        let body = self.body(Routine::Step, &states);
         statements.extend(body.statements);
         let Some(law) = body.roots.first() else { fault("a rate without a law") };
         statements.push(Statement::Let("v".to_owned(), Shape::Real, law.clone()));

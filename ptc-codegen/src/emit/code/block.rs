@@ -12,6 +12,8 @@ pub(super) struct Branch {
     pub(super) open: &'static str,
     pub(super) turn: &'static str,
     pub(super) then: &'static str,
+    /// Between the parts of a test that takes several lines.
+    pub(super) joint: &'static str,
     pub(super) otherwise: &'static str,
     pub(super) end: &'static str,
 }
@@ -49,15 +51,28 @@ pub(super) trait Block: Text {
 
     /// The line that opens what happens where `test` does not hold: `not` and the words behind it, a
     /// line for each part where it is long.
-    fn unless(&self, not: &str, test: &Test, joint: &str, then: &str) -> String {
+    fn unless(&self, not: &str, test: &Test, then: &str) -> String {
         let branch = self.branch();
         let parts = self.parts(test);
         match parts.as_slice() {
             [one] if is_finite(test) => format!("{}{not}{one}{then}", branch.open),
             parts => {
                 let before = format!("{}{not}(", branch.open);
-                self.lines().joined(&before, parts, (self.and(), joint), &format!("){then}"))
+                self.lines().joined(&before, parts, (self.and(), branch.joint), &format!("){then}"))
             }
+        }
+    }
+
+    /// The line that opens a block where one of the tests holds, behind `start`: a line for each part
+    /// where it is long.
+    fn opened(&self, start: &str, tests: &[&Test]) -> String {
+        let branch = self.branch();
+        match tests {
+            [Test::All(all)] if all.len() > 1 => {
+                let parts = self.parts(tests[0]);
+                self.lines().joined(start, &parts, (self.and(), branch.joint), branch.then)
+            }
+            tests => format!("{start}{}{}", either(self, tests), branch.then),
         }
     }
 
@@ -200,10 +215,11 @@ pub(super) trait Block: Text {
         let mut first = true;
         while let Finish::If(..) = rest {
             let (tests, yes, no) = same(rest);
-            let test = either(self, &tests);
-            match std::mem::take(&mut first) {
-                true => self.out().open(format!("{}{test}{}", branch.open, branch.then)),
-                false => self.out().turn(format!("{}{test}{}", branch.turn, branch.then)),
+            let is_first = std::mem::take(&mut first);
+            let line = self.opened(if is_first { branch.open } else { branch.turn }, &tests);
+            match is_first {
+                true => self.out().open(line),
+                false => self.out().turn(line),
             }
             self.finish(yes);
             rest = no;

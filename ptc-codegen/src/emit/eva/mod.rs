@@ -99,6 +99,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         x0_max: states(&x0_max),
         r_max: vec![text(STATE); spec.references()],
         law: text(LAW),
+        abs: if spec.precision == Precision::F32 { "fabsf" } else { "fabs" },
         externs,
         zero: text(0.0),
         piece: text(1.05),
@@ -293,6 +294,8 @@ struct Harness<'a> {
     /// Bounds of the reference and its derivatives, where each call is given them.
     r_max: Vec<String>,
     law: String,
+    /// The function of the C library for |x|.
+    abs: &'static str,
     externs: &'a [(String, &'static str)],
     zero: String,
     /// Ratio of the ends of a piece of tau.

@@ -99,7 +99,8 @@ impl C<'_> {
             self.out.open(format!("if ({tests}) {{"));
         }
         self.block(&function.body, &mut |this| {
-            this.finish(function, &function.finish, this.stored.is_some());
+            let done = this.stored.is_some() && function.finish.results().is_some();
+            this.finish(function, &function.finish, done && !this.zeroed);
             if function.results.iter().any(|result| result.shape == Shape::Gains) {
                 this.out.line("gains->status = status;");
             }
@@ -111,18 +112,25 @@ impl C<'_> {
         self.out.close("}");
     }
 
-    /// The local value that is the only result on every way: it is stored as soon as it is known, which
-    /// saves an instruction.
+    /// The local value that is the only result on every way, or on the first one, which is taken most
+    /// often: it is stored as soon as it is known, which saves instructions.
     fn stored_early(&self, function: &Function) -> Option<(String, String)> {
-        let ([result], Some([Expr::Local(name)])) =
-            (function.results.as_slice(), function.finish.results())
-        else {
+        let first = match &function.finish {
+            Finish::If(_, first, _) if self.zeroed => first.results(),
+            finish => finish.results().filter(|_| !self.zeroed),
+        };
+        let ([result], Some([Expr::Local(name)])) = (function.results.as_slice(), first) else {
             return None;
         };
         let is_it = |s: &Statement| matches!(s, Statement::Let(local, ..) if local == name);
-        let is_stored =
-            result.shape == Shape::Real && !self.zeroed && function.body.iter().any(is_it);
+        let is_stored = result.shape == Shape::Real && function.body.iter().any(is_it);
         is_stored.then(|| (name.clone(), result.name.clone()))
+    }
+
+    /// Whether the only result has been stored.
+    fn is_stored(&self, values: &[Expr]) -> bool {
+        let stored = self.stored.as_ref();
+        stored.is_some_and(|(local, _)| matches!(values, [Expr::Local(name)] if name == local))
     }
 
     /// The tests that no pointer is NULL.
@@ -148,7 +156,7 @@ impl C<'_> {
         finish.each(&mut |end| fails |= matches!(end, Finish::Fail(_)));
         match finish {
             Finish::Give(values, ending) => {
-                if !done {
+                if !done && !self.is_stored(values) {
                     self.hand_over(function, values);
                 }
                 self.settle(*ending);
@@ -159,6 +167,7 @@ impl C<'_> {
                 let scalar = function.results.iter().all(|result| result.shape == Shape::Real);
                 let early = !fails || (scalar && !self.zeroed);
                 let same = finish.results().filter(|_| early && !done);
+                let same = same.filter(|values| !self.is_stored(values));
                 if let Some(values) = same {
                     self.hand_over(function, values);
                 }
@@ -182,10 +191,20 @@ impl C<'_> {
         let (mut rest, mut first) = (finish, true);
         while let Finish::If(..) = rest {
             let (tests, yes, no) = same(rest);
-            let test = bare(either(self, &tests));
+            let parts = match tests.as_slice() {
+                [test @ Test::All(all)] if all.len() > 1 => self.parts(test),
+                tests => vec![bare(either(self, tests))],
+            };
+            let joint = ("&&", "\n    && ");
             match std::mem::take(&mut first) {
-                true => self.out.open(format!("if ({test}) {{")),
-                false => self.out.turn(format!("}} else if ({test}) {{")),
+                true => {
+                    let line = self.out.joined("if (", &parts, joint, ") {");
+                    self.out.open(line);
+                }
+                false => {
+                    let line = self.out.joined("} else if (", &parts, joint, ") {");
+                    self.out.turn(line);
+                }
             }
             self.finish(function, yes, done);
             rest = no;
@@ -207,7 +226,7 @@ impl C<'_> {
     }
 
     fn fail(&mut self, function: &Function, status: Status) {
-        if !self.zeroed {
+        if !self.zeroed || self.stored.is_some() {
             let zero = self.literal("0.0");
             for result in function.results.iter().filter(|result| result.shape == Shape::Real) {
                 self.out.line(format!("*{} = {zero};", result.name));

@@ -77,7 +77,9 @@ impl Block for Cpp<'_> {
     }
 
     fn branch(&self) -> Branch {
-        Branch { open: "if (", turn: "} else if (", then: ") {", otherwise: "} else {", end: "}" }
+        let joint = "\n    && ";
+        let (otherwise, end) = ("} else {", "}");
+        Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -98,7 +100,7 @@ impl Block for Cpp<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
-        let line = self.unless("!", test, "\n    && ", ") {");
+        let line = self.unless("!", test, ") {");
         self.out.open(line);
         self.fail(status);
         self.out.close("}");

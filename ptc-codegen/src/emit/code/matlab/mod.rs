@@ -141,7 +141,8 @@ impl Block for Matlab<'_> {
     }
 
     fn branch(&self) -> Branch {
-        Branch { open: "if ", turn: "elseif ", then: "", otherwise: "else", end: "end" }
+        let joint = " ...\n    && ";
+        Branch { open: "if ", turn: "elseif ", then: "", joint, otherwise: "else", end: "end" }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -162,14 +163,14 @@ impl Block for Matlab<'_> {
 
     fn require(&mut self, test: &Test, status: Status) {
         let Some(wrong) = self.raises.clone() else {
-            let line = self.unless("~", test, " ...\n    && ", "");
+            let line = self.unless("~", test, "");
             self.out.open(line);
             self.out.line(format!("status = int32({});\nreturn;", status.number()));
             return self.out.close("end");
         };
         let name = &self.code.name;
         for check in checks(test, &self.copies) {
-            let line = self.unless("~", &check.test, " ...\n    && ", "");
+            let line = self.unless("~", &check.test, "");
             self.out.open(line);
             let parameter = check.parameter.map(|(name, index)| match index {
                 Some(index) => format!("{name}({})", index + 1),

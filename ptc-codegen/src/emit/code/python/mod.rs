@@ -6,7 +6,7 @@ mod module;
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Branch};
+use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::legal::checks;
 use super::text::{Level, Lines, Text, bare};
@@ -197,7 +197,8 @@ impl Block for Python<'_> {
     }
 
     fn branch(&self) -> Branch {
-        Branch { open: "if ", turn: "elif ", then: ":", otherwise: "else:", end: "" }
+        let joint = "\n    and ";
+        Branch { open: "if ", turn: "elif ", then: ":", joint, otherwise: "else:", end: "" }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -220,6 +221,19 @@ impl Block for Python<'_> {
         match value {
             Expr::Number(_) => boxed(&self.alone(value)),
             value => self.alone(value),
+        }
+    }
+
+    /// In brackets where it takes several lines.
+    fn opened(&self, start: &str, tests: &[&Test]) -> String {
+        let parts = match tests {
+            [test] => self.parts(test),
+            tests => vec![either(self, tests)],
+        };
+        let line = self.out.joined(start, &parts, ("and", self.branch().joint), ":");
+        match line.strip_prefix(start).and_then(|test| test.strip_suffix(':')) {
+            Some(test) if test.contains('\n') => format!("{start}(\n    {test}\n):"),
+            _ => line,
         }
     }
 
@@ -313,7 +327,7 @@ impl<'a> Python<'a> {
 
     /// The line that opens what happens where `test` does not hold.
     fn refused(&self, test: &Test) -> String {
-        let line = self.unless("not ", test, &format!("\n    {} ", self.and()), ":");
+        let line = self.unless("not ", test, ":");
         match line.contains('\n') {
             true => line.replacen('(', "(\n    ", 1).replace("):", "\n):"),
             false => line,

@@ -162,15 +162,18 @@ impl Rust<'_> {
         let here = self.out.here();
         match self.gives {
             Gives::Gains => {
+                let lead = "let status = ";
+                self.lead = (here, lead);
                 self.finish(&function.finish);
-                self.out.wrap(here, "let status = ", ";", CHOICE);
+                self.out.wrap(here, lead, ";", CHOICE);
                 self.gains(&given, same.unwrap_or_default());
             }
             Gives::Control => {
                 self.together = same.is_none();
+                let lead = if self.together { "let (u, status) = " } else { "let status = " };
+                self.lead = (here, lead);
                 self.finish(&function.finish);
-                let names = if self.together { "(u, status)" } else { "status" };
-                self.out.wrap(here, &format!("let {names} = "), ";", CHOICE);
+                self.out.wrap(here, lead, ";", CHOICE);
                 let u = match same {
                     Some(values) => format!("u: {}", self.list(values).join(", ")),
                     None => "u".to_owned(),

@@ -4,7 +4,7 @@ mod items;
 mod module;
 mod rows;
 
-use super::block::{Block, Branch};
+use super::block::{Block, Branch, either};
 use super::gives::Gives;
 use super::text::{Level, Lines, Text, bracketed};
 use crate::code::{Code, Ending, Expr, Shape, Status, Test};
@@ -31,6 +31,8 @@ pub(super) struct Rust<'a> {
     gives: Gives,
     /// Whether u and its status are chosen together.
     together: bool,
+    /// What is put before the line that comes at this place, which takes room.
+    lead: (usize, &'static str),
     out: Lines,
 }
 
@@ -118,7 +120,9 @@ impl Block for Rust<'_> {
     }
 
     fn branch(&self) -> Branch {
-        Branch { open: "if ", turn: "} else if ", then: " {", otherwise: "} else {", end: "}" }
+        let joint = "\n    && ";
+        let (otherwise, end) = ("} else {", "}");
+        Branch { open: "if ", turn: "} else if ", then: " {", joint, otherwise, end }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -161,16 +165,22 @@ impl Block for Rust<'_> {
 
     fn require(&mut self, test: &Test, status: Status) {
         let one = format!("if !({})", self.parts(test).join(" && "));
-        let line = self.unless("!", test, "\n    && ", " {");
-        // The brace goes to a line of its own where there is no room for it.
-        let line = match line.contains('\n') {
-            true if self.out.has_room(&one) => format!("{one}\n{{"),
-            true => line.replace(") {", ")\n{"),
-            false => line,
-        };
-        self.out.open(line);
+        let line = self.unless("!", test, " {");
+        self.out.open(self.with_brace(line, one));
         self.out.line(format!("return Err({}Error::{});", self.runtime, status.name()));
         self.out.close("}");
+    }
+
+    fn opened(&self, start: &str, tests: &[&Test]) -> String {
+        let parts = match tests {
+            [test] => self.parts(test),
+            tests => vec![either(self, tests)],
+        };
+        let lead = if self.lead.0 == self.out.here() { self.lead.1 } else { "" };
+        let before = format!("{lead}{start}");
+        let line = self.out.joined(&before, &parts, ("&&", self.branch().joint), " {");
+        let line = self.with_brace(line, format!("{before}{}", parts.join(" && ")));
+        line.strip_prefix(lead).map_or(line.clone(), str::to_owned)
     }
 
     fn array(&mut self, name: &str, values: &[Expr]) {
@@ -244,7 +254,8 @@ const CHOICE: usize = 50;
 
 impl<'a> Rust<'a> {
     pub(super) fn new(code: &'a Code, runtime: &'static str) -> Self {
-        Self { code, runtime, gives: Gives::Status, together: false, out: Lines::default() }
+        let (gives, together, lead) = (Gives::Status, false, (usize::MAX, ""));
+        Self { code, runtime, gives, together, lead, out: Lines::default() }
     }
 
     fn type_of(&self, shape: Shape) -> String {
@@ -254,6 +265,16 @@ impl<'a> Rust<'a> {
             Shape::Real => real.to_owned(),
             Shape::Reals(length) => format!("[{real}; {length}]"),
             Shape::Gains => format!("{}Gains", type_name(&self.code.name)),
+        }
+    }
+
+    /// The line that opens a block; the brace goes to a line of its own where the test takes several, or
+    /// takes all of `one`.
+    fn with_brace(&self, line: String, one: String) -> String {
+        match line.strip_suffix(" {").filter(|line| line.contains('\n')) {
+            Some(_) if self.out.has_room(&one) => format!("{one}\n{{"),
+            Some(test) => format!("{test}\n{{"),
+            None => line,
         }
     }
 

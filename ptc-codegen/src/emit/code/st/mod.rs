@@ -136,7 +136,9 @@ impl Block for StructuredText<'_> {
     }
 
     fn branch(&self) -> Branch {
-        Branch { open: "IF ", turn: "ELSIF ", then: " THEN", otherwise: "ELSE", end: "END_IF;" }
+        let joint = "\n    AND ";
+        let (otherwise, end) = ("ELSE", "END_IF;");
+        Branch { open: "IF ", turn: "ELSIF ", then: " THEN", joint, otherwise, end }
     }
 
     fn comment(&self) -> (&'static str, &'static str) {
@@ -157,7 +159,7 @@ impl Block for StructuredText<'_> {
     }
 
     fn require(&mut self, test: &Test, status: Status) {
-        let line = self.unless("NOT ", test, "\n    AND ", " THEN");
+        let line = self.unless("NOT ", test, " THEN");
         self.out.open(line);
         self.out.line(format!("status := {};\nRETURN;", status.number()));
         self.out.close("END_IF;");

@@ -1,0 +1,113 @@
+//! The tests of the inputs of `step` and `axis`, and which of them wait.
+//!
+//! A call that tracks within its bounds tests u alone: what an input that is not finite leaves of u is
+//! not finite either ([`Program::shows`](crate::program::Program::shows)). Only where u fails are the
+//! inputs tested that waited, before anything else is decided. Inputs of library functions, of
+//! user-defined functions and of iterations do not wait.
+
+use super::Builder;
+use crate::code::{Expr, Finish, Statement, Status, Test};
+use crate::expression::Function;
+use crate::program::{Input, Op, Value};
+
+/// The tests of inputs.
+#[derive(Default)]
+pub(super) struct Inputs {
+    /// What is tested before anything is computed.
+    pub(super) first: Vec<Test>,
+    /// What is tested where u is not within its bounds.
+    pub(super) waiting: Vec<Test>,
+    /// The elements of arrays among the first: local values.
+    pub(super) local: Vec<Input>,
+}
+
+impl Inputs {
+    /// That all of the first hold.
+    pub(super) fn required(&self) -> Option<Statement> {
+        let tests = self.first.clone();
+        (!tests.is_empty()).then(|| Statement::Require(Test::All(tests), Status::Input))
+    }
+
+    /// `tracks` where u is as it should be, and else `rest` behind the tests that waited.
+    pub(super) fn behind(self, hot: Vec<Test>, tracks: Finish, rest: Finish) -> Finish {
+        let legal = Test::All(self.waiting);
+        let refused = Finish::choose(legal, rest, Finish::Fail(Status::Input));
+        Finish::choose(Test::All(hot), tracks, refused)
+    }
+}
+
+impl Builder<'_> {
+    /// The tests of the inputs of `step`.
+    pub(super) fn inputs_of_step(&self) -> Inputs {
+        let mut inputs = Inputs::default();
+        if !self.guarded() {
+            return inputs;
+        }
+        let mut times = self.legal_time();
+        if !self.time_is_late() {
+            inputs.first.append(&mut times);
+        } else if self.leaves_arithmetic(self.limits.late) {
+            // No library function is given a time before the start.
+            inputs.first.extend(times.split_off(1));
+        }
+        inputs.waiting.append(&mut times);
+        self.states_of(self.controller.program.step, &mut inputs);
+        inputs
+    }
+
+    /// The tests of the inputs of `axis`.
+    pub(super) fn inputs_of_axis(&self, axis: Value) -> Inputs {
+        let mut inputs = Inputs::default();
+        if self.guarded() {
+            self.states_of(axis, &mut inputs);
+        }
+        inputs
+    }
+
+    fn states_of(&self, value: Value, inputs: &mut Inputs) {
+        let program = self.controller.program;
+        let waits = |input: Input| {
+            let source = program.input(input);
+            self.callbacks().is_empty()
+                && program.shows(input, value)
+                && source.is_some_and(|source| !program.leaves_arithmetic(source, value))
+        };
+        for input in self.arrays() {
+            if waits(input) {
+                inputs.waiting.push(Test::Finite(self.element(input)));
+            } else {
+                inputs.first.push(Test::Finite(self.local(input)));
+                inputs.local.push(input);
+            }
+        }
+    }
+
+    /// Whether the law knows time as [`Limits::late`](crate::program::Limits::late) alone, which is held from
+    /// `hold_from` on for any t that is infinite.
+    fn time_is_late(&self) -> bool {
+        let program = self.controller.program;
+        let late = self.limits.late;
+        let held = match program.get(late).op {
+            Op::Min(past, from) => from == self.limits.hold_from && program.is_shifted_time(past),
+            _ => false,
+        };
+        let time = program.input(Input::Time);
+        held && self.callbacks().is_empty()
+            && time.is_some_and(|time| !program.depends(time, &[late], program.step))
+    }
+
+    fn leaves_arithmetic(&self, source: Value) -> bool {
+        let program = self.controller.program;
+        program.leaves_arithmetic(source, program.step)
+    }
+
+    /// That u, the local value v, is finite and within its bound.
+    pub(super) fn within_bounds(&self) -> Vec<Test> {
+        let v = || Expr::local("v");
+        let bound = self
+            .limits
+            .u_max
+            .map(|limit| Test::AtMost(Expr::Call(Function::Abs, Box::new(v())), self.field(limit)));
+        std::iter::once(Test::Finite(v())).chain(bound).collect()
+    }
+}
