@@ -93,7 +93,7 @@ fn errors(
 /// as for the families of that kind, and as much as for the others elsewhere.
 fn allowed(family: Family, given: &str) -> f64 {
     match (family, given) {
-        (Family::Soft, "mu" | "kappa") => tolerance::custom(Precision::F64),
+        (Family::Soft, "mu" | "kappa") => ptc_codegen::reference::tolerance::custom(Precision::F64),
         _ => tolerance::control(family, Precision::F64),
     }
 }
