@@ -8,6 +8,7 @@ mod in_c;
 mod mistakes;
 #[cfg(feature = "lab")]
 mod plants;
+mod sampled;
 #[cfg(feature = "lab")]
 mod simulated;
 #[path = "../support/mod.rs"]

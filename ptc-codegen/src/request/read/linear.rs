@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Reader, items, shown};
+use super::{Reader, items, model, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::digits;
 use crate::linear::{self, Complex, Delay, Ill, Linear};
@@ -10,17 +10,23 @@ use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
 use crate::syntax::{Node, Value, real};
 
+/// A and B, each as far as it can be read.
+type Pair = (Option<Vec<Vec<BigRational>>>, Option<Vec<BigRational>>);
+
 /// Largest order of a linear plant.
 const MAX_LINEAR: usize = 8;
 
 impl Reader<'_> {
     /// Rows of C, where the plant is linear.
     pub(super) fn rows_measured(&self) -> Option<usize> {
-        let a = self.keys.get("A").copied()?;
+        let order = match (&self.matrices, self.keys.get("A").copied()) {
+            (Some(matrices), _) => matrices.a.len(),
+            (None, a) => items(a?).len(),
+        };
         match (self.keys.get("C").copied(), self.keys.get("measured").copied()) {
             (Some(c), _) => Some(rows(c).len()),
             (None, Some(measured)) => Some(items(measured).len()),
-            (None, None) => Some(items(a).len()),
+            (None, None) => Some(order),
         }
     }
 
@@ -32,6 +38,43 @@ impl Reader<'_> {
         delay: &Delay,
         disturbance: bool,
     ) -> Option<(Linear, Vec<usize>)> {
+        let n = spec.n;
+        let (a, b) = match &self.matrices {
+            Some(of_model) if of_model.a.len() > MAX_LINEAR => {
+                let message = format!("the model has {} states", of_model.a.len());
+                let help = format!("the order of a linear plant is at most {MAX_LINEAR}");
+                let place = self.keys.get("states").map(|node| node.place);
+                self.wrong("states", place, message, help);
+                return None;
+            }
+            Some(of_model) => (Some(of_model.a.clone()), Some(of_model.b.clone())),
+            None => self.given_pair(n)?,
+        };
+        let c = match self.only_one(&["C", "measured"]) {
+            Some(("C", c)) => self.matrix("C", c, None, n),
+            Some((_, names)) => self.named_states(names, n),
+            None => Some((0..n).map(|i| unit(i, n)).collect()),
+        };
+        let h = spec.promises.sample_time.as_ref().and_then(Fixed::number).cloned();
+        if h.is_none() && !self.keys.contains_key("sample_time") {
+            let message = "`sample_time` is missing".to_owned();
+            let help = "a linear plant is sampled when the code is generated: give the period in s";
+            self.found.push("missing-key", "sample_time", None, message, help.to_owned());
+        }
+        let (plant, h) = (Linear { a: a?, b: b?, c: c? }, h?);
+        // Nothing has to be controlled for an observer alone.
+        let delay = (spec.what != What::Observer).then_some(delay);
+        match linear::examine(&plant, &h, delay, disturbance, spec.precision) {
+            Ok(blocks) => Some((plant, blocks)),
+            Err(ill) => {
+                self.ill(&ill, disturbance);
+                None
+            }
+        }
+    }
+
+    /// A and B as they are given, as far as they can be read; `None` if the plant is a chain.
+    fn given_pair(&mut self, n: usize) -> Option<Pair> {
         let Some(a) = self.keys.get("A").copied() else {
             for key in ["B", "C"] {
                 if let Some(node) = self.keys.get(key).copied() {
@@ -42,7 +85,6 @@ impl Reader<'_> {
             }
             return None;
         };
-        let n = spec.n;
         for (key, help) in [
             (
                 "f",
@@ -72,27 +114,7 @@ impl Reader<'_> {
                 None
             }
         };
-        let c = match self.only_one(&["C", "measured"]) {
-            Some(("C", c)) => self.matrix("C", c, None, n),
-            Some((_, names)) => self.named_states(names, n),
-            None => Some((0..n).map(|i| unit(i, n)).collect()),
-        };
-        let h = spec.promises.sample_time.as_ref().and_then(Fixed::number).cloned();
-        if h.is_none() && !self.keys.contains_key("sample_time") {
-            let message = "`sample_time` is missing".to_owned();
-            let help = "a linear plant is sampled when the code is generated: give the period in s";
-            self.found.push("missing-key", "sample_time", None, message, help.to_owned());
-        }
-        let (plant, h) = (Linear { a: a_rows?, b: b?, c: c? }, h?);
-        // Nothing has to be controlled for an observer alone.
-        let delay = (spec.what != What::Observer).then_some(delay);
-        match linear::examine(&plant, &h, delay, disturbance, spec.precision) {
-            Ok(blocks) => Some((plant, blocks)),
-            Err(ill) => {
-                self.ill(&ill, disturbance);
-                None
-            }
-        }
+        Some((a_rows, b))
     }
 
     fn ill(&mut self, ill: &Ill, disturbance: bool) {
@@ -141,6 +163,8 @@ impl Reader<'_> {
                 },
             ),
         };
+        // The matrices of a model are its dynamics.
+        let key = if self.matrices.is_some() && key != "measured" { "dynamics" } else { key };
         let place = place(key);
         self.wrong(key, place, message, help);
     }
@@ -190,9 +214,14 @@ impl Reader<'_> {
 
     /// The rows of C for the names of states.
     fn named_states(&mut self, node: &Node, n: usize) -> Option<Vec<Vec<BigRational>>> {
-        let index = |item: &Node| match &item.value {
-            Value::Word(word) => {
+        let states = self.matrices.as_ref().map(|matrices| &matrices.states);
+        let index = |item: &Node| match (&item.value, states) {
+            (Value::Word(word), None) => {
                 word.strip_prefix('x')?.parse().ok().filter(|j| (1..=n).contains(j))
+            }
+            (_, Some(states)) => {
+                let word = model::word(item)?;
+                Some(1 + states.iter().position(|state| state.text() == word)?)
             }
             _ => None,
         };
@@ -203,7 +232,13 @@ impl Reader<'_> {
             None => {
                 let message =
                     format!("measured = {} is not a choice of states", shown(&node.value));
-                let help = format!("name each measured state of x1..x{n} once, or give C");
+                let help = match &self.matrices {
+                    Some(of_model) => {
+                        let names: Vec<_> = of_model.states.iter().map(|s| s.text()).collect();
+                        format!("name each measured state of {} once", names.join(", "))
+                    }
+                    None => format!("name each measured state of x1..x{n} once, or give C"),
+                };
                 self.wrong("measured", Some(node.place), message, help);
                 None
             }

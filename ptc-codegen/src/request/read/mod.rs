@@ -44,8 +44,12 @@ pub struct Entry {
 /// # Errors
 /// Every mistake in the entries, in their order.
 pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
-    let mut reader =
-        Reader { found: Diagnostics::default(), keys: BTreeMap::new(), params: BTreeMap::new() };
+    let mut reader = Reader {
+        found: Diagnostics::default(),
+        keys: BTreeMap::new(),
+        params: BTreeMap::new(),
+        matrices: None,
+    };
     for entry in entries {
         reader.admit(entry);
     }
@@ -61,6 +65,8 @@ struct Reader<'a> {
     keys: BTreeMap<&'static str, &'a Node>,
     /// What is given for the user's own parameters, and where.
     params: BTreeMap<&'a str, (Place, &'a Node)>,
+    /// Those of the model, where the clock counts samples.
+    matrices: Option<model::Matrices>,
 }
 
 impl<'a> Reader<'a> {
@@ -119,7 +125,13 @@ impl<'a> Reader<'a> {
     }
 
     fn spec(&mut self) -> Option<Spec> {
-        let model = self.model();
+        let samples = self.counts_samples();
+        let mut model = self.model();
+        // Sampled, a model is a linear plant, all states of which are brought to rest.
+        if samples {
+            let sampled = model.take();
+            self.matrices = sampled.and_then(|read| self.matrices(&read.model));
+        }
         let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()));
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
@@ -148,11 +160,10 @@ impl<'a> Reader<'a> {
         let precision = precision.unwrap_or(Precision::F64);
         let states = match (&model, self.has_model()) {
             (Some(read), _) => Some(read.model.states.len()),
-            (None, true) => None,
-            (None, false) => n,
+            (None, true) if self.matrices.is_none() => None,
+            (None, _) => n,
         };
         let promises = self.promises(n, states);
-        let samples = self.counts_samples();
         // A sample of delay is a state more.
         let late = promises.delay.as_ref().filter(|_| samples).map_or(0, Delay::inputs);
         let law = self.law(n.map(|n| n + late), order + late, &known);
@@ -188,14 +199,14 @@ impl<'a> Reader<'a> {
         if spec.what == What::Associated {
             self.associated(&mut spec);
         }
-        self.fits_model(&spec, samples);
+        self.fits_model(&spec);
         self.fits_reference(&spec, samples);
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
         self.reference_exists(&spec);
         match samples {
-            true if spec.model.is_some() => {}
+            true if self.has_model() && self.matrices.is_none() => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }
@@ -231,7 +242,8 @@ impl<'a> Reader<'a> {
     fn order(&mut self, degree: Option<usize>) -> Option<usize> {
         let Some(node) = self.keys.get("n").copied() else {
             // The matrix of a plant has an order.
-            let rows = self.keys.get("A").map(|node| items(node).len());
+            let sampled = self.matrices.as_ref().map(|matrices| matrices.a.len());
+            let rows = sampled.or(self.keys.get("A").map(|node| items(node).len()));
             let rows = rows.filter(|rows| (1..=MAX_ORDER).contains(rows));
             let known = degree.or(rows);
             if known.is_none() && !self.has_model() {
@@ -245,6 +257,13 @@ impl<'a> Reader<'a> {
                 format!("n = {} is not an order that can be generated", shown(&node.value));
             let help = format!("n is an integer 1..={MAX_ORDER}");
             self.wrong("n", Some(node.place), message, help);
+        }
+        let sampled = self.matrices.as_ref().map(|matrices| matrices.a.len());
+        if let (Some(given), Some(states)) = (n, sampled.filter(|states| n != Some(*states))) {
+            let message = format!("n = {given}, but the model has {states} states");
+            let help = format!("leave n out, or give {states}: the states are sampled as they are");
+            self.wrong("n", Some(node.place), message, help);
+            return sampled;
         }
         if let (Some(n), Some(degree)) =
             (n, degree.filter(|degree| n.is_some_and(|n| n != *degree)))

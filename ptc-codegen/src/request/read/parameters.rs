@@ -47,8 +47,14 @@ impl Reader<'_> {
             .filter(|p| !COMMON.contains(p))
             .map(|p| (p.spelling(), p))
             .collect();
+        // Their numbers are in the matrices already.
+        let sampled: Vec<_> = self.matrices.iter().flat_map(|matrices| &matrices.used).collect();
+        let sampled: BTreeSet<_> = sampled.into_iter().map(|p| p.spelling()).collect();
         for (name, (place, node)) in std::mem::take(&mut self.params) {
             let Some((_, parameter)) = legal.iter().find(|(known, _)| known == name) else {
+                if sampled.contains(name) {
+                    continue;
+                }
                 let given = |key: &str| self.keys.contains_key(key);
                 // What no design does without is looked for elsewhere, whatever else is wrong.
                 let sought = match name {

@@ -1,6 +1,7 @@
 //! A model of the plant: its names, its expressions, and the chain of its output.
 
 mod ill;
+mod linear;
 mod names;
 
 use super::Reader;
@@ -10,7 +11,8 @@ use crate::model::{Chain, Model, Values};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{Feedback, Spec};
 use crate::syntax::{Node, real};
-use names::word;
+pub(super) use linear::Matrices;
+pub(super) use names::word;
 
 /// The keys of a model, none of which goes without the others.
 const KEYS: [&str; 4] = ["states", "input", "output", "dynamics"];
@@ -68,7 +70,7 @@ impl Reader<'_> {
     }
 
     /// Refuses what has no meaning beside a model.
-    pub(super) fn fits_model(&mut self, spec: &Spec, samples: bool) {
+    pub(super) fn fits_model(&mut self, spec: &Spec) {
         if spec.model.is_none() {
             return;
         }
@@ -77,12 +79,6 @@ impl Reader<'_> {
                 self.found.push("conflict", key, Some(node.place), message, help);
             }
         };
-        against(
-            "clock",
-            samples,
-            "a model needs a clock in time: its f and g change with the state",
-            "leave `clock` out, or give a linear plant as A, B and C under [plant]",
-        );
         against(
             "pi0",
             spec.feedback == Feedback::Extern || spec.latches(),

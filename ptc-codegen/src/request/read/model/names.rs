@@ -101,7 +101,7 @@ impl Reader<'_> {
 }
 
 /// A name; the parser takes `i` for the imaginary unit.
-pub(super) fn word(node: &Node) -> Option<&str> {
+pub(in super::super) fn word(node: &Node) -> Option<&str> {
     match &node.value {
         Value::Word(word) => Some(word),
         Value::Imaginary(unit) if *unit == 1.into() => Some("i"),

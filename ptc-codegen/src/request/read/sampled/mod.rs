@@ -83,7 +83,7 @@ impl Reader<'_> {
         }
         let disturbance = self.disturbed();
         let linear = self.linear(spec, &late, disturbance);
-        if linear.is_none() && self.keys.contains_key("A") {
+        if linear.is_none() && (self.keys.contains_key("A") || self.matrices.is_some()) {
             return;
         }
         let gain = match linear.is_some() {
