@@ -23,6 +23,7 @@ mod time;
 use std::collections::BTreeMap;
 
 use builder::Builder;
+use num_traits::Zero;
 use rows::{Factor, Rows, factor};
 
 use crate::algebra::Poly;
@@ -101,13 +102,14 @@ fn without_drift(b: &mut Builder<'_>, law: Value) -> Value {
     b.sub(wanted, drift)
 }
 
-/// u divided by g(x, t): never by zero, where no number is known.
+/// u divided by g(x, t), never by zero; times 1/g, where g is a number.
 fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     let Some(gain) = &b.spec.input_gain else { return u };
-    let divisor = b.scalar(gain);
-    if gain.number().is_some() {
-        return b.div(u, divisor);
+    if let Some(gain) = gain.number().filter(|gain| !gain.is_zero()) {
+        let inverse = b.number(gain.recip());
+        return b.mul(u, inverse);
     }
+    let divisor = b.scalar(gain);
     let divisor = b.name(divisor, "input_gain", "g(x, t)");
     b.push(Op::Quotient(u, divisor))
 }
