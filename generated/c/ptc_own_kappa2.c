@@ -85,7 +85,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if ((isfinite(t) != 0) && (self->t0 <= t)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -99,7 +99,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             *u = v;
             if ((isfinite(v) != 0) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
-            } else if ((isfinite(t) != 0) && (isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
+            } else if ((isfinite(x[0]) != 0) && (isfinite(x[1]) != 0)) {
                 if (self->u_max < v) {
                     *u = self->u_max;
                     status = PTC_SATURATED;

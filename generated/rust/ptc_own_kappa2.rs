@@ -253,7 +253,7 @@ impl PtcOwnKappa2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t.is_finite() && (self.t0 <= t)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -272,7 +272,7 @@ impl PtcOwnKappa2 {
         let v = if 0.0 <= past { 0.0 } else { s2 };
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
-        } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
+        } else if x[0].is_finite() && x[1].is_finite() {
             if self.u_max < v {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {

@@ -9,6 +9,7 @@ use super::Builder;
 use crate::code::{Expr, Finish, Statement, Status, Test};
 use crate::expression::Function;
 use crate::program::{Input, Op, Value};
+use crate::request::After;
 
 /// The tests of inputs.
 #[derive(Default)]
@@ -46,7 +47,8 @@ impl Builder<'_> {
         // What is computed at a time before the start may leave the range of numbers.
         let (finite, started): (Vec<_>, Vec<_>) =
             self.legal_time().into_iter().partition(|test| matches!(test, Test::Finite(_)));
-        match self.time_is_late() {
+        // A u that does not depend on time, as after the deadline, does not show that time is finite.
+        match self.time_is_late() && self.spec.after == After::Hold {
             true => inputs.waiting.extend(finite),
             false => inputs.first.extend(finite),
         }

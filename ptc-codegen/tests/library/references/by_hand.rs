@@ -179,7 +179,7 @@ fn a_constant_takes_one_subtraction() {
     };
     let rest = code("");
     let moved = code("reference = \"0.25\"");
-    let subtracted = "        const double e1 = x[0] - 0.25;\n";
+    let subtracted = "            const double e1 = x[0] - 0.25;\n";
     let without = moved.replace(subtracted, "").replace("e1", "x[0]");
     assert!(moved.contains(subtracted), "{moved}");
     assert_eq!(without, rest);
