@@ -16,7 +16,7 @@ pub struct KeyInfo {
 }
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 47] = [
+pub static KEYS: [KeyInfo; 51] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -136,6 +136,30 @@ pub static KEYS: [KeyInfo; 47] = [
         meaning: "rate of each state of the model",
         legal: "an expression for each state, affine in the input: a list in their order, or in a design file { state = \"rate\" }",
         example: "speed, (torque - drag*speed)/inertia",
+    },
+    KeyInfo {
+        key: "inputs",
+        meaning: "names of the inputs of a model with several",
+        legal: "a list of names",
+        example: "left,right",
+    },
+    KeyInfo {
+        key: "outputs",
+        meaning: "outputs of a model with several inputs, which are brought to 0",
+        legal: "an expression in the states for each input, at most 3",
+        example: "angle, height",
+    },
+    KeyInfo {
+        key: "inertia",
+        meaning: "matrix M(q) of a mechanical model M q'' + bias = u, whose states are q and then q'",
+        legal: "a row for each input, of an expression in q for each input",
+        example: "[[2 + cos(q2), 1], [1, 1]]",
+    },
+    KeyInfo {
+        key: "bias",
+        meaning: "what the inputs of a mechanical model balance at q'' = 0: gravity, friction, Coriolis forces",
+        legal: "an expression in q and q' for each input",
+        example: "9.81*cos(q1), 0.1*w2",
     },
     KeyInfo {
         key: "A",
@@ -329,7 +353,9 @@ impl KeyInfo {
             "tau" | "t0" | "eps" | "u_max" => Some("params"),
             "x_max" => Some("envelope"),
             "A" | "B" | "C" => Some("plant"),
-            "states" | "input" | "output" | "dynamics" => Some("model"),
+            "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia" | "bias" => {
+                Some("model")
+            }
             _ => None,
         }
     }

@@ -70,8 +70,19 @@ impl Code {
             Shape::Gains => self.gains.iter().map(elements).sum(),
             _ => elements(result),
         });
-        if let Finish::Axes(count) = function.finish {
-            return self.gives_axes(function, count);
+        match &function.finish {
+            Finish::Axes(count) => return self.gives_axes(function, *count),
+            Finish::Inputs(inputs) => {
+                let m = inputs.values.len();
+                let gives: Vec<_> = function.results.iter().map(|result| result.shape).collect();
+                let fits = gives == [Shape::Reals(m), Shape::Statuses(m)]
+                    && inputs.limits.len() == m
+                    && inputs.values.iter().all(|value| matches!(value, Expr::Local(_)));
+                if !fits {
+                    return Err("it does not give each input and its status".to_owned());
+                }
+            }
+            _ => {}
         }
         seen.finish(&function.finish, given.sum(), function.owner)
     }
@@ -213,6 +224,12 @@ impl Seen<'_> {
                 values.iter().try_for_each(|value| self.expression(value))
             }
             Finish::Fail(_) => self.may_fail(),
+            Finish::Inputs(_) => {
+                let mut found = Ok(());
+                finish
+                    .visit(&mut |e| found = std::mem::replace(&mut found, Ok(())).and(self.known(e)));
+                found.and(self.may_fail())
+            }
             Finish::Axes(_) => Err("axes are the whole of a function".to_owned()),
         }
     }

@@ -72,6 +72,42 @@ pub enum Finish {
     /// status of the call is that of the first axis that fails, and then every u is 0; else that u was
     /// clipped, where one was; else that of the gains.
     Axes(usize),
+    /// The inputs of one plant, each within its bound, and the status of each. Where one of them is no
+    /// finite number, every u is 0, and the status of the call is that of range.
+    Inputs(Box<Inputs>),
+}
+
+/// The inputs of one plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// Each before it is clipped: a local value.
+    pub values: Vec<Expr>,
+    /// The bound of its size, if there is one.
+    pub limits: Vec<Option<Expr>>,
+    /// Whether the call tracks; else the gains are held.
+    pub tracks: Test,
+}
+
+impl Inputs {
+    /// That every u is finite.
+    pub fn finite(&self) -> Test {
+        Test::All(self.values.iter().cloned().map(Test::Finite).collect())
+    }
+
+    /// The ways in which an input, from 0, is clipped: the test, and what it is then.
+    pub fn clips(&self, index: usize) -> Vec<(Test, Expr)> {
+        let Some(limit) = &self.limits[index] else { return Vec::new() };
+        let (v, least) = (self.values[index].clone(), Expr::Neg(Box::new(limit.clone())));
+        vec![
+            (Test::Less(limit.clone(), v.clone()), limit.clone()),
+            (Test::Less(v, least.clone()), least),
+        ]
+    }
+
+    /// Whether one can be clipped.
+    pub fn are_limited(&self) -> bool {
+        self.limits.iter().any(Option::is_some)
+    }
 }
 
 /// The status of a call that does not fail.
@@ -124,7 +160,7 @@ impl Finish {
                 no.give_all(results);
             }
             Self::Give(values, _) => *values = results.to_vec(),
-            Self::Fail(_) | Self::Axes(_) => {}
+            Self::Fail(_) | Self::Axes(_) | Self::Inputs(_) => {}
         }
     }
 

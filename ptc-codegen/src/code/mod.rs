@@ -14,7 +14,7 @@ mod visit;
 
 pub use branch::{Branch, Taken};
 pub use expression::{AXIS, Expr, Operator, Test};
-pub use function::{Access, Callback, Ending, Finish, Function, Owner};
+pub use function::{Access, Callback, Ending, Finish, Function, Inputs, Owner};
 pub use interpret::{Argument, Called, Instance, Outcome};
 
 use crate::parameter::Precision;
@@ -231,12 +231,18 @@ impl Code {
         if self.function("update").is_some() { "observer" } else { "controller" }
     }
 
-    /// The number of its axes, where `step` is that of several.
+    /// The number of its axes, or of the inputs of its plant, where `step` is that of several.
     pub fn axes(&self) -> Option<usize> {
-        match self.function("step")?.finish {
-            Finish::Axes(count) => Some(count),
+        match &self.function("step")?.finish {
+            Finish::Axes(count) => Some(*count),
+            Finish::Inputs(inputs) => Some(inputs.values.len()),
             _ => None,
         }
+    }
+
+    /// Whether its axes are the inputs of one plant, which `step` computes together.
+    pub fn has_inputs(&self) -> bool {
+        self.function("step").is_some_and(|step| matches!(step.finish, Finish::Inputs(_)))
     }
 
     /// Whether `axis` is given the number of its axis, which has gains, limits or g of its own.

@@ -40,6 +40,11 @@ impl Finish {
                 no.visit(look);
             }
             Self::Give(values, _) => values.iter().for_each(|value| value.visit(look)),
+            Self::Inputs(inputs) => {
+                inputs.values.iter().for_each(|value| value.visit(look));
+                inputs.limits.iter().flatten().for_each(|limit| limit.visit(look));
+                inputs.tracks.visit(look);
+            }
             Self::Fail(_) | Self::Axes(_) => {}
         }
     }

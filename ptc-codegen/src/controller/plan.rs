@@ -82,7 +82,7 @@ impl<'a> Plan<'a> {
             let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
             kept.extend(definition.op.operands().into_iter().filter(earlier));
         }
-        let results = program.handed_over().chain([&program.step]).chain(&program.axis);
+        let results = program.handed_over().chain([&program.step]).chain(&program.others).chain(&program.axis);
         kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {
@@ -122,7 +122,8 @@ impl<'a> Plan<'a> {
             Routine::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
             Routine::Step => {
                 let limits = self.program.limits;
-                let mut roots = vec![self.program.step, limits.late];
+                let mut roots = self.program.controls();
+                roots.push(limits.late);
                 roots.extend(limits.past);
                 roots
             }

@@ -57,6 +57,7 @@ impl<'a> Builder<'a> {
                 eps: nothing,
             },
             step: nothing,
+            others: Vec::new(),
             gains: Vec::new(),
             divisors: Vec::new(),
             bounds: Vec::new(),
@@ -89,6 +90,10 @@ impl<'a> Builder<'a> {
 
     /// From here on values are those of one axis, from 1, by its own spec.
     pub(super) fn of_axis(&mut self, spec: &'a Spec, index: usize) {
+        if self.spec.n != spec.n {
+            // As many derivatives of mu as the order of this axis takes.
+            self.taylors = [None, None];
+        }
         (self.spec, self.axis) = (spec, Some(index));
     }
 

@@ -11,6 +11,7 @@ mod closed_loop;
 mod coefficient;
 mod coefficients;
 mod cotangent;
+mod coupled;
 mod exp_sum;
 mod mapping;
 mod quantity;
@@ -49,16 +50,15 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
 fn controller(spec: &Spec, law: &Law) -> Program {
     let designs = spec.designs();
     let mut b = Builder::of(spec, law);
-    let rows = rows(&mut b, law);
-    let step = match &rows {
-        Some(rows) => rows.step(&mut b, None),
-        None => state::step(&mut b),
-    };
-    let step = without_drift(&mut b, step);
-    let step = over_input_gain(&mut b, step);
-    let shared = match rows {
-        Some(rows) if shares_time(spec) => axes::shared(&mut b, law, &designs, &rows),
-        _ => Shared::default(),
+    let (step, others, shared) = match &spec.coupled {
+        Some(coupled) => {
+            let (first, others) = coupled::controls(&mut b, law, coupled, &designs);
+            (first, others, Shared::default())
+        }
+        None => {
+            let (step, shared) = of_chain(&mut b, law, &designs);
+            (step, Vec::new(), shared)
+        }
     };
     let start_time = (spec.guard == Guard::Full).then(|| b.push(Op::Input(Input::StartTime)));
     let u_max = match spec.fixed.get(&Parameter::UMax) {
@@ -67,11 +67,27 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
-    // Several axes have no step of one.
-    let step = shared.axis.filter(|_| spec.axes.is_some()).unwrap_or(step);
     let program = b.finish(step, Limits { start_time, u_max, past, late, hold_from, eps });
     let Shared { gains, divisors, bounds, axis } = shared;
-    Program { gains, divisors, bounds, axis, ..program }
+    Program { others, gains, divisors, bounds, axis, ..program }
+}
+
+/// u of a chain, and what several axes share; these have no step of one.
+fn of_chain<'a>(b: &mut Builder<'a>, law: &Law, designs: &'a [Spec]) -> (Value, Shared) {
+    let spec = b.spec;
+    let rows = rows(b, law);
+    let step = match &rows {
+        Some(rows) => rows.step(b, None),
+        None => state::step(b),
+    };
+    let step = without_drift(b, step);
+    let step = over_input_gain(b, step);
+    let shared = match rows {
+        Some(rows) if shares_time(spec) => axes::shared(b, law, designs, &rows),
+        _ => Shared::default(),
+    };
+    let axis = shared.axis.filter(|_| spec.axes.is_some());
+    (axis.unwrap_or(step), shared)
 }
 
 /// The rows of the gains; empty for a law that is not a sum of gains.

@@ -21,8 +21,8 @@ pub struct Chain {
 /// Why an output is no chain of integrators.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ill {
-    /// The rate of a state, from 0, is not affine in the input; its slope there.
-    NotAffine(usize, String),
+    /// The rate of a state, from 0, is not affine in an input, from 0; its slope there.
+    NotAffine(usize, usize, String),
     /// A derivative is taken of what has a kink.
     Kink(String),
     /// Whether this is 0 for all states is not decided.
@@ -46,14 +46,13 @@ impl Chain {
         values: &Values,
     ) -> Result<Self, Ill> {
         bounded(|| {
-            let plant = Affine::of((states, input), dynamics, values)?;
+            let control = [Variable::Control];
+            let plant = Affine::of((states, Some(input)), &control, dynamics, values)?;
+            let [gains] = plant.gains.as_slice() else { return Err(Ill::Unreached) };
             let mut coordinates = vec![output.clone()];
             for order in 1..=dynamics.len() {
-                let last = &coordinates[order - 1];
-                if last.any(&Expression::is_kink) {
-                    return Err(Ill::Kink(plant.text(last)));
-                }
-                let gain = plant.along(last, &plant.gains, order)?;
+                let last = plant.smooth(&coordinates[order - 1])?;
+                let gain = plant.along(last, gains, order)?;
                 let drift = plant.along(last, &plant.drifts, order)?;
                 match is_zero(&gain, values) {
                     Some(true) => coordinates.push(drift),
@@ -66,47 +65,65 @@ impl Chain {
     }
 }
 
-/// z' = drifts + gains u.
-struct Affine<'a> {
-    names: (&'a [Name], Name),
-    drifts: Vec<Expression>,
-    gains: Vec<Expression>,
+/// z' = drifts + the sum of gains times input.
+pub(super) struct Affine<'a> {
+    /// Names of the states, and of the input where there is one alone.
+    names: (&'a [Name], Option<Name>),
+    pub(super) drifts: Vec<Expression>,
+    /// Of each input.
+    pub(super) gains: Vec<Vec<Expression>>,
 }
 
 impl<'a> Affine<'a> {
-    fn of(
-        names: (&'a [Name], Name),
+    pub(super) fn of(
+        names: (&'a [Name], Option<Name>),
+        inputs: &[Variable],
         dynamics: &[Expression],
         values: &Values,
     ) -> Result<Self, Ill> {
+        let is_input = |e: &Expression| e.variable().is_some_and(|v| inputs.contains(&v));
         let at_rest = |e: &Expression| {
-            let control = Expression::from(Variable::Control);
-            e.substitute(&|leaf| (*leaf == control).then(|| Expression::integer(0)))
+            e.substitute(&|leaf| is_input(leaf).then(|| Expression::integer(0)))
         };
         let drifts = dynamics.iter().map(|rate| shorter(at_rest(rate))).collect();
-        let mut plant = Self { names, drifts, gains: Vec::with_capacity(dynamics.len()) };
-        for (index, rate) in dynamics.iter().enumerate() {
-            let slope = rate.derivative(Variable::Control);
-            let kink = |e: &Expression| e.is_kink() && e.contains(Variable::Control);
-            let curved = || Ill::NotAffine(index, plant.text(&shorter(slope.clone())));
-            if rate.any(&kink) {
-                return Err(curved());
-            }
-            let tidied = shorter(slope.clone());
-            let gain = match tidied.contains(Variable::Control) {
-                false => tidied,
-                true if is_zero(&slope.derivative(Variable::Control), values) == Some(true) => {
-                    shorter(at_rest(&slope))
+        let mut plant = Self { names, drifts, gains: Vec::with_capacity(inputs.len()) };
+        for (which, input) in inputs.iter().enumerate() {
+            let mut gains = Vec::with_capacity(dynamics.len());
+            for (index, rate) in dynamics.iter().enumerate() {
+                let slope = rate.derivative(*input);
+                let kink = |e: &Expression| e.is_kink() && e.contains(*input);
+                let curved =
+                    || Ill::NotAffine(index, which, plant.text(&shorter(slope.clone())));
+                if rate.any(&kink) {
+                    return Err(curved());
                 }
-                true => return Err(curved()),
-            };
-            plant.gains.push(gain);
+                let tidied = shorter(slope.clone());
+                let still = |v: &Variable| {
+                    is_zero(&slope.derivative(*v), values) == Some(true)
+                };
+                gains.push(match tidied.any(&is_input) {
+                    false => tidied,
+                    true if inputs.iter().all(still) => shorter(at_rest(&slope)),
+                    true => return Err(curved()),
+                });
+            }
+            plant.gains.push(gains);
         }
         Ok(plant)
     }
 
+    /// What is to be differentiated.
+    pub(super) fn smooth<'e>(&self, e: &'e Expression) -> Result<&'e Expression, Ill> {
+        if e.any(&Expression::is_kink) { Err(Ill::Kink(self.text(e))) } else { Ok(e) }
+    }
+
     /// The derivative of order `order` of the output along a vector field.
-    fn along(&self, e: &Expression, field: &[Expression], order: usize) -> Result<Expression, Ill> {
+    pub(super) fn along(
+        &self,
+        e: &Expression,
+        field: &[Expression],
+        order: usize,
+    ) -> Result<Expression, Ill> {
         e.differentiable().ok_or(Ill::TooLarge(order))?;
         let rate = |variable| match variable {
             Variable::State(j) => field[j - 1].clone(),
@@ -116,7 +133,7 @@ impl<'a> Affine<'a> {
         if derivative.is_kept() { Ok(derivative) } else { Err(Ill::TooLarge(order)) }
     }
 
-    fn text(&self, expression: &Expression) -> String {
+    pub(super) fn text(&self, expression: &Expression) -> String {
         named(self.names.0, self.names.1, expression).to_string()
     }
 }

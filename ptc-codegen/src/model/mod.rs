@@ -2,10 +2,12 @@
 //! from it: the output and its derivatives are a chain of integrators x_1, ..., x_r, whose last
 //! rate is L_f^r h + (L_g L_f^(r-1) h) u.
 
+pub(crate) mod coupled;
 mod decide;
 mod lie;
 pub(crate) mod zeros;
 
+pub use coupled::{Coupled, Output};
 pub use lie::{Chain, Ill};
 
 use std::collections::BTreeMap;
@@ -36,7 +38,7 @@ pub struct Model {
 impl Model {
     /// An expression of the plant in the names of its states and its input.
     pub fn named(&self, expression: &Expression) -> Expression {
-        named(&self.states, self.input, expression)
+        named(&self.states, Some(self.input), expression)
     }
 
     /// The same as text.
@@ -58,12 +60,13 @@ impl Model {
     }
 }
 
-/// The same expression with the names of a plant in place of its states and its input.
-fn named(states: &[Name], input: Name, expression: &Expression) -> Expression {
+/// The same expression with the names of a plant in place of its states and its input; where there are
+/// several inputs, their names stand behind those of the states.
+fn named(states: &[Name], input: Option<Name>, expression: &Expression) -> Expression {
     let of = |name: Name| Some(Parameter::Named(name).into());
     expression.substitute(&|e| match e.variable()? {
         Variable::State(j) => states.get(j - 1).copied().and_then(of),
-        Variable::Control => of(input),
+        Variable::Control => input.and_then(of),
         _ => None,
     })
 }

@@ -271,8 +271,10 @@ pub struct Program {
     pub values: Vec<Definition>,
     /// What the frame of the emitted functions compares with.
     pub limits: Limits,
-    /// u of one call of `step`, before it is clipped.
+    /// u of one call of `step`, before it is clipped; of a plant with several inputs the first.
     pub step: Value,
+    /// The other inputs of such a plant.
+    pub others: Vec<Value>,
     /// Feedback gains of x_1..x_n, for `tick`, one axis after the other where each has its own; empty if
     /// the law is not a sum of gains.
     pub gains: Vec<Value>,
@@ -304,6 +306,11 @@ pub struct Limits {
 }
 
 impl Program {
+    /// Every u of one call of `step`.
+    pub fn controls(&self) -> Vec<Value> {
+        [&[self.step], self.others.as_slice()].concat()
+    }
+
     /// What `tick` hands over to `axis`.
     pub fn handed_over(&self) -> impl Iterator<Item = &Value> {
         self.gains.iter().chain(&self.divisors).chain(&self.bounds)
@@ -324,6 +331,7 @@ impl Program {
     pub fn outputs(&self) -> Vec<Value> {
         let Limits { late, hold_from, eps, .. } = self.limits;
         let mut outputs = vec![self.step, late, hold_from, eps];
+        outputs.extend(&self.others);
         outputs.extend(self.axis);
         outputs.extend(self.handed_over());
         outputs.extend(&self.watched);

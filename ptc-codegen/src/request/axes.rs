@@ -3,6 +3,7 @@
 use super::Spec;
 use crate::algebra::BigRational;
 use crate::expression::Expression;
+use crate::model::{Coupled, Model, Output};
 use crate::parameter::{Fixed, Parameter};
 
 /// The axes of one controller. The spec itself is that of the first; what an axis has of its own stands
@@ -32,7 +33,12 @@ impl Spec {
     /// The controller of one axis, from 0, alone.
     #[must_use]
     pub fn axis(&self, index: usize) -> Self {
-        let mut spec = Self { axes: None, ..self.clone() };
+        let mut spec = Self { axes: None, coupled: None, ..self.clone() };
+        if let Some(coupled) = &self.coupled
+            && let Some(output) = coupled.outputs.get(index)
+        {
+            spec.of_output(coupled, index, output);
+        }
         let Some(axes) = &self.axes else { return spec };
         if let Some(gains) = axes.gains.get(index) {
             spec.fixed.extend((1..).map(Parameter::Gain).zip(gains.iter().cloned()));
@@ -47,10 +53,27 @@ impl Spec {
         spec
     }
 
-    /// The controllers of one axis that differ: one where all axes share everything.
+    /// Makes it the law of one output of a plant, whose own input stands for what all of them do.
+    fn of_output(&mut self, coupled: &Coupled, index: usize, output: &Output) {
+        self.n = output.coordinates.len();
+        self.drift = (output.drift != Expression::integer(0)).then(|| output.drift.clone());
+        self.model = Some(Box::new(Model {
+            states: coupled.states.clone(),
+            input: coupled.inputs[index],
+            output: output.coordinates[0].clone(),
+            // What moves the other states is no matter of one output.
+            dynamics: Vec::new(),
+            coordinates: output.coordinates.clone(),
+        }));
+        self.fixed.retain(|p, _| !matches!(p, Parameter::Gain(i) if *i > output.coordinates.len()));
+        // They are bounds of the whole plant.
+        self.promises.x_max.clear();
+    }
+
+    /// The controllers of one axis that differ: one where all axes are chains that share everything.
     pub fn designs(&self) -> Vec<Self> {
         match &self.axes {
-            Some(axes) if axes.differ() => (0..axes.count).map(|index| self.axis(index)).collect(),
+            Some(axes) if axes.differ() || self.coupled.is_some() => (0..axes.count).map(|index| self.axis(index)).collect(),
             _ => vec![self.axis(0)],
         }
     }

@@ -2,17 +2,22 @@
 
 use super::{After, Axes, Clock, Feedback, Guard, Reference, Sampled, Spec, What};
 use crate::algebra::BigRational;
-use crate::expression::Subject;
+use crate::expression::{Expression, Subject};
 use crate::family::Family;
 use crate::mapping::TimeMapping;
+use crate::model::Coupled;
+use crate::model::coupled::Inverse;
 use crate::parameter::{Fixed, Parameter, Precision};
 use crate::syntax::constant;
 
 impl Spec {
     /// The command line (without the program's name and `--lang`) that gives this spec.
     pub fn command(&self) -> String {
-        let mut words = vec![format!("--n {}", self.n)];
-        words.extend(self.axes.as_ref().map(|axes| format!("--axes {}", axes.count)));
+        // The orders of several outputs follow from the model.
+        let alone = self.coupled.is_none();
+        let mut words = Vec::new();
+        words.extend(alone.then(|| format!("--n {}", self.n)));
+        words.extend(self.axes.as_ref().filter(|_| alone).map(|axes| format!("--axes {}", axes.count)));
         words.push(self.mapping_words());
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
@@ -76,8 +81,10 @@ impl Spec {
             Feedback::Expression(law) => words.push(format!("--pi0=\"{law}\"")),
             Feedback::Extern => words.push("--pi0 extern".to_owned()),
         }
-        if let Some(model) = &self.model {
-            let list = |items: Vec<String>| items.join(", ");
+        let list = |items: Vec<String>| items.join(", ");
+        if let Some(coupled) = &self.coupled {
+            words.extend(coupled_words(coupled));
+        } else if let Some(model) = &self.model {
             let rates = model.dynamics.iter().map(|rate| model.text(rate)).collect();
             words.push(format!("--states=\"{}\" --input={}", model.names(), model.input));
             words.push(format!("--output=\"{}\"", model.text(&model.output)));
@@ -226,6 +233,30 @@ impl Spec {
             format!("--mu \"{name}({})\"", arguments.join(","))
         }
     }
+}
+
+/// The flags of a plant with several inputs.
+fn coupled_words(coupled: &Coupled) -> Vec<String> {
+    let texts = |all: &[Expression]| {
+        let all: Vec<_> = all.iter().map(|e| coupled.text(e)).collect();
+        all.join(", ")
+    };
+    let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
+    let mut words = vec![format!("--states=\"{}\" --inputs={}", coupled.names(), inputs.join(","))];
+    match &coupled.inverse {
+        Inverse::Adjugate { dynamics, .. } => {
+            let outputs: Vec<_> =
+                (0..inputs.len()).map(|index| coupled.output(index).clone()).collect();
+            words.push(format!("--outputs=\"{}\"", texts(&outputs)));
+            words.push(format!("--dynamics=\"{}\"", texts(dynamics)));
+        }
+        Inverse::Inertia { inertia, bias } => {
+            let rows: Vec<_> = inertia.iter().map(|row| format!("[{}]", texts(row))).collect();
+            words.push(format!("--inertia=\"[{}]\"", rows.join(", ")));
+            words.push(format!("--bias=\"{}\"", texts(bias)));
+        }
+    }
+    words
 }
 
 /// Values separated by commas; none for no value.

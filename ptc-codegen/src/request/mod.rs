@@ -21,7 +21,7 @@ use crate::algebra::BigRational;
 use crate::expression::{Expression, Variable};
 use crate::family::Family;
 use crate::mapping::{Custom, Mapping, TimeMapping};
-use crate::model::Model;
+use crate::model::{Coupled, Model};
 use crate::parameter::{Domain, Fixed, Parameter, Precision, type_name};
 
 /// Largest order that is generated. The expansions are exact for any order; beyond this one the
@@ -135,6 +135,8 @@ pub struct Spec {
     pub axes: Option<Axes>,
     /// The model of the plant from which n, f and g follow; none where they were given.
     pub model: Option<Box<Model>>,
+    /// The plant with several inputs and outputs, each of which is an axis.
+    pub coupled: Option<Box<Coupled>>,
     /// What follows the deadline.
     pub after: After,
     /// Parameters fixed at generation; all others are run-time parameters.
@@ -173,6 +175,7 @@ impl Spec {
             reference: None,
             axes: None,
             model: None,
+            coupled: None,
             after: After::Hold,
             fixed: BTreeMap::new(),
             bounds: BTreeMap::new(),
@@ -221,6 +224,9 @@ impl Spec {
 
     /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
     pub fn states(&self) -> usize {
+        if let Some(coupled) = &self.coupled {
+            return coupled.states.len();
+        }
         let model = self.model.as_ref().filter(|_| self.what == What::Controller);
         model.map_or(self.n, |model| model.states.len())
     }
@@ -267,7 +273,8 @@ impl Spec {
         let reference = (0..=self.n).filter_map(|order| self.derivative(order));
         let of_plant = model.chain(&self.drift).chain(&self.input_gain);
         let of_axes = self.axes.iter().flat_map(|axes| &axes.input_gains);
-        given.into_iter().chain(law).chain(of_plant).chain(of_axes).chain(reference)
+        let coupled = self.coupled.iter().flat_map(|coupled| coupled.expressions());
+        given.into_iter().chain(law).chain(of_plant).chain(of_axes).chain(coupled).chain(reference)
     }
 
     /// Whether states are latched at the start.

@@ -50,6 +50,11 @@ impl Spec {
     /// # Errors
     /// That `what` knows one.
     pub fn needs_one_axis(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        if self.coupled.is_some() {
+            let message = format!("{what} does not know a plant of several inputs yet");
+            let help = "emit it, and run the emitted `step` with your own model of the plant";
+            return unless(true, ("axes", "inputs"), message, help);
+        }
         let message = format!("{what} knows one chain, not several axes");
         let help = match self.axes.as_ref().is_some_and(super::Axes::differ) {
             true => {

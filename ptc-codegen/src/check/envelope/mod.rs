@@ -69,6 +69,7 @@ pub fn scan(
     // The program's own time-to-go has a rounding or two, but is never below eps.
     let slack = 2.0 * epsilon(program.precision);
     let (mut step, mut axis) = (None, None);
+    let controls = program.controls();
     let handed: Vec<_> = program.handed_over().copied().collect();
     let mut high = tau;
     for piece in 1..=pieces {
@@ -79,7 +80,7 @@ pub fn scan(
         };
         let mut bounds = early.at((low * (1.0 - slack)).max(eps), high * (1.0 + slack));
         let found = |value: Value| Found { value, time_to_go: (low, high) };
-        step = step.or_else(|| bounds.first_excess(&[program.step]).map(found));
+        step = step.or_else(|| bounds.first_excess(&controls).map(found));
         axis = axis.or_else(|| {
             let gain = bounds.first_excess(&handed);
             bounds.hand_over_gains();
@@ -90,8 +91,9 @@ pub fn scan(
         }
         high = low;
     }
-    let report = |found: Found, root| {
-        let overflow = |t| overflow(program, input, tau, t, root);
+    let report = |found: Found, roots: &[Value]| {
+        let at = |t, root: &Value| overflow(program, input, tau, t, *root);
+        let overflow = |t| roots.iter().find_map(|root| at(t, root));
         Excess {
             value: found.value,
             what: describe(program, found.value),
@@ -103,8 +105,8 @@ pub fn scan(
     Envelope {
         precision: program.precision,
         time_to_go: (eps, tau),
-        step: step.map(|found| report(found, program.step)),
-        axis: axis.zip(program.axis).map(|(found, root)| report(found, root)),
+        step: step.map(|found| report(found, &controls)),
+        axis: axis.zip(program.axis).map(|(found, root)| report(found, &[root])),
     }
 }
 
@@ -164,7 +166,7 @@ fn overflow(
 
 /// Every input that u depends on but time, with its bounds.
 fn named_inputs(program: &Program, input: &dyn Fn(Input) -> Interval) -> Vec<(String, Interval)> {
-    let needed = program.needed(&[program.step]).into_iter();
+    let needed = program.needed(&program.controls()).into_iter();
     let given = needed.filter_map(|value| match program.get(value).op {
         Op::Input(Input::Time) => None,
         Op::Input(asked) => Some((input_name(asked), input(asked))),

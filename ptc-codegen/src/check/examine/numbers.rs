@@ -31,6 +31,7 @@ impl<'a> Numbers<'a> {
             input_gain: None,
             reference: None,
             model: None,
+            coupled: None,
             after: After::Hold,
             ..spec.clone()
         };

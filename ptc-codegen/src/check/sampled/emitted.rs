@@ -136,7 +136,7 @@ impl<'a> Sample<'a> {
         match finish {
             Finish::If(test, yes, no) => self.end(if self.test(test)? { yes } else { no }),
             Finish::Give(values, _) => self.real(values.first()?),
-            Finish::Fail(_) | Finish::Axes(_) => None,
+            Finish::Fail(_) | Finish::Axes(_) | Finish::Inputs(_) => None,
         }
     }
 

@@ -34,7 +34,11 @@ impl<'b> Frame<'_, 'b> {
         gains: &[Variable],
     ) -> Outcome {
         let failed = |status| Outcome { status, results: BTreeMap::new() };
-        if let Some(status) = self.block(&function.body) {
+        let ended = self.block(&function.body);
+        if let Finish::Inputs(inputs) = &function.finish {
+            return self.inputs(function, inputs, ended);
+        }
+        if let Some(status) = ended {
             return failed(status);
         }
         let mut finish = &function.finish;
@@ -44,7 +48,9 @@ impl<'b> Frame<'_, 'b> {
                 Finish::Give(values, Ending::Known(status)) => break (values, *status),
                 Finish::Give(values, Ending::OfGains) => break (values, standing),
                 Finish::Fail(status) => return failed(*status),
-                Finish::Axes(_) => fault("axes are called one by one".to_owned()),
+                Finish::Axes(_) | Finish::Inputs(_) => {
+                    fault("several inputs are given together".to_owned())
+                }
             }
         };
         let mut values = values.iter().map(|value| self.real(value));

@@ -2,6 +2,7 @@
 
 mod axes;
 mod frame;
+mod inputs;
 
 use std::borrow::Cow;
 use std::cell::RefCell;

@@ -3,6 +3,7 @@
 mod body;
 mod gains;
 mod guard;
+mod inputs;
 mod start;
 mod step;
 
@@ -69,6 +70,10 @@ impl Builder<'_> {
         let mut functions = vec![self.arm()];
         if self.spec.what == What::Associated {
             functions.push(self.rate());
+            return functions;
+        }
+        if let Some(coupled) = &self.spec.coupled {
+            functions.push(self.step_of_inputs(coupled));
             return functions;
         }
         match &self.spec.axes {

@@ -210,7 +210,7 @@ pub(super) trait Block: Text {
         let mut rest = match finish {
             Finish::Give(values, ending) => return self.give(values, *ending),
             Finish::Fail(status) => return self.fail(*status),
-            Finish::Axes(_) => fault("axes are the whole of a function"),
+            Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
             finish => finish,
         };
         let mut first = true;

@@ -32,7 +32,7 @@ impl Gives {
         let shape = function.results.first().map(|result| result.shape);
         let ranges = function.failures.contains(&Status::Range);
         match shape {
-            _ if matches!(function.finish, Finish::Axes(_)) => Self::Axes,
+            _ if matches!(function.finish, Finish::Axes(_) | Finish::Inputs(_)) => Self::Axes,
             None if function.failures.is_empty() => Self::Nothing,
             None if ranges => Self::Progress,
             None => Self::Status,

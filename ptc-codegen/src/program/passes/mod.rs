@@ -56,6 +56,7 @@ fn rebuild(
     }
     let to = |v: Value| map[v.0];
     new.step = to(program.step);
+    new.others = program.others.iter().copied().map(to).collect();
     new.axis = program.axis.map(to);
     new.gains = program.gains.iter().copied().map(to).collect();
     new.divisors = program.divisors.iter().copied().map(to).collect();

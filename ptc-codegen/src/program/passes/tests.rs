@@ -39,7 +39,8 @@ fn sample(precision: Precision, seed: u64) -> impl Fn(Input) -> f64 {
 fn results(program: &Program, seed: u64) -> Vec<u64> {
     let input = sample(program.precision, seed);
     let mut interpreter = Interpreter::new(program, &input);
-    let outputs: Vec<Value> = [program.step]
+    let outputs: Vec<Value> = program
+        .controls()
         .into_iter()
         .chain(program.axis)
         .chain(program.gains.iter().copied())

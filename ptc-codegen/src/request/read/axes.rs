@@ -53,8 +53,9 @@ impl<'a> Reader<'a> {
         &[]
     }
 
-    /// What the axes of a spec, which is that of the first, have of their own.
-    pub(super) fn own_values(&mut self, spec: &mut Spec, number: usize, n: Option<usize>) {
+    /// What the axes of a spec, which is that of the first, have of their own; each has its order.
+    pub(super) fn own_values(&mut self, spec: &mut Spec, orders: &[Option<usize>]) {
+        let number = orders.len();
         let known = super::known(spec.time_mapping.parameters());
         let mut axes = Axes {
             count: number,
@@ -66,15 +67,15 @@ impl<'a> Reader<'a> {
         let first = (1..=spec.n).map(|i| spec.fixed.get(&Parameter::Gain(i)).cloned());
         let first: Option<Vec<Fixed>> = first.collect();
         if let Some((_, rest)) = self.for_axes("gains", number).split_first() {
-            let rest = rest.iter().map(|row| {
-                self.gains(n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
+            let rest = rest.iter().zip(&orders[1..]).map(|(row, n)| {
+                self.gains(*n, row).into_iter().map(|(_, gain)| gain).collect::<Vec<_>>()
             });
             axes.gains = first.iter().cloned().chain(rest.collect::<Vec<_>>()).collect();
         } else if let Some((_, rest)) = self.for_axes("poles", number).split_first() {
             axes.gains.extend(first);
             axes.poles.push(spec.poles.clone());
-            for row in rest {
-                let (poles, gains) = self.pole_gains("poles", n, row);
+            for (row, n) in rest.iter().zip(&orders[1..]) {
+                let (poles, gains) = self.pole_gains("poles", *n, row);
                 axes.gains.push(super::law::fixed(gains).into_values().collect());
                 axes.poles.push(poles);
             }
@@ -100,12 +101,15 @@ impl<'a> Reader<'a> {
 
     /// Refuses what has no meaning for several axes, or beside none.
     pub(super) fn fits_axes(&mut self, spec: &Spec, samples: bool) {
+        if spec.coupled.is_some() {
+            return;
+        }
         let Some(axes) = &spec.axes else {
             for key in ["gains", "poles", "limits", "g"] {
                 let Some(node) = self.keys.get(key).copied() else { continue };
                 let number = self.each(key).len();
                 // A number of axes that could not be read is a mistake already.
-                if number > 0 && !self.keys.contains_key("axes") {
+                if number > 0 && !self.keys.contains_key("axes") && !self.has_coupled() {
                     let message = format!("`{key}` of each axis, and `axes` is not given");
                     let one = if key == "limits" { "u_max" } else { "one value" };
                     let help = format!("give axes = {number}, or {one} for one chain");

@@ -25,6 +25,7 @@ use crate::family::Family;
 use crate::keys::{KEYS, KeyInfo};
 use crate::linear::Delay;
 use crate::mapping::TimeMapping;
+use crate::model::Coupled;
 use crate::parameter::{Fixed, Parameter, Precision, is_reserved, reason};
 use crate::syntax::{Node, Value};
 
@@ -121,11 +122,16 @@ impl<'a> Reader<'a> {
 
     fn spec(&mut self) -> Option<Spec> {
         let model = self.model();
-        let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()));
+        let coupled = self.coupled();
+        let orders = coupled.as_ref().map(Coupled::orders);
+        let first = orders.as_ref().and_then(|orders| orders.first().copied());
+        let n = self.order(model.as_ref().map(|read| read.model.coordinates.len()).or(first));
         // With the order unknown, all else is still read, so that all mistakes are reported at once.
         let order = n.unwrap_or(MAX_ORDER);
-        let axes = self.axes();
-        let mapping = self.time_mapping(order);
+        let highest = orders.as_ref().and_then(|orders| orders.iter().copied().max());
+        let axes = self.axes().map(|number| vec![n; number]);
+        let axes = axes.or(orders.map(|orders| orders.into_iter().map(Some).collect()));
+        let mapping = self.time_mapping(highest.unwrap_or(order));
         let own = mapping.as_ref().map(|(mapping, _)| mapping.parameters()).unwrap_or_default();
         let known = parameters::known(own);
         let name = self.name();
@@ -148,10 +154,11 @@ impl<'a> Reader<'a> {
             &[("hold", After::Hold), ("zero", After::Zero), ("extern", After::Extern)],
         );
         let precision = precision.unwrap_or(Precision::F64);
-        let states = match (&model, self.has_model()) {
+        let states = match (&model, &coupled) {
             (Some(read), _) => Some(read.model.states.len()),
-            (None, true) => None,
-            (None, false) => n,
+            (None, Some(coupled)) => Some(coupled.states.len()),
+            (None, None) if self.has_model() => None,
+            (None, None) => n,
         };
         let promises = self.promises(n, states);
         let samples = self.counts_samples();
@@ -181,6 +188,7 @@ impl<'a> Reader<'a> {
             reference,
             axes: None,
             model: model.map(|read| Box::new(read.model)),
+            coupled: coupled.map(Box::new),
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
             bounds: BTreeMap::new(),
@@ -191,18 +199,19 @@ impl<'a> Reader<'a> {
         if spec.what == What::Associated {
             self.associated(&mut spec);
         }
-        if let Some(number) = axes {
-            self.own_values(&mut spec, number, n);
+        if let Some(orders) = axes {
+            self.own_values(&mut spec, &orders);
         }
         self.fits_axes(&spec, samples);
         self.fits_model(&spec, samples);
+        self.fits_coupled(&spec, samples);
         self.fits_reference(&spec, samples);
         let complete = self.found.is_empty();
         spec.fixed.extend(mapping.iter().flat_map(|(_, fixed)| fixed.iter().cloned()));
         self.parameters(&mut spec, complete);
         self.reference_exists(&spec);
         match samples {
-            true if spec.model.is_some() => {}
+            true if spec.model.is_some() || spec.coupled.is_some() => {}
             true => self.sampled(&mut spec),
             false => self.not_sampled(&spec),
         }

@@ -36,7 +36,8 @@ impl Reader<'_> {
         }
         self.eps_below_tau(&spec.fixed);
         // What a model has beside the law counts for its zero dynamics.
-        let beside = spec.model.iter().flat_map(|model| &model.dynamics);
+        let of_coupled = spec.coupled.iter().flat_map(|coupled| coupled.dynamics());
+        let beside = spec.model.iter().flat_map(|model| &model.dynamics).chain(of_coupled);
         let used: BTreeSet<_> =
             spec.expressions().chain(beside).flat_map(Expression::parameters).collect();
         self.names_are_distinct(spec, &used);
@@ -128,6 +129,10 @@ impl Reader<'_> {
                 Some(custom) if of(Some(&custom.given)) => custom.subject.key(),
                 _ if of(law) => "pi0",
                 _ if spec.model.is_some() => "dynamics",
+                _ if spec.coupled.is_some() => match self.keys.contains_key("inertia") {
+                    true => "inertia",
+                    false => "dynamics",
+                },
                 _ if of(spec.drift.as_ref()) => "f",
                 _ if of(spec.derivative(0)) => "reference",
                 _ => "g",

@@ -3,6 +3,7 @@
 mod axes;
 mod conditions;
 mod header;
+mod inputs;
 mod rows;
 mod source;
 

@@ -21,7 +21,8 @@ impl C<'_> {
         let counts = |statement: &Statement| {
             matches!(statement, Statement::Solve(_) | Statement::Rows { .. })
         };
-        if code.axes().is_some() || code.functions.iter().any(|function| function.has(counts)) {
+        let loops = code.axes().is_some() && !code.has_inputs();
+        if loops || code.functions.iter().any(|function| function.has(counts)) {
             self.out.line("#include <stdint.h>");
         }
         self.out.line("");
@@ -99,6 +100,11 @@ impl C<'_> {
             let tests = self.pointers(function);
             self.out.open(format!("if ({tests}) {{"));
         }
+        if let Finish::Inputs(inputs) = &function.finish
+            && fails
+        {
+            self.no_inputs(inputs.values.len(), first);
+        }
         self.block(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
             this.finish(function, &function.finish, done && !this.zeroed);
@@ -164,6 +170,7 @@ impl C<'_> {
             }
             Finish::Fail(status) => self.fail(function, *status),
             Finish::Axes(count) => self.axes(function, *count),
+            Finish::Inputs(inputs) => self.inputs(inputs),
             Finish::If(..) => {
                 // One store for all ends, but where the result is 0 from the start.
                 let scalar = function.results.iter().all(|result| result.shape == Shape::Real);

@@ -30,7 +30,7 @@ impl Cpp<'_> {
             ),
             (
                 "cstdint",
-                code.axes().is_some()
+                (code.axes().is_some() && !code.has_inputs())
                     || code.fields.iter().any(|field| field.shape == Shape::Count),
             ),
             ("limits", true),

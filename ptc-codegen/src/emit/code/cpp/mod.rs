@@ -2,6 +2,7 @@
 
 mod axes;
 mod header;
+mod inputs;
 mod rows;
 
 use super::block::{Block, Branch};
@@ -159,6 +160,10 @@ impl Block for Cpp<'_> {
             Gives::Control => format!("return {{{zero}, {word}}};"),
             Gives::Rate => format!("return {{{{}}, {word}}};"),
             Gives::Gains => "return {};".to_owned(),
+            Gives::Axes => {
+                let each = vec![word.as_str(); self.code.axes().unwrap_or_default()].join(", ");
+                format!("return {{{{}}, {{{{{each}}}}}, {word}}};")
+            }
             _ => format!("return {word};"),
         });
     }
@@ -260,6 +265,9 @@ impl<'a> Cpp<'a> {
             return self.axes(function, count);
         }
         self.block(&function.body);
+        if let Finish::Inputs(inputs) = &function.finish {
+            return self.inputs(inputs);
+        }
         if self.gives == Gives::Gains {
             self.out.line("Gains gains{};");
             let values = function.finish.every();

@@ -80,6 +80,11 @@ impl Matlab<'_> {
             self.out.line("end");
             return self.out.text();
         }
+        if let Finish::Inputs(inputs) = &function.finish {
+            self.inputs(function, inputs);
+            self.out.line("end");
+            return self.out.text();
+        }
         let (real, zero) = (self.real_type(), self.literal("0.0"));
         match result.map(|result| result.shape) {
             Some(Shape::Real) if self.has_status() => {

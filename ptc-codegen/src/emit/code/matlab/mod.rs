@@ -4,6 +4,7 @@
 mod axes;
 mod functions;
 mod helpers;
+mod inputs;
 
 use std::collections::BTreeMap;
 

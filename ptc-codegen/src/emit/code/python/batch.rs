@@ -20,6 +20,7 @@ impl Python<'_> {
             Gives::Control => "Control",
             Gives::Rate => "Rate",
             Gives::Gains => "Gains",
+            Gives::Axes => "Axes",
             _ => fault(format!("{} is no batch", function.name)),
         };
         let mut list = vec!["self".to_owned()];
@@ -130,6 +131,9 @@ if done.all():
     }
 
     fn end(&mut self, function: &Function, legal: &[(&Test, Status)]) {
+        if let Finish::Inputs(inputs) = &function.finish {
+            return self.inputs(inputs, legal);
+        }
         let mut count = 0;
         let mut end = match self.gives {
             Gives::Control => self.ends(&function.finish, &mut count),
@@ -193,7 +197,7 @@ if done.all():
                     Ending::OfGains => "self.status".to_owned(),
                 },
             },
-            Finish::Axes(_) => fault("axes are the whole of a function"),
+            Finish::Axes(_) | Finish::Inputs(_) => fault("several inputs are the whole of an end"),
             Finish::Fail(status) => {
                 End { value: None, status: format!("Status.{}", word(*status)) }
             }
@@ -223,6 +227,6 @@ fn without_values(finish: &Finish) -> Finish {
             Finish::choose(test.clone(), without_values(yes), without_values(no))
         }
         Finish::Give(_, ending) => Finish::Give(Vec::new(), *ending),
-        Finish::Fail(_) | Finish::Axes(_) => finish.clone(),
+        Finish::Fail(_) | Finish::Axes(_) | Finish::Inputs(_) => finish.clone(),
     }
 }

@@ -5,7 +5,7 @@ use super::super::gives::Gives;
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::{Python, annotation};
-use crate::code::{Function, Owner, Shape};
+use crate::code::{Finish, Function, Owner, Shape};
 use crate::parameter::Precision;
 
 const OVERFLOW: &str =
@@ -19,7 +19,7 @@ impl Python<'_> {
         self.init();
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
-                _ if Gives::of(function) == Gives::Axes => {
+                _ if matches!(function.finish, Finish::Axes(_)) => {
                     self.axes(function, code.axes().unwrap_or_default());
                 }
                 Some(_) if Gives::of(function) != Gives::Status => self.batch_function(function),

@@ -3,6 +3,7 @@
 mod axes;
 mod batch;
 mod class;
+mod inputs;
 mod module;
 
 use std::collections::BTreeMap;

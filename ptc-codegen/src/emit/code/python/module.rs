@@ -99,7 +99,7 @@ impl Python<'_> {
                 self.out.line(format!("{}\n", reference.replace("the states", "r, r', ...")));
             }
         }
-        if code.axes().is_some() {
+        if code.axes().is_some() && !code.has_inputs() {
             self.out.line(format!("{LISTS}\n"));
         }
         let formed = code.functions.iter().flat_map(|function| &function.body);

@@ -4,7 +4,7 @@ use super::super::block::Block;
 use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{CHOICE, Rust};
-use crate::code::{Access, Expr, Function, Owner, Place, Shape, Statement, Status, Variable};
+use crate::code::{Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Variable};
 use crate::internal::fault;
 use crate::parameter::type_name;
 
@@ -162,6 +162,10 @@ impl Rust<'_> {
         }
         self.out.line("#[inline]");
         self.signature(function.name, &list, &result);
+        if let Finish::Inputs(inputs) = &function.finish {
+            self.inputs(function, inputs);
+            return self.out.close("}");
+        }
         self.block(&function.body);
         let same = function.finish.results();
         let here = self.out.here();

@@ -1,6 +1,7 @@
 //! Rust: `no_std`, no allocation, no panic, no unsafe code.
 
 mod axes;
+mod inputs;
 mod items;
 mod module;
 mod rows;
@@ -178,7 +179,8 @@ impl Block for Rust<'_> {
         let one = format!("if !({})", self.parts(test).join(" && "));
         let line = self.unless("!", test, " {");
         self.out.open(self.with_brace(line, one));
-        self.out.line(format!("return Err({}Error::{});", self.runtime, status.name()));
+        let failed = if self.gives == Gives::Axes { "failed" } else { "Err" };
+        self.out.line(format!("return {failed}({}Error::{});", self.runtime, status.name()));
         self.out.close("}");
     }
 

@@ -1,51 +1,86 @@
 //! What is told of a model whose output is no chain.
 
-use super::super::Reader;
+use super::super::{Reader, items};
+use crate::diagnostic::Place;
 use crate::model::Ill;
+use crate::model::coupled::IllCoupled;
 use crate::parameter::Name;
 use crate::syntax::Node;
 
 impl Reader<'_> {
+    /// `output` is the key of the output, and where it was written.
     pub(super) fn ill_model(
         &mut self,
         ill: &Ill,
-        (states, input): (&[Name], Name),
+        (states, inputs): (&[Name], &[Name]),
         rates: &[&Node],
+        (key, output): (&'static str, Option<Place>),
     ) {
-        let place = |key: &str| self.keys.get(key).map(|node| node.place);
-        let output = place("output");
+        let names: Vec<_> = inputs.iter().map(|name| format!("`{name}`")).collect();
         let (key, place, message, help) = match ill {
-            Ill::NotAffine(index, slope) => (
+            Ill::NotAffine(index, input, slope) => (
                 "dynamics",
                 rates.get(*index).map(|node| node.place),
-                format!("{}' is not affine in the input `{input}`: its slope is {slope}", states[*index]),
+                format!("{}' is not affine in the input {}: its slope is {slope}", states[*index], names[*input]),
                 "write it as f + g*input with f and g of the states; a curved actuator is inverted outside, or is a state with dynamics of its own".to_owned(),
             ),
             Ill::Kink(text) => (
-                "output",
+                key,
                 output,
                 format!("{text} has a kink, abs, sign, min or max, and has to be differentiated"),
                 "take a smooth function in its place: tanh(w/small) for sign(w)".to_owned(),
             ),
             Ill::Open(text) => (
-                "output",
+                key,
                 output,
                 format!("the relative degree is not decided: is {text} = 0 for all states?"),
                 "write the model with fewer functions, or fix parameters under [params]".to_owned(),
             ),
             Ill::Unreached => (
-                "output",
+                key,
                 output,
-                format!("the input `{input}` does not reach the output"),
-                "take an output that it moves, or give the states between them their dynamics".to_owned(),
+                match names.as_slice() {
+                    [one] => format!("the input {one} does not reach the output"),
+                    several => format!("none of the inputs {} reaches the output", several.join(", ")),
+                },
+                "take an output that an input moves, or give the states between them their dynamics".to_owned(),
             ),
             Ill::TooLarge(order) => (
-                "output",
+                key,
                 output,
                 format!("derivative {order} of the output is larger than an expression may be"),
                 "take an output with a lower relative degree, or a simpler model".to_owned(),
             ),
         };
         self.found.push("bad-model", key, place, message, help);
+    }
+
+    /// The same of several outputs, which were written at these places.
+    pub(super) fn ill_coupled(
+        &mut self,
+        ill: &IllCoupled,
+        names: (&[Name], &[Name]),
+        rates: &[&Node],
+        (key, outputs): (&'static str, &Node),
+    ) {
+        let (message, help) = match ill {
+            IllCoupled::One(index, ill) => {
+                let node = index.and_then(|index| items(outputs).get(index)).unwrap_or(outputs);
+                return self.ill_model(ill, names, rates, (key, Some(node.place)));
+            }
+            IllCoupled::Open(determinant) => (
+                format!("whether the inputs decouple the outputs is not decided: is {determinant} = 0 for all states?"),
+                "write the model with fewer functions, or fix parameters under [params]",
+            ),
+            IllCoupled::Singular(matrix) if key == "inertia" => (
+                format!("the inertia {matrix} is singular for all states: no motion follows from the inputs"),
+                "check its entries: an inertia is symmetric and positive definite",
+            ),
+            IllCoupled::Singular(matrix) => (
+                format!("no static decoupling exists: the matrix {matrix}, by which the inputs move the last derivatives of the outputs, is singular for all states"),
+                "take outputs that the inputs move one by one, or add an integrator before the input that acts first: a state whose rate is the new input",
+            ),
+        };
+        self.found.push("bad-model", key, Some(outputs.place), message, help);
     }
 }

@@ -1,5 +1,6 @@
 //! A model of the plant: its names, its expressions, and the chain of its output.
 
+mod coupled;
 mod ill;
 mod names;
 
@@ -10,7 +11,6 @@ use crate::model::{Chain, Model, Values};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{Feedback, Spec};
 use crate::syntax::{Node, real};
-use names::word;
 
 /// The keys of a model, none of which goes without the others.
 const KEYS: [&str; 4] = ["states", "input", "output", "dynamics"];
@@ -25,12 +25,12 @@ pub(super) struct Read {
 impl Reader<'_> {
     /// Whether the design has a model, however it is written.
     pub(super) fn has_model(&self) -> bool {
-        KEYS.iter().any(|key| self.keys.contains_key(key))
+        KEYS.iter().any(|key| self.keys.contains_key(key)) || self.has_coupled()
     }
 
     /// The model, if there is one that can be read.
     pub(super) fn model(&mut self) -> Option<Read> {
-        if !self.has_model() {
+        if !self.has_model() || self.has_coupled() {
             return None;
         }
         for key in KEYS.into_iter().filter(|key| !self.keys.contains_key(key)) {
@@ -46,12 +46,14 @@ impl Reader<'_> {
             }
         }
         let [states, input, output, dynamics] = KEYS.map(|key| self.keys.get(key).copied());
-        let (states, input) = self.names(states?, input?)?;
+        let (states, inputs) = self.names(states?, ("input", std::slice::from_ref(input?)))?;
+        let [input] = *inputs.as_slice() else { return None };
         let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
-        let output = self.of_states(output?, &own);
+        let output_node = output?;
+        let output = self.of_states(output_node, &own, &inputs);
         let rates = self.state_rates(dynamics?, &states)?;
         let driven = [own.as_slice(), &[(input, Variable::Control)]].concat();
-        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven)).collect();
+        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
         let dynamics: Vec<_> = dynamics.into_iter().collect::<Option<_>>()?;
         let output = output?;
         let values = self.fixed_names();
@@ -61,7 +63,8 @@ impl Reader<'_> {
                 Some(Read { model, drift, gain })
             }
             Err(ill) => {
-                self.ill_model(&ill, (&states, input), &rates);
+                let at = ("output", Some(output_node.place));
+                self.ill_model(&ill, (&states, &inputs), &rates, at);
                 None
             }
         }
@@ -91,13 +94,17 @@ impl Reader<'_> {
         );
     }
 
-    /// An expression in these names and in parameters.
-    fn of_states(&mut self, node: &Node, own: &[(Name, Variable)]) -> Option<Expression> {
+    /// An expression in these names and in parameters, in which the `inputs` do not occur.
+    fn of_states(
+        &mut self,
+        node: &Node,
+        own: &[(Name, Variable)],
+        inputs: &[Name],
+    ) -> Option<Expression> {
         let scope = Scope { subject: Subject::Model, n: 0, known: &[], own };
         let expression = resolve(node, scope, &mut self.found)?;
-        // The output has no input in it, which `own` leaves out, so that its name is a parameter.
-        let input = self.keys.get("input").and_then(|node| word(node)).and_then(Name::new);
-        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if Some(*name) == input);
+        // An input is not in `own` there, so that its name is a parameter.
+        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if inputs.contains(name));
         if expression.parameters().iter().any(is_input) {
             let message = "the output depends on the input".to_owned();
             let help = "the output is a function of the states alone".to_owned();

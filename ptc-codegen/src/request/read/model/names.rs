@@ -8,24 +8,35 @@ use crate::parameter::Name;
 use crate::syntax::{Argument, Node, Value};
 
 impl Reader<'_> {
-    /// The names of the states and of the input.
-    pub(super) fn names(&mut self, states: &Node, input: &Node) -> Option<(Vec<Name>, Name)> {
+    /// The names of the states and of the inputs, which are given under `key`.
+    pub(super) fn names(
+        &mut self,
+        states: &Node,
+        (key, inputs): (&'static str, &[Node]),
+    ) -> Option<(Vec<Name>, Vec<Name>)> {
         let given = items(states);
+        let several = if inputs.len() > 1 { inputs.len() } else { 0 };
+        if !given.is_empty() && several > 0 && !STATES.admits(given.len() + several) {
+            let message = format!("{} states and {several} inputs of a model", given.len());
+            let help = format!("give at most {} of both; {}", STATES.most, STATES.fix);
+            self.wrong("states", Some(states.place), message, help);
+            return None;
+        }
         if given.is_empty() || !STATES.admits(given.len()) {
             let message = format!("{} states of a model", given.len());
             let help = format!("give 1 to {} names; {}", STATES.most, STATES.fix);
             self.wrong("states", Some(states.place), message, help);
             return None;
         }
-        let mut names: Vec<Name> = Vec::with_capacity(given.len() + 1);
+        let mut names: Vec<Name> = Vec::with_capacity(given.len() + inputs.len());
         let mut whole = true;
-        let keyed = given.iter().map(|node| ("states", node)).chain([("input", input)]);
+        let keyed = given.iter().map(|node| ("states", node)).chain(inputs.iter().map(|node| (key, node)));
         for (key, node) in keyed {
             match word(node).filter(|word| !is_taken(word)).and_then(Name::new) {
                 Some(name) if names.contains(&name) => {
                     whole = false;
                     let message = format!("the model has two names `{name}`");
-                    let help = "give each state, and the input, a name of its own".to_owned();
+                    let help = "give each state and each input a name of its own".to_owned();
                     self.wrong(key, Some(node.place), message, help);
                 }
                 Some(name) => names.push(name),
@@ -37,8 +48,8 @@ impl Reader<'_> {
                 }
             }
         }
-        let input = names.pop().filter(|_| whole)?;
-        Some((names, input))
+        let inputs = names.split_off(given.len().min(names.len()));
+        whole.then_some((names, inputs))
     }
 
     /// The rate of each state, in their order.

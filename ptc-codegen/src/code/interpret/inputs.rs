@@ -1,0 +1,45 @@
+//! The end of a call that gives the inputs of one plant.
+
+use std::collections::BTreeMap;
+
+use super::frame::Frame;
+use super::Outcome;
+use crate::code::{Function, Inputs, Status};
+
+impl<'b> Frame<'_, 'b> {
+    /// Every u, each within its bound, and the status of each; of a call that has `ended` none.
+    pub(super) fn inputs(
+        &mut self,
+        function: &Function,
+        inputs: &'b Inputs,
+        ended: Option<Status>,
+    ) -> Outcome {
+        let m = inputs.values.len();
+        let given = |status: Status, u: Vec<f64>, each: Vec<Status>| {
+            let each = each.into_iter().map(|status| f64::from(status.number())).collect();
+            let names = function.results.iter().map(|result| result.name.clone());
+            Outcome { status, results: BTreeMap::from_iter(names.zip([u, each])) }
+        };
+        if let Some(status) = ended {
+            return given(status, vec![0.0; m], vec![status; m]);
+        }
+        let now = if self.test(&inputs.tracks) { Status::Ok } else { Status::Hold };
+        let mut u: Vec<_> = inputs.values.iter().map(|value| self.real(value)).collect();
+        let mut each = vec![now; m];
+        if !self.test(&inputs.finite()) {
+            for (status, _) in each.iter_mut().zip(&u).filter(|(_, u)| !u.is_finite()) {
+                *status = Status::Range;
+            }
+            return given(Status::Range, vec![0.0; m], each);
+        }
+        for index in 0..m {
+            let clips = inputs.clips(index);
+            if let Some((_, clipped)) = clips.iter().find(|(test, _)| self.test(test)) {
+                (u[index], each[index]) = (self.real(clipped), Status::Saturated);
+            }
+        }
+        let clipped = each.contains(&Status::Saturated);
+        let status = if clipped { Status::Saturated } else { now };
+        given(status, u, each)
+    }
+}

@@ -1,0 +1,76 @@
+//! `step` of a plant with several inputs.
+
+use super::Builder;
+use crate::code::{
+    Access, Expr, Finish, Function, Inputs, Operator, Owner, Shape, Statement, Status, Test, Variable,
+};
+use crate::controller::plan::Routine;
+use crate::internal::fault;
+use crate::model::Coupled;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::Guard;
+
+impl Builder<'_> {
+    /// u of each input.
+    pub(super) fn step_of_inputs(&self, coupled: &Coupled) -> Function {
+        let m = coupled.inputs.len();
+        let states = self.arrays();
+        let mut statements = self.locals(&states);
+        if self.guarded() {
+            let finite = states.iter().map(|state| Test::Finite(self.local(*state)));
+            let tests = self.legal_time().into_iter().chain(finite).collect();
+            statements.push(Statement::Require(Test::All(tests), Status::Input));
+        }
+        let body = self.body(Routine::Step, &states);
+        statements.extend(body.statements);
+        let [controls @ .., late] = body.roots.as_slice() else { fault("a step without u") };
+        let mut values = Vec::with_capacity(m);
+        for (index, control) in (1..).zip(controls) {
+            let mut value = control.clone();
+            if self.spec.guard == Guard::Result {
+                // t itself may cancel in u.
+                let t = || Expr::local("t");
+                let unknown = Expr::binary(Operator::Sub, t(), t());
+                value = Expr::binary(Operator::Add, value, unknown);
+            }
+            let name = format!("v{index}");
+            statements.push(Statement::Let(name.clone(), Shape::Real, value));
+            values.push(Expr::local(name));
+        }
+        let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
+        let limits = (0..m).map(|index| self.limit_of(index)).collect();
+        let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
+        let inputs = inputs.join(", ");
+        Function {
+            name: "step",
+            about: format!("u = ({inputs}) at time t [s] and state x = ({}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.", coupled.names()),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: vec![
+                Variable::new("t", Shape::Real, "time, s"),
+                self.array("x", &format!("state: {}", coupled.names())),
+            ],
+            callbacks: Vec::new(),
+            results: vec![
+                Variable::new("u", Shape::Reals(m), format!("inputs of the plant: {inputs}")),
+                Variable::new("axes", Shape::Statuses(m), "status of each input"),
+            ],
+            failures: self.failures(),
+            body: statements,
+            finish: Finish::Inputs(Box::new(Inputs { values, limits, tracks })),
+            guarded: self.guarded(),
+        }
+    }
+
+    /// The bound of one input.
+    fn limit_of(&self, index: usize) -> Option<Expr> {
+        let own = self.spec.axes.as_ref().and_then(|axes| axes.limits.get(index));
+        match own.and_then(Fixed::number) {
+            Some(limit) => Some(Expr::Number(limit.clone())),
+            None => {
+                let open = self.spec.fixed.get(&Parameter::UMax) != Some(&Fixed::Infinite);
+                self.limits.u_max.filter(|_| open).map(|limit| self.field(limit))
+            }
+        }
+    }
+}

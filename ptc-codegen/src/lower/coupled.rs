@@ -1,0 +1,78 @@
+//! The inputs of a plant with several of them, from what is wanted of each output.
+
+use super::builder::Builder;
+use super::{rows, state, without_drift};
+use crate::expression::Expression;
+use crate::law::Law;
+use crate::model::coupled::{Coupled, Inverse};
+use crate::program::{Op, Value};
+use crate::request::Spec;
+
+/// The first input, and the others. `law` is that of the first output.
+pub(super) fn controls<'a>(
+    b: &mut Builder<'a>,
+    law: &Law,
+    coupled: &Coupled,
+    designs: &'a [Spec],
+) -> (Value, Vec<Value>) {
+    let spec = b.spec;
+    let mut wanted = Vec::with_capacity(designs.len());
+    for (index, own) in (1..).zip(designs) {
+        b.of_axis(own, index);
+        let of_order = (own.n != law.n).then(|| Law::from(own, law.expanded.as_ref()));
+        let u = match rows(b, of_order.as_ref().unwrap_or(law)) {
+            Some(rows) => rows.step(b, None),
+            None => state::step(b),
+        };
+        let u = without_drift(b, u);
+        wanted.push(b.name(u, "wanted", "wanted of the last derivative of the output, less its drift"));
+    }
+    b.of_all(spec);
+    let mut controls: Vec<Value> = match &coupled.inverse {
+        Inverse::Adjugate { determinant, adjugate, .. } => {
+            let over = (*determinant != Expression::integer(1)).then(|| {
+                let value = b.scalar(determinant);
+                let value = b.name(value, "determinant", "determinant of the decoupling matrix");
+                let one = b.integer(1);
+                let inverse = b.push(Op::Quotient(one, value));
+                b.name(inverse, "over_determinant", "its inverse: no number where it is 0")
+            });
+            let times = |row: &Vec<Expression>| {
+                let sum = product(b, row, &wanted, None);
+                over.map_or(sum, |over| b.mul(sum, over))
+            };
+            adjugate.iter().map(times).collect()
+        }
+        Inverse::Inertia { inertia, bias } => {
+            let force = |(row, bias): (&Vec<Expression>, &Expression)| {
+                let bias = (*bias != Expression::integer(0)).then(|| b.scalar(bias));
+                product(b, row, &wanted, bias)
+            };
+            inertia.iter().zip(bias).map(force).collect()
+        }
+    };
+    let first = controls.remove(0);
+    (first, controls)
+}
+
+/// A row times the wanted derivatives, and `more`.
+fn product(
+    b: &mut Builder<'_>,
+    row: &[Expression],
+    wanted: &[Value],
+    more: Option<Value>,
+) -> Value {
+    let mut sum = None;
+    for (entry, wanted) in row.iter().zip(wanted) {
+        let term = match entry {
+            zero if *zero == Expression::integer(0) => continue,
+            one if *one == Expression::integer(1) => *wanted,
+            entry => {
+                let entry = b.scalar(entry);
+                b.mul(entry, *wanted)
+            }
+        };
+        sum = b.sum(sum, Some(term));
+    }
+    b.sum(sum, more).unwrap_or_else(|| b.integer(0))
+}

@@ -1,0 +1,287 @@
+//! Plants with several inputs and outputs: each output with its derivatives is a chain of integrators,
+//! and a matrix says which input moves the last rate of which.
+
+use super::decide::is_zero;
+use super::lie::{Affine, Ill};
+use super::{Values, named};
+use crate::algebra::BigRational;
+use crate::expression::effort::bounded;
+use crate::expression::normal::{normal, shorter};
+use crate::expression::{Expression, Variable};
+use crate::limits::OUTPUTS;
+use crate::parameter::Name;
+
+/// A plant with as many outputs as inputs. Its states are `x_1`..`x_N` in its expressions, and its
+/// inputs stand behind them, `x_(N+1)`..`x_(N+m)`, in its dynamics alone.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coupled {
+    /// Names of the states.
+    pub states: Vec<Name>,
+    /// Names of the inputs.
+    pub inputs: Vec<Name>,
+    /// The outputs, one for each input.
+    pub outputs: Vec<Output>,
+    /// How the inputs follow from what is wanted of the outputs.
+    pub inverse: Inverse,
+}
+
+/// An output as a chain of integrators.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    /// The output and its derivatives up to that of order r - 1: L_f^(i-1) h for i = 1..r.
+    pub coordinates: Vec<Expression>,
+    /// L_f^r h, where no input is in it; 0 where the inputs follow without it.
+    pub drift: Expression,
+}
+
+/// How the inputs follow from w, the wanted derivatives of order r_i without the drifts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Inverse {
+    /// u = D^-1 w with the decoupling matrix D = (L_gj L_f^(r_i-1) h_i).
+    Adjugate {
+        /// The rate of each state.
+        dynamics: Vec<Expression>,
+        /// det D, which is 1 where the adjugate has been divided by it.
+        determinant: Expression,
+        /// Its adjugate.
+        adjugate: Vec<Vec<Expression>>,
+    },
+    /// u = M(q) w + bias(q, q') of a plant M q'' + bias = u, without an inverse.
+    Inertia {
+        /// M.
+        inertia: Vec<Vec<Expression>>,
+        /// What the inputs balance at q'' = 0.
+        bias: Vec<Expression>,
+    },
+}
+
+/// Why the outputs are no chains of integrators that the inputs move one by one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum IllCoupled {
+    /// What is wrong of the plant, or of an output, from 0.
+    One(Option<usize>, Ill),
+    /// Whether the determinant is 0 for all states is not decided.
+    Open(String),
+    /// The determinant is 0 for all states; the entries of the matrix.
+    Singular(String),
+}
+
+impl Coupled {
+    /// The plant z' = `dynamics` with these outputs. `values` are those of the parameters that are
+    /// fixed, which decide what is 0.
+    ///
+    /// # Errors
+    /// Why there is no static decoupling.
+    pub fn new(
+        (states, inputs): (Vec<Name>, Vec<Name>),
+        outputs: &[Expression],
+        dynamics: Vec<Expression>,
+        values: &Values,
+    ) -> Result<Self, IllCoupled> {
+        bounded(|| {
+            let names = [states.as_slice(), &inputs].concat();
+            let controls: Vec<_> = (states.len() + 1..=names.len()).map(Variable::State).collect();
+            let plant = Affine::of((&names, None), &controls, &dynamics, values)
+                .map_err(|ill| IllCoupled::One(None, ill))?;
+            let chain = |(index, output)| {
+                chain(&plant, output, values).map_err(|ill| IllCoupled::One(Some(index), ill))
+            };
+            let chains = outputs.iter().enumerate().map(chain).collect::<Result<Vec<_>, _>>()?;
+            let (outputs, matrix): (Vec<_>, Vec<_>) = chains.into_iter().unzip();
+            let (determinant, adjugate) = inverse(&matrix);
+            match is_zero(&determinant, values) {
+                Some(false) => {}
+                Some(true) => {
+                    let text = |e: &Expression| plant.text(e);
+                    return Err(IllCoupled::Singular(rows(&text, &matrix)));
+                }
+                None => return Err(IllCoupled::Open(plant.text(&determinant))),
+            }
+            let (determinant, adjugate) = divided(determinant, adjugate);
+            let inverse = Inverse::Adjugate { dynamics, determinant, adjugate };
+            Ok(Self { states, inputs, outputs, inverse })
+        })
+    }
+
+    /// The plant M q'' + bias = u, whose states are the coordinates q, its outputs, and then their rates.
+    ///
+    /// # Errors
+    /// M is singular for all q.
+    pub fn lagrangian(
+        (states, inputs): (Vec<Name>, Vec<Name>),
+        (inertia, bias): (Vec<Vec<Expression>>, Vec<Expression>),
+        values: &Values,
+    ) -> Result<Self, IllCoupled> {
+        bounded(|| {
+            let m = inputs.len();
+            // Of a larger one the determinant takes m! products, and the law takes none.
+            if m <= OUTPUTS.size() && is_zero(&determinant(&inertia), values) == Some(true) {
+                let text = |e: &Expression| named(&states, None, e).to_string();
+                return Err(IllCoupled::Singular(rows(&text, &inertia)));
+            }
+            let state = |j: usize| Expression::from(Variable::State(j));
+            let output = |j: usize| Output {
+                coordinates: vec![state(j), state(m + j)],
+                drift: Expression::integer(0),
+            };
+            let outputs = (1..=m).map(output).collect();
+            Ok(Self { states, inputs, outputs, inverse: Inverse::Inertia { inertia, bias } })
+        })
+    }
+
+    /// An expression of the plant in the names of its states and its inputs.
+    pub fn named(&self, expression: &Expression) -> Expression {
+        named(&[self.states.as_slice(), &self.inputs].concat(), None, expression)
+    }
+
+    /// The same as text.
+    pub fn text(&self, expression: &Expression) -> String {
+        self.named(expression).to_string()
+    }
+
+    /// The outputs as functions of the states.
+    pub fn output(&self, index: usize) -> &Expression {
+        &self.outputs[index].coordinates[0]
+    }
+
+    /// The order of each output's chain.
+    pub fn orders(&self) -> Vec<usize> {
+        self.outputs.iter().map(|output| output.coordinates.len()).collect()
+    }
+
+    /// Every expression that the law is computed from.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
+        let chains = self.outputs.iter();
+        let chains = chains.flat_map(|output| output.coordinates.iter().chain([&output.drift]));
+        let (matrix, others) = match &self.inverse {
+            Inverse::Adjugate { determinant, adjugate, .. } => {
+                (adjugate, std::slice::from_ref(determinant))
+            }
+            Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
+        };
+        chains.chain(matrix.iter().flatten()).chain(others)
+    }
+
+    /// The names of the states, with commas between them.
+    pub fn names(&self) -> String {
+        self.states.iter().map(|name| name.text()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The rate of each state, where they are given.
+    pub fn dynamics(&self) -> &[Expression] {
+        match &self.inverse {
+            Inverse::Adjugate { dynamics, .. } => dynamics,
+            Inverse::Inertia { .. } => &[],
+        }
+    }
+
+    /// Its lines: the rate of each state, and the outputs.
+    pub fn lines(&self) -> Vec<String> {
+        let m = self.inputs.len();
+        let text = |e: &Expression| self.text(e);
+        match &self.inverse {
+            Inverse::Adjugate { dynamics, .. } => {
+                let rate = |(name, rate)| format!("{name}' = {}", text(rate));
+                let rates = self.states.iter().zip(dynamics).map(rate);
+                let outputs = (0..m).map(|i| format!("output {} = {}", i + 1, text(self.output(i))));
+                rates.chain(outputs).collect()
+            }
+            Inverse::Inertia { inertia, bias } => {
+                let names = |names: &[Name]| {
+                    names.iter().map(|name| name.text()).collect::<Vec<_>>().join(", ")
+                };
+                let bias: Vec<_> = bias.iter().map(text).collect();
+                vec![
+                    format!("q = ({}), q' = ({})", names(&self.states[..m]), names(&self.states[m..])),
+                    "M q'' + bias = u".to_owned(),
+                    format!("M = {}", rows(&text, inertia)),
+                    format!("bias = [{}]", bias.join(", ")),
+                ]
+            }
+        }
+    }
+}
+
+/// The chain of an output, and the gains of the inputs in its last rate.
+fn chain(
+    plant: &Affine<'_>,
+    output: &Expression,
+    values: &Values,
+) -> Result<(Output, Vec<Expression>), Ill> {
+    let mut coordinates = vec![output.clone()];
+    for order in 1..=plant.drifts.len() {
+        let last = plant.smooth(&coordinates[order - 1])?;
+        let gains = plant.gains.iter().map(|field| plant.along(last, field, order));
+        let gains = gains.collect::<Result<Vec<_>, _>>()?;
+        let drift = plant.along(last, &plant.drifts, order)?;
+        let zero: Vec<_> = gains.iter().map(|gain| is_zero(gain, values)).collect();
+        if zero.contains(&Some(false)) {
+            let kept = |(gain, zero)| match zero {
+                Some(true) => Expression::integer(0),
+                _ => gain,
+            };
+            let row = gains.into_iter().zip(zero).map(kept).collect();
+            return Ok((Output { coordinates, drift }, row));
+        }
+        if let Some(open) = zero.iter().position(Option::is_none) {
+            return Err(Ill::Open(plant.text(&gains[open])));
+        }
+        coordinates.push(drift);
+    }
+    Err(Ill::Unreached)
+}
+
+/// The matrix without a row and a column.
+fn minor(matrix: &[Vec<Expression>], row: usize, column: usize) -> Vec<Vec<Expression>> {
+    let without = |list: &Vec<Expression>| {
+        let kept = list.iter().enumerate().filter(|(j, _)| *j != column);
+        kept.map(|(_, e)| e.clone()).collect()
+    };
+    let rows = matrix.iter().enumerate().filter(|(i, _)| *i != row);
+    rows.map(|(_, list)| without(list)).collect()
+}
+
+/// The determinant by its first row.
+fn determinant(matrix: &[Vec<Expression>]) -> Expression {
+    let Some(first) = matrix.first() else { return Expression::integer(1) };
+    let mut sum = Expression::integer(0);
+    for (j, entry) in first.iter().enumerate() {
+        let term = entry.clone().mul(determinant(&minor(matrix, 0, j)));
+        sum = if j % 2 == 0 { sum.add(term) } else { sum.sub(term) };
+    }
+    sum
+}
+
+/// The determinant and the adjugate of a matrix of at most three rows. Equal parts are one node.
+fn inverse(matrix: &[Vec<Expression>]) -> (Expression, Vec<Vec<Expression>>) {
+    let cofactor = |i: usize, j: usize| {
+        let minor = determinant(&minor(matrix, i, j));
+        if (i + j) % 2 == 0 { minor } else { minor.neg() }
+    };
+    let m = matrix.len().min(OUTPUTS.size());
+    let adjugate = (0..m).map(|i| (0..m).map(|j| cofactor(j, i)).collect()).collect();
+    (determinant(matrix), adjugate)
+}
+
+/// A determinant that is a number is divided by when generating.
+fn divided(
+    determinant: Expression,
+    adjugate: Vec<Vec<Expression>>,
+) -> (Expression, Vec<Vec<Expression>>) {
+    let form = normal(&determinant);
+    let Some(number) = form.number().filter(|number| **number != BigRational::default()) else {
+        return (determinant, adjugate);
+    };
+    let over = |e: Expression| shorter(e.mul(number.recip().into()));
+    let adjugate = adjugate.into_iter().map(|row| row.into_iter().map(over).collect());
+    (Expression::integer(1), adjugate.collect())
+}
+
+/// A matrix in brackets.
+fn rows(text: &dyn Fn(&Expression) -> String, matrix: &[Vec<Expression>]) -> String {
+    let row = |row: &Vec<Expression>| {
+        let entries: Vec<_> = row.iter().map(text).collect();
+        format!("[{}]", entries.join(", "))
+    };
+    format!("[{}]", matrix.iter().map(row).collect::<Vec<_>>().join(", "))
+}

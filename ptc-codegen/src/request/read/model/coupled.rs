@@ -1,0 +1,194 @@
+//! A plant with several inputs and outputs.
+
+use super::super::{Reader, items};
+use crate::expression::{Expression, Variable};
+use crate::keys::KeyInfo;
+use crate::limits::OUTPUTS;
+use crate::model::Coupled;
+use crate::parameter::Name;
+use crate::request::{After, Feedback, Spec, What};
+use crate::syntax::{Node, Value};
+
+/// The keys that only such a plant has.
+const KEYS: [&str; 4] = ["inputs", "outputs", "inertia", "bias"];
+
+/// What does not stand beside such a plant.
+const OTHERS: [&str; 8] = ["input", "output", "axes", "f", "g", "A", "B", "C"];
+
+impl Reader<'_> {
+    /// Whether the plant has several inputs and outputs, however it is written.
+    pub(in super::super) fn has_coupled(&self) -> bool {
+        KEYS.iter().any(|key| self.keys.contains_key(key))
+    }
+
+    /// The plant, if there is one that can be read.
+    pub(in super::super) fn coupled(&mut self) -> Option<Coupled> {
+        if !self.has_coupled() {
+            return None;
+        }
+        let lagrangian = ["inertia", "bias"].iter().any(|key| self.keys.contains_key(key));
+        let (wanted, against): ([&str; 4], [&str; 2]) = match lagrangian {
+            true => (["states", "inputs", "inertia", "bias"], ["outputs", "dynamics"]),
+            false => (["states", "inputs", "outputs", "dynamics"], ["inertia", "bias"]),
+        };
+        for key in OTHERS.into_iter().chain(against) {
+            if let Some(node) = self.keys.get(key).copied() {
+                let message = match lagrangian {
+                    true => format!("`{key}` beside `inertia`, which gives the equations of motion"),
+                    false => format!("`{key}` beside `inputs` and `outputs`"),
+                };
+                let help = format!("leave it out; the keys of such a plant are {}", wanted.join(", "));
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+        for key in wanted.into_iter().filter(|key| !self.keys.contains_key(key)) {
+            let legal = KeyInfo::find(key).map_or("", |info| info.legal);
+            let message = format!("the model has no `{key}`");
+            self.found.push("missing-key", key, None, message, format!("give {legal}"));
+        }
+        let [states, inputs, third, fourth] = wanted.map(|key| self.keys.get(key).copied());
+        let (states, inputs) = self.names(states?, ("inputs", items(inputs?)))?;
+        let own: Vec<_> = (1..).zip(&states).map(|(j, name)| (*name, Variable::State(j))).collect();
+        match lagrangian {
+            true => self.lagrangian((states, inputs), &own, (third?, fourth?)),
+            false => self.decoupled((states, inputs), &own, (third?, fourth?)),
+        }
+    }
+
+    fn decoupled(
+        &mut self,
+        (states, inputs): (Vec<Name>, Vec<Name>),
+        own: &[(Name, Variable)],
+        (outputs, dynamics): (&Node, &Node),
+    ) -> Option<Coupled> {
+        let m = inputs.len();
+        self.count("outputs", outputs, m, "the inputs")?;
+        if m > OUTPUTS.size() {
+            let message = format!("{m} outputs, and at most {} are decoupled in closed form", OUTPUTS.most);
+            self.wrong("outputs", Some(outputs.place), message, OUTPUTS.fix.to_owned());
+            return None;
+        }
+        let rates = self.state_rates(dynamics, &states)?;
+        let controls = (states.len() + 1..).map(Variable::State);
+        let driven: Vec<_> =
+            own.iter().copied().chain(inputs.iter().copied().zip(controls)).collect();
+        let given = self.all_of(items(outputs), own, &inputs);
+        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
+        let dynamics = dynamics.into_iter().collect::<Option<Vec<_>>>()?;
+        let values = self.fixed_names();
+        match Coupled::new((states.clone(), inputs.clone()), &given?, dynamics, &values) {
+            Ok(coupled) => Some(coupled),
+            Err(ill) => {
+                self.ill_coupled(&ill, (&states, &inputs), &rates, ("outputs", outputs));
+                None
+            }
+        }
+    }
+
+    fn lagrangian(
+        &mut self,
+        (states, inputs): (Vec<Name>, Vec<Name>),
+        own: &[(Name, Variable)],
+        (inertia, bias): (&Node, &Node),
+    ) -> Option<Coupled> {
+        let m = inputs.len();
+        if states.len() != 2 * m {
+            let place = self.keys.get("states").map(|node| node.place);
+            let message = format!("{} states for {m} inputs of a mechanical plant", states.len());
+            let help = "give a coordinate for each input, and then the rate of each: q1, q2, w1, w2";
+            self.wrong("states", place, message, help.to_owned());
+            return None;
+        }
+        self.count("inertia", inertia, m, "the inputs")?;
+        self.count("bias", bias, m, "the inputs")?;
+        let mut rows = Vec::with_capacity(m);
+        for row in items(inertia) {
+            self.count("inertia", row, m, "the columns of a square matrix")?;
+            rows.push(self.all_of(items(row), &own[..m], &inputs));
+        }
+        let bias = self.all_of(items(bias), own, &inputs)?;
+        let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
+        let rate = |e: &Expression| {
+            let names = &states[m..];
+            e.parameters().into_iter().find(|p| names.iter().any(|name| p.spelling() == name.text()))
+        };
+        if let Some(rate) = rows.iter().flatten().find_map(rate) {
+            let message = format!("the inertia depends on the rate `{}`", rate.spelling());
+            let help = "the inertia is of the coordinates alone: what the rates do belongs in `bias`";
+            self.wrong("inertia", Some(inertia.place), message, help.to_owned());
+            return None;
+        }
+        let values = self.fixed_names();
+        match Coupled::lagrangian((states.clone(), inputs.clone()), (rows, bias), &values) {
+            Ok(coupled) => Some(coupled),
+            Err(ill) => {
+                self.ill_coupled(&ill, (&states, &inputs), &[], ("inertia", inertia));
+                None
+            }
+        }
+    }
+
+    /// That a list has as many items as `of`.
+    fn count(&mut self, key: &'static str, node: &Node, wanted: usize, of: &str) -> Option<()> {
+        let found = items(node).len();
+        if found == wanted {
+            return Some(());
+        }
+        let message = format!("`{key}` has {found} items, and {wanted} are needed, as many as {of}");
+        self.wrong(key, Some(node.place), message, format!("give {wanted}"));
+        None
+    }
+
+    fn all_of(
+        &mut self,
+        nodes: &[Node],
+        own: &[(Name, Variable)],
+        inputs: &[Name],
+    ) -> Option<Vec<Expression>> {
+        let all: Vec<_> = nodes.iter().map(|node| self.of_states(node, own, inputs)).collect();
+        all.into_iter().collect()
+    }
+
+    /// Refuses what has no meaning beside such a plant.
+    pub(in super::super) fn fits_coupled(&mut self, spec: &Spec, samples: bool) {
+        let Some(coupled) = &spec.coupled else { return };
+        let orders = coupled.orders();
+        let differ = orders.iter().any(|order| *order != orders[0]);
+        let beside = [
+            ("clock", samples, "a plant of several inputs needs a clock in time", "leave `clock` out"),
+            ("what", spec.what != What::Controller, "such a plant is of a controller", "leave `what` out: the infinite-time system is that of one output"),
+            ("pi0", spec.feedback != Feedback::Linear, "the outputs need a linear law", "give gains or poles"),
+            ("after", spec.after != After::Hold, "the outputs hold their gains after the deadline", "leave `after` out, and set u = 0 outside"),
+            ("reference", true, "the outputs are brought to 0, not to a reference", "subtract a constant set point in `outputs`: q - 0.3"),
+            ("noise", true, "the loop of such a plant is not checked", "leave it out"),
+            ("noise_rms", true, "the loop of such a plant is not checked", "leave it out"),
+            ("sensor_step", true, "the loop of such a plant is not checked", "leave it out"),
+            ("error", differ, "the outputs have different orders", "leave it out, and give eps"),
+            ("x0_max", differ, "the outputs have different orders", "leave it out, and give eps"),
+            ("u_max", spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()), "`u_max` beside `limits`", "give `limits` for each input, or `u_max` for all"),
+        ];
+        for (key, wrong, message, help) in beside {
+            if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
+                self.found.push("conflict", key, Some(node.place), message, help);
+            }
+        }
+        if !differ {
+            return;
+        }
+        let all: Vec<_> = orders.iter().map(ToString::to_string).collect();
+        let help = format!("give a list for each output, of {} numbers", all.join(" and "));
+        let own = |node: &Node| items(node).iter().all(|i| matches!(i.value, Value::List(_)));
+        let given = ["poles", "gains"].iter().find_map(|key| Some((*key, *self.keys.get(key)?)));
+        match given {
+            Some((_, node)) if own(node) => {}
+            Some((key, node)) => {
+                let message = format!("one list of {key} for outputs of the orders {}", all.join(", "));
+                self.wrong(key, Some(node.place), message, help);
+            }
+            None => {
+                let message = format!("`poles` are missing: the outputs have the orders {}", all.join(", "));
+                self.found.push("missing-key", "poles", None, message, help);
+            }
+        }
+    }
+}
