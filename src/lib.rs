@@ -109,6 +109,10 @@ pub use error::Error;
 /// | `input` | name of the input of the model | a name | |
 /// | `output` | output of the model that is brought to 0: x1 | an expression in the states | |
 /// | `dynamics` | rate of each state of the model | an expression for each state, affine in the input: a list in their order, or in a design file `{ state = "rate" }` | |
+/// | `inputs` | names of the inputs of a model with several | a list of names | |
+/// | `outputs` | outputs of a model with several inputs, which are brought to 0 | an expression in the states for each input, at most 3 | |
+/// | `inertia` | matrix M(q) of a mechanical model M q'' + bias = u, whose states are q and then q' | a row for each input, of an expression in q for each input | |
+/// | `bias` | what the inputs of a mechanical model balance at q'' = 0: gravity, friction, Coriolis forces | an expression in q and q' for each input | |
 /// | `A` | matrix of a linear plant x' = A x + B u, y = C x in place of a chain; with `clock = samples` | n rows of n finite numbers, n <= 8 | |
 /// | `B` | what the input of the linear plant moves | n finite numbers | |
 /// | `C` | what is measured of the linear plant, in place of `measured` | n finite numbers, or rows of them | all states |

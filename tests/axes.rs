@@ -1,5 +1,5 @@
-//! Several axes with one deadline: C, Rust and the interpreter give the same bits, and each axis those
-//! of a controller of its own, by `tick` and `axis`.
+//! Several axes with one deadline, and plants with several inputs: C, Rust and the interpreter give the
+//! same bits, and each axis those of a controller of its own, by `tick` and `axis`.
 
 mod support;
 
@@ -53,6 +53,48 @@ fn specs() -> Vec<Spec> {
     ]
 }
 
+/// Outputs of different orders, of three at once, and of a mechanical plant, with the same ways to ask. The
+/// matrix of the first is singular at 0.
+fn coupled() -> Vec<Spec> {
+    let mixed: [(&str, &str); 9] = [
+        ("mu", "exp(a=1)"),
+        ("tau", "1"),
+        ("t0", "0"),
+        ("eps", "1e-2"),
+        ("poles", "[[-3,-4],[-5]]"),
+        ("states", "p, v, h"),
+        ("inputs", "a, b"),
+        ("outputs", "p, h"),
+        ("dynamics", "v, -v + p*a + h*b, v*h + h*a + (2 + h^2)*b"),
+    ];
+    let with = |keys: &[(&str, &str)], further: &[(&str, &str)]| {
+        spec(&[keys, &[("allow", "zeros")], further].concat())
+    };
+    vec![
+        with(&mixed, &[("name", "mixed")]),
+        with(&mixed, &[("name", "mixed_small"), ("precision", "f32"), ("limits", "20,0.5")]),
+        with(&mixed, &[("name", "mixed_trusting"), ("guard", "none"), ("u_max", "inf")]),
+        with(&mixed, &[("name", "mixed_half"), ("guard", "result")]),
+        spec(&[
+            ("mu", "rational"),
+            ("name", "three"),
+            ("states", "p, q, r"),
+            ("inputs", "a, b, c"),
+            ("outputs", "p, q, r"),
+            ("dynamics", "m*a + p*b + q*c + q^2, r*a + 4*b + p*c - p*r, q*a + r*b + 5*c"),
+        ]),
+        spec(&[
+            ("mu", "tanh(a=0.5)"),
+            ("name", "arm"),
+            ("poles", "[[-3,-4],[-5,-6]]"),
+            ("states", "p, q, v, w"),
+            ("inputs", "a, b"),
+            ("inertia", "[[2 + q^2, q], [q, m]]"),
+            ("bias", "v*w*q, -v^2 + 9.81*p"),
+        ]),
+    ]
+}
+
 /// Times and numbers of a call: the states of all axes, and behind them their references.
 struct Call {
     t: f64,
@@ -72,9 +114,13 @@ fn calls(spec: &Spec, count: usize) -> Vec<Call> {
         let mut numbers = |length| -> Vec<f64> {
             (0..length).map(|_| settled(random.between(-2.0, 2.0))).collect()
         };
-        let (mut x, r) = (numbers(count * spec.n), numbers(count * spec.references()));
+        let states = if spec.coupled.is_some() { spec.states() } else { count * spec.n };
+        let (mut x, r) = (numbers(states), numbers(count * spec.references()));
         if checked && index % 11 == 3 {
-            x[(index / 11) % (count * spec.n)] = f64::NAN;
+            x[(index / 11) % states] = f64::NAN;
+        }
+        if index % 13 == 6 {
+            x.fill(0.0);
         }
         let early = if checked && index % 17 == 5 { -1.0 } else { 1.0 };
         Call { t: settled(early * random.between(0.0, 1.2)), x, r }
@@ -156,6 +202,14 @@ fn list(values: &[f64], nan: &str, suffix: &str, (open, close): (&str, &str)) ->
     format!("{open}{}{close}", values.join(", "))
 }
 
+/// The states: a list of those of each axis, or those of one plant.
+fn states(spec: &Spec, x: &[f64], nan: &str, suffix: &str, ends: (&str, &str)) -> String {
+    match spec.coupled {
+        Some(_) => list(x, nan, suffix, ends),
+        None => lists(x, spec.n, nan, suffix, ends),
+    }
+}
+
 fn lists(values: &[f64], length: usize, nan: &str, suffix: &str, ends: (&str, &str)) -> String {
     let rows: Vec<_> =
         values.chunks(length.max(1)).map(|row| list(row, nan, suffix, ends)).collect();
@@ -198,7 +252,11 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
     );
     for call in calls {
         let reference = spec.references();
-        let x = lists(&call.x, spec.n, "NAN", suffix, ends);
+        let x = states(spec, &call.x, "NAN", suffix, ends);
+        let shape = match spec.coupled {
+            Some(_) => format!("[{}]", spec.states()),
+            None => format!("[{count}][{}]", spec.n),
+        };
         let (declared, given) = match reference {
             0 => (String::new(), ""),
             length => {
@@ -209,8 +267,7 @@ fn in_c(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Given> 
         let t = written(call.t, "NAN", suffix);
         let _ = writeln!(
             text,
-            "    {{ const {real} x[{count}][{}] = {x}; {declared}\n      printf(\"%d\", (int){name}_step(&c, {t}, x, {given}u, axes)); }}\n    for (int i = 0; i < {count}; i++) {{ {integer} bits; memcpy(&bits, &u[i], sizeof bits); printf(\" %\" PRIu64 \" %d\", (uint64_t)bits, (int)axes[i]); }}\n    printf(\"\\n\");",
-            spec.n
+            "    {{ const {real} x{shape} = {x}; {declared}\n      printf(\"%d\", (int){name}_step(&c, {t}, x, {given}u, axes)); }}\n    for (int i = 0; i < {count}; i++) {{ {integer} bits; memcpy(&bits, &u[i], sizeof bits); printf(\" %\" PRIu64 \" %d\", (uint64_t)bits, (int)axes[i]); }}\n    printf(\"\\n\");"
         );
     }
     text.push_str("    return 0;\n}\n");
@@ -234,7 +291,7 @@ fn in_rust(folder: &Path, spec: &Spec, calls: &[Call], count: usize) -> Vec<Give
         members(spec, ": ", ends, "")
     );
     for call in calls {
-        let x = lists(&call.x, spec.n, &nan, "", ends);
+        let x = states(spec, &call.x, &nan, "", ends);
         let reference = match spec.references() {
             0 => String::new(),
             length => format!(", &{}", lists(&call.r, length, &nan, "", ends)),
@@ -273,7 +330,7 @@ fn read(spec: &Spec, text: &[u8]) -> Vec<Given> {
 #[test]
 fn axes_give_the_same_bits_everywhere() {
     let mut seen = std::collections::BTreeSet::new();
-    for spec in specs() {
+    for spec in specs().into_iter().chain(coupled()) {
         let count = spec.axes.as_ref().expect("axes").count;
         let calls = calls(&spec, count);
         let folder = folder(&format!("axes_{}", spec.name()));
@@ -287,7 +344,8 @@ fn axes_give_the_same_bits_everywhere() {
                 assert_eq!(found, wanted, "{language}, call {index} of {}", spec.name());
             }
         }
-        for axis in 0..count {
+        let chains = if spec.coupled.is_some() { 0 } else { count };
+        for axis in 0..chains {
             let alone = alone(&spec, axis, &calls);
             for (index, ((u, axes, status), (own, own_status))) in
                 wanted.iter().zip(&alone).enumerate()
@@ -307,7 +365,7 @@ fn axes_give_the_same_bits_everywhere() {
             seen.insert(*status);
         }
     }
-    assert_eq!(seen, [-2, 0, 1, 2].into());
+    assert_eq!(seen, [-3, -2, 0, 1, 2].into());
 }
 
 /// An axis that is none is refused whatever is trusted.

@@ -66,7 +66,7 @@ impl Accepted {
     /// whose program has no stages.
     pub fn cost(&self) -> Option<Cost> {
         let (_, program) = self.staged.as_ref()?;
-        Some(cost::count(program, &[program.step], Stage::Tick))
+        Some(cost::count(program, &program.controls(), Stage::Tick))
     }
 
     /// The source of its self-test in C, and its header.

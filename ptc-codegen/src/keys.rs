@@ -320,6 +320,9 @@ pub static KEYS: [KeyInfo; 51] = [
     },
 ];
 
+/// Keys whose names parameters may have too, as they had before these were keys.
+pub const PARAMETERS_TOO: [&str; 4] = ["inputs", "outputs", "inertia", "bias"];
+
 /// The keys of the table `[plant]` that are no symbols.
 pub static PLANT_KEYS: [KeyInfo; 3] = [
     KeyInfo {
@@ -353,9 +356,8 @@ impl KeyInfo {
             "tau" | "t0" | "eps" | "u_max" => Some("params"),
             "x_max" => Some("envelope"),
             "A" | "B" | "C" => Some("plant"),
-            "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia" | "bias" => {
-                Some("model")
-            }
+            "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
+            | "bias" => Some("model"),
             _ => None,
         }
     }

@@ -4,18 +4,54 @@ use super::{Outcome, Verdict};
 use crate::algebra::polynomial::Polynomial;
 use crate::expression::Expression;
 use crate::linear::roots;
-use crate::model::zeros::{Zeros, zeros};
+use crate::model::zeros::{Zeros, singular_at_rest, zeros};
+use crate::model::{Coupled, Values};
 use crate::parameter::Fixed;
 use crate::request::{Reference, Spec};
 
 /// Name of the check.
 pub(crate) const NAME: &str = "zeros";
 
+/// The values of the parameters that are fixed.
+fn values(spec: &Spec) -> Values {
+    let number = |value: &Fixed| value.number().cloned();
+    spec.fixed.iter().filter_map(|(p, value)| Some((*p, number(value)?))).collect()
+}
+
+/// The check of a plant with several inputs and outputs.
+pub(crate) fn of_coupled(spec: &Spec, coupled: &Coupled) -> Outcome {
+    let orders = coupled.orders();
+    let (sum, states) = (orders.iter().sum::<usize>(), coupled.states.len());
+    let all: Vec<_> = orders.iter().map(ToString::to_string).collect();
+    let degrees = format!("the relative degrees are {}", all.join(", "));
+    let of =
+        |verdict, summary, fix| Outcome { name: NAME, verdict, summary, details: Vec::new(), fix };
+    match singular_at_rest(coupled, &values(spec)) {
+        Some(determinant) => of(
+            Verdict::Unsound,
+            format!(
+                "the determinant of the decoupling matrix, {determinant}, is 0 at the origin: the law divides by it"
+            ),
+            Some("take outputs that the inputs move one by one at rest".to_owned()),
+        ),
+        None if sum == states => {
+            of(Verdict::Sound, format!("none: {degrees}, whose sum is the number of states"), None)
+        }
+        None => of(
+            Verdict::Undecided,
+            format!(
+                "{degrees} of {states} states; what the others do with the outputs at rest is not examined"
+            ),
+            None,
+        ),
+    }
+}
+
 /// The check of a design that has a model.
 pub(crate) fn outcome(spec: &Spec) -> Option<Outcome> {
-    let model = spec.model.as_ref()?;
-    let number = |value: &Fixed| value.number().cloned();
-    let values = spec.fixed.iter().filter_map(|(p, value)| Some((*p, number(value)?))).collect();
+    // One output of several has no dynamics of its own.
+    let model = spec.model.as_ref().filter(|model| !model.dynamics.is_empty())?;
+    let values = values(spec);
     let one = Expression::integer(1);
     let gain = spec.input_gain.as_ref().unwrap_or(&one);
     let (r, states) = (spec.n, model.states.len());

@@ -226,8 +226,9 @@ impl Seen<'_> {
             Finish::Fail(_) => self.may_fail(),
             Finish::Inputs(_) => {
                 let mut found = Ok(());
-                finish
-                    .visit(&mut |e| found = std::mem::replace(&mut found, Ok(())).and(self.known(e)));
+                finish.visit(&mut |e| {
+                    found = std::mem::replace(&mut found, Ok(())).and(self.known(e))
+                });
                 found.and(self.may_fail())
             }
             Finish::Axes(_) => Err("axes are the whole of a function".to_owned()),

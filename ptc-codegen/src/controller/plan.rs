@@ -82,7 +82,11 @@ impl<'a> Plan<'a> {
             let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
             kept.extend(definition.op.operands().into_iter().filter(earlier));
         }
-        let results = program.handed_over().chain([&program.step]).chain(&program.others).chain(&program.axis);
+        let results = program
+            .handed_over()
+            .chain([&program.step])
+            .chain(&program.others)
+            .chain(&program.axis);
         kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {

@@ -6,10 +6,23 @@ use crate::request::Spec;
 /// How many axes there are, and what each has of its own.
 pub(super) fn lines(spec: &Spec) -> Vec<String> {
     let Some(axes) = &spec.axes else { return Vec::new() };
-    let mut lines = vec![format!(
-        "Axes: {}, each a chain of its own with this deadline and mapping. step computes what depends on time once.",
-        axes.count
-    )];
+    let (each, first) = match &spec.coupled {
+        None => (
+            "axis",
+            format!(
+                "Axes: {}, each a chain of its own with this deadline and mapping. step computes what depends on time once.",
+                axes.count
+            ),
+        ),
+        Some(_) => (
+            "output",
+            format!(
+                "Outputs: {}, each with a law of its own, with this deadline and mapping; u_max is of the input of this number.",
+                axes.count
+            ),
+        ),
+    };
+    let mut lines = vec![first];
     if !axes.differ() {
         return lines;
     }
@@ -22,7 +35,7 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
         let limit = axes.limits.get(index).map(|limit| format!("u_max = {limit}"));
         let gain = axes.input_gains.get(index).map(|g| format!("g = {g}"));
         let own: Vec<_> = [gains, limit, gain].into_iter().flatten().collect();
-        lines.push(format!("  axis {}: {}", index + 1, own.join("; ")));
+        lines.push(format!("  {each} {}: {}", index + 1, own.join("; ")));
     }
     lines
 }

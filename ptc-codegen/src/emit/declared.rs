@@ -48,7 +48,8 @@ pub(super) fn meaning(spec: &Spec, parameter: Parameter) -> String {
             let keys = of.into_iter().filter(|(_, e)| e.is_some_and(uses)).map(|(key, _)| key);
             let of_axes = spec.axes.iter().flat_map(|axes| &axes.input_gains).any(uses);
             let of_axes = of_axes && !spec.input_gain.as_ref().is_some_and(uses);
-            let of_model = spec.model.iter().flat_map(|m| &m.dynamics).any(uses);
+            let of_coupled = spec.coupled.iter().flat_map(|coupled| coupled.expressions());
+            let of_model = spec.model.iter().flat_map(|m| &m.dynamics).chain(of_coupled).any(uses);
             let model = of_model.then_some("the model").or(of_axes.then_some("g"));
             format!("parameter of {}", keys.chain(model).collect::<Vec<_>>().join(" and "))
         }

@@ -8,8 +8,9 @@ use crate::algebra::{self, Poly, Symbol};
 use crate::expansion::{self, Expanded};
 use crate::expression::{Expression, Subject};
 use crate::family::FamilyInfo;
-use crate::law::Form as LawForm;
+use crate::law::{Form as LawForm, Law};
 use crate::mapping::{Custom, Form, Mapping, TimeMapping};
+use crate::model::Coupled;
 use crate::request::{Feedback, Reference, Spec};
 
 /// Order up to which the head shows the closed forms in full; beyond it they fill pages.
@@ -160,6 +161,9 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
     let x = if spec.reference.is_some() { "e" } else { "x" };
     let of_axes = spec.axes.iter().any(|axes| !axes.input_gains.is_empty());
     let over_gain = if spec.input_gain.is_some() || of_axes { "/g" } else { "" };
+    if let Some(coupled) = &spec.coupled {
+        return of_outputs(controller, coupled);
+    }
     let mut lines = vec![
         String::new(),
         format!("Law, Theorem 1, with xi = BB_n {x} and t_kappa = kappa(Dt) + t0:"),
@@ -177,11 +181,44 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
             _ => format!("  u = (sum_j gain_j {x}_j{less}){over_gain}"),
         });
     }
-    match &controller.law.form {
+    lines.extend(forms(spec, controller.law, x));
+    lines
+}
+
+/// The law of each output of a plant with several inputs, and u from it.
+fn of_outputs(controller: &Controller<'_>, coupled: &Coupled) -> Vec<String> {
+    let spec = controller.spec();
+    let mut lines = vec![
+        String::new(),
+        "Law of each output, Theorem 1, with xi = BB_n x and t_kappa = kappa(Dt) + t0:".to_owned(),
+        "  v_i = kappa'^n (pi0(xi, t_kappa) - b_n^T x) = sum_j gain_j x_j".to_owned(),
+    ];
+    let mut orders = coupled.orders();
+    orders.sort_unstable();
+    orders.dedup();
+    for order in orders.iter().copied() {
+        let law = match order == controller.law.n {
+            true => controller.law.clone(),
+            false => Law::of(&Spec { n: order, ..spec.clone() }),
+        };
+        if orders.len() > 1 {
+            lines.push(format!("Order n = {order}:"));
+        }
+        lines.push(format!("  pi0 = {}", linear(order)));
+        lines.extend(forms(spec, &law, "x"));
+    }
+    lines.extend(super::coupled::law(coupled));
+    lines
+}
+
+/// The gains as they are computed.
+fn forms(spec: &Spec, law: &Law, x: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    match &law.form {
         LawForm::Rows { base_inverse, rows } => {
             let base = base_inverse.map(|s| format!("{}^(n+1-j) ", s.text())).unwrap_or_default();
             lines.push(format!("  gain_j = {base}row_j"));
-            let rate = algebra::text(&controller.law.rate);
+            let rate = algebra::text(&law.rate);
             let rate = if rate.contains(['*', '^', '/']) { format!("({rate})") } else { rate };
             lines.push(format!("  K1, K2, ...: K_i = k_i/{rate}^(n+1-i)"));
             for (j, row) in rows.iter().take(SHOWN).enumerate() {
@@ -191,7 +228,7 @@ pub(super) fn law(controller: &Controller<'_>) -> Vec<String> {
             if rows.len() > SHOWN {
                 lines.push(format!(
                     "  (the first {SHOWN}; all of them: ptc-codegen show law --n {} --mu {})",
-                    spec.n,
+                    law.n,
                     spec.mapping_name()
                 ));
             }

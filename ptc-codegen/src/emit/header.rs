@@ -1,7 +1,7 @@
 //! The head of an emitted file: how to make it again, what it does and on which conditions.
 
 use super::declared::{declared, meaning};
-use super::{Controller, Language, axes, formulas, plant};
+use super::{Controller, Language, axes, coupled, formulas, plant};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
@@ -18,9 +18,13 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
     let lang = language.name();
     let associated = spec.what == What::Associated;
     let kind = if associated { "Infinite-time system of" } else { "Prescribed-time controller" };
-    let (name, n, mapping_name) = (spec.name(), spec.n, spec.mapping_name());
+    let (name, mapping_name) = (spec.name(), spec.mapping_name());
+    let order = match &spec.coupled {
+        Some(coupled) => format!("outputs of order {}", coupled::orders(coupled)),
+        None => format!("order n = {}", spec.n),
+    };
     let mut lines = vec![
-        format!("{kind} {name}: order n = {n}, mapping {mapping_name}."),
+        format!("{kind} {name}: {order}, mapping {mapping_name}."),
         String::new(),
         "DO NOT EDIT. Made by:".to_owned(),
     ];
@@ -57,6 +61,9 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
 
 /// The plant and what becomes of it.
 fn purpose(spec: &Spec) -> Vec<String> {
+    if let Some(coupled) = &spec.coupled {
+        return coupled::purpose(coupled);
+    }
     if let Some(model) = &spec.model {
         return of_model(spec, model);
     }
@@ -129,7 +136,11 @@ fn sample_period(controller: &Controller<'_>) -> Vec<String> {
         Some(_) => "SAMPLE PERIOD NOT CHECKED:",
     };
     let eps = spec.fixed.get(&Parameter::Eps);
-    let text = match (eps, held_period(spec, controller.report.expanded.as_ref())) {
+    let period = match spec.coupled {
+        Some(_) => None,
+        None => held_period(spec, controller.report.expanded.as_ref()),
+    };
+    let text = match (eps, period) {
         (Some(eps), Some(Some(period))) => format!(
             "{head} with the gains held at eps = {eps} s, the loop with f = 0 and a zero-order hold is stable only for sample periods below {} s.",
             digits(period)
@@ -137,11 +148,15 @@ fn sample_period(controller: &Controller<'_>) -> Vec<String> {
         (Some(eps), Some(None)) => format!(
             "{head} with the gains held at eps = {eps} s, NO SAMPLE PERIOD was found for which the loop with f = 0 and a zero-order hold is stable."
         ),
-        _ if spec.feedback == Feedback::Linear => format!(
+        _ if spec.feedback == Feedback::Linear && spec.coupled.is_none() => format!(
             "{head} the held gains grow as eps falls, and the loop is stable only for sample periods below a limit that depends on eps and the gains. ptc-codegen check finds it once tau, eps, the gains and --sample-time are given."
         ),
         _ => format!(
-            "{head} the gain held at eps limits the sample period for which the loop is stable. Simulate the sampled loop: ptc-codegen simulate --sample-time."
+            "{head} the gain held at eps limits the sample period for which the loop is stable. {}",
+            match spec.coupled {
+                Some(_) => "Run the emitted step with a model of the plant, sampled.",
+                None => "Simulate the sampled loop: ptc-codegen simulate --sample-time.",
+            }
         ),
     };
     vec![String::new(), text]
@@ -252,8 +267,8 @@ pub(super) fn checks(report: &Report) -> Vec<String> {
 fn count(controller: &Controller<'_>) -> Vec<String> {
     let (spec, program) = (controller.spec(), controller.program);
     let step = match &spec.axes {
-        Some(axes) => cost::of_axes(program, axes.count),
-        None => cost::count(program, &[program.step], Stage::Tick),
+        Some(axes) if spec.coupled.is_none() => cost::of_axes(program, axes.count),
+        _ => cost::count(program, &program.controls(), Stage::Tick),
     };
     let several = |count: usize, one: &str, many: &str| match count {
         0 => None,

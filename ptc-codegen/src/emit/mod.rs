@@ -8,6 +8,7 @@ mod apart;
 mod axes;
 mod c;
 mod code;
+mod coupled;
 mod cpp;
 mod declared;
 mod eva;
@@ -181,7 +182,10 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
         let message = format!("{what} holds a controller, not an observer alone");
         against("what", message, "leave `what` out, or emit the observer in a language");
     }
-    if spec.axes.is_some() {
+    if spec.coupled.is_some() {
+        let message = format!("{what} holds a controller of one input, not of several");
+        against("inputs", message, "emit it in a language, and call it from your own program");
+    } else if spec.axes.is_some() {
         let message = format!("{what} holds a controller of one chain, not of several axes");
         against(
             "axes",

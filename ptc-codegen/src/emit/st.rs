@@ -50,7 +50,15 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
             "it is for simulation, not for a controller: emit it in another language",
         );
     }
-    if spec.axes.is_some() {
+    if spec.coupled.is_some() {
+        found.push(
+            "unsupported",
+            "inputs",
+            None,
+            "a plant with several inputs is not emitted in st",
+            "emit it in another language, and call that from the program",
+        );
+    } else if spec.axes.is_some() {
         found.push(
             "unsupported",
             "axes",

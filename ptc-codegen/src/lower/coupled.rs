@@ -19,13 +19,18 @@ pub(super) fn controls<'a>(
     let mut wanted = Vec::with_capacity(designs.len());
     for (index, own) in (1..).zip(designs) {
         b.of_axis(own, index);
-        let of_order = (own.n != law.n).then(|| Law::from(own, law.expanded.as_ref()));
+        // The closed forms of another engine are those of one order.
+        let of_order = (own.n != law.n).then(|| Law::of(own));
         let u = match rows(b, of_order.as_ref().unwrap_or(law)) {
             Some(rows) => rows.step(b, None),
             None => state::step(b),
         };
         let u = without_drift(b, u);
-        wanted.push(b.name(u, "wanted", "wanted of the last derivative of the output, less its drift"));
+        wanted.push(b.name(
+            u,
+            "wanted",
+            "wanted of the last derivative of the output, less its drift",
+        ));
     }
     b.of_all(spec);
     let mut controls: Vec<Value> = match &coupled.inverse {

@@ -139,6 +139,11 @@ impl Coupled {
         self.named(expression).to_string()
     }
 
+    /// A matrix as text.
+    pub fn matrix(&self, matrix: &[Vec<Expression>]) -> String {
+        rows(&|e: &Expression| self.text(e), matrix)
+    }
+
     /// The outputs as functions of the states.
     pub fn output(&self, index: usize) -> &Expression {
         &self.outputs[index].coordinates[0]
@@ -183,7 +188,8 @@ impl Coupled {
             Inverse::Adjugate { dynamics, .. } => {
                 let rate = |(name, rate)| format!("{name}' = {}", text(rate));
                 let rates = self.states.iter().zip(dynamics).map(rate);
-                let outputs = (0..m).map(|i| format!("output {} = {}", i + 1, text(self.output(i))));
+                let outputs =
+                    (0..m).map(|i| format!("output {} = {}", i + 1, text(self.output(i))));
                 rates.chain(outputs).collect()
             }
             Inverse::Inertia { inertia, bias } => {
@@ -192,7 +198,11 @@ impl Coupled {
                 };
                 let bias: Vec<_> = bias.iter().map(text).collect();
                 vec![
-                    format!("q = ({}), q' = ({})", names(&self.states[..m]), names(&self.states[m..])),
+                    format!(
+                        "q = ({}), q' = ({})",
+                        names(&self.states[..m]),
+                        names(&self.states[m..])
+                    ),
                     "M q'' + bias = u".to_owned(),
                     format!("M = {}", rows(&text, inertia)),
                     format!("bias = [{}]", bias.join(", ")),

@@ -82,9 +82,8 @@ impl<'a> Affine<'a> {
         values: &Values,
     ) -> Result<Self, Ill> {
         let is_input = |e: &Expression| e.variable().is_some_and(|v| inputs.contains(&v));
-        let at_rest = |e: &Expression| {
-            e.substitute(&|leaf| is_input(leaf).then(|| Expression::integer(0)))
-        };
+        let at_rest =
+            |e: &Expression| e.substitute(&|leaf| is_input(leaf).then(|| Expression::integer(0)));
         let drifts = dynamics.iter().map(|rate| shorter(at_rest(rate))).collect();
         let mut plant = Self { names, drifts, gains: Vec::with_capacity(inputs.len()) };
         for (which, input) in inputs.iter().enumerate() {
@@ -92,15 +91,12 @@ impl<'a> Affine<'a> {
             for (index, rate) in dynamics.iter().enumerate() {
                 let slope = rate.derivative(*input);
                 let kink = |e: &Expression| e.is_kink() && e.contains(*input);
-                let curved =
-                    || Ill::NotAffine(index, which, plant.text(&shorter(slope.clone())));
+                let curved = || Ill::NotAffine(index, which, plant.text(&shorter(slope.clone())));
                 if rate.any(&kink) {
                     return Err(curved());
                 }
                 let tidied = shorter(slope.clone());
-                let still = |v: &Variable| {
-                    is_zero(&slope.derivative(*v), values) == Some(true)
-                };
+                let still = |v: &Variable| is_zero(&slope.derivative(*v), values) == Some(true);
                 gains.push(match tidied.any(&is_input) {
                     false => tidied,
                     true if inputs.iter().all(still) => shorter(at_rest(&slope)),

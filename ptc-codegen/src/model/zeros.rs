@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use super::coupled::{Coupled, Inverse};
 use super::decide::with;
 use super::{Model, Values};
 use crate::algebra::polynomial::Polynomial;
@@ -50,6 +51,21 @@ pub(crate) fn zeros(model: &Model, gain: &Expression, values: &Values) -> Zeros 
     })
 }
 
+/// The determinant that several inputs are divided by, where it is 0 at the origin.
+pub(crate) fn singular_at_rest(coupled: &Coupled, values: &Values) -> Option<String> {
+    let Inverse::Adjugate { determinant, .. } = &coupled.inverse else { return None };
+    let form = bounded(|| normal(&at_origin(determinant, values)));
+    let singular = form.number().is_some_and(Zero::is_zero);
+    singular.then(|| coupled.text(determinant))
+}
+
+/// The expression with all states at 0.
+fn at_origin(expression: &Expression, values: &Values) -> Expression {
+    with(expression, values).substitute(&|e| {
+        matches!(e.variable(), Some(Variable::State(_))).then(|| Expression::integer(0))
+    })
+}
+
 /// Whether a root has a positive real part: repeated ones on the axis are counted once.
 fn is_unstable(p: &Polynomial) -> bool {
     !is_bounded(&p.radical())
@@ -79,9 +95,7 @@ impl Point<'_> {
 
     /// The expression at the origin.
     fn at(&self, expression: &Expression) -> Expression {
-        with(expression, self.values).substitute(&|e| {
-            matches!(e.variable(), Some(Variable::State(_))).then(|| Expression::integer(0))
-        })
+        at_origin(expression, self.values)
     }
 
     /// The characteristic polynomial of the linearised zero dynamics. With the feedback that holds

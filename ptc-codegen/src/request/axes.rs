@@ -73,7 +73,9 @@ impl Spec {
     /// The controllers of one axis that differ: one where all axes are chains that share everything.
     pub fn designs(&self) -> Vec<Self> {
         match &self.axes {
-            Some(axes) if axes.differ() || self.coupled.is_some() => (0..axes.count).map(|index| self.axis(index)).collect(),
+            Some(axes) if axes.differ() || self.coupled.is_some() => {
+                (0..axes.count).map(|index| self.axis(index)).collect()
+            }
             _ => vec![self.axis(0)],
         }
     }

@@ -17,7 +17,9 @@ impl Spec {
         let alone = self.coupled.is_none();
         let mut words = Vec::new();
         words.extend(alone.then(|| format!("--n {}", self.n)));
-        words.extend(self.axes.as_ref().filter(|_| alone).map(|axes| format!("--axes {}", axes.count)));
+        words.extend(
+            self.axes.as_ref().filter(|_| alone).map(|axes| format!("--axes {}", axes.count)),
+        );
         words.push(self.mapping_words());
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));

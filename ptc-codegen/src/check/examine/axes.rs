@@ -2,8 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Report, examine_expanded};
-use crate::check::{Outcome, Verdict};
+use super::{Report, envelope, examine_expanded};
+use crate::check::{Outcome, Verdict, zeros};
 use crate::expansion::Expanded;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
@@ -12,7 +12,8 @@ use crate::request::Spec;
 pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
     let examined = |spec: &Spec| -> Vec<Report> {
         let designs = spec.designs().into_iter();
-        designs.map(|design| examine_expanded(&design, expanded.cloned())).collect()
+        let forms = |design: &Spec| expanded.filter(|_| design.n == spec.n).cloned();
+        designs.map(|design| examine_expanded(&design, forms(&design))).collect()
     };
     let mut spec = spec.clone();
     let mut reports = examined(&spec);
@@ -29,7 +30,13 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         let outcomes = reports.iter().filter_map(|report| report.outcomes.get(check));
         joined(&outcomes.collect::<Vec<_>>())
     };
-    let outcomes = (0..names).filter_map(of_check).collect();
+    let mut outcomes: Vec<Outcome> = (0..names).filter_map(of_check).collect();
+    if let Some(coupled) = &spec.coupled {
+        // These are of the whole plant.
+        outcomes.retain(|outcome| outcome.name != "envelope");
+        outcomes.push(envelope::outcome(&spec, expanded));
+        outcomes.push(zeros::of_coupled(&spec, coupled));
+    }
     let by_value = |(_, value): &(Parameter, Fixed)| value.number().cloned();
     let greatest = reports.iter().filter_map(|report| report.greatest.clone()).min_by_key(by_value);
     let worst = match reports.as_slice() {

@@ -99,7 +99,7 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
         return flags.finish(None, vec![only_abstract()]);
     }
     let spec = flags.read()?;
-    let own = spec.axes.as_ref().is_some_and(Axes::differ);
+    let own = spec.coupled.is_some() || spec.axes.as_ref().is_some_and(Axes::differ);
     let of_one = if own { spec.needs_one_axis("show") } else { Ok(()) };
     if let Err(found) = spec.needs_time("show").and(of_one) {
         return flags.finish(None, found);

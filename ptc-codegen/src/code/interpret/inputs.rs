@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::frame::Frame;
 use super::Outcome;
+use super::frame::Frame;
 use crate::code::{Function, Inputs, Status};
 
 impl<'b> Frame<'_, 'b> {

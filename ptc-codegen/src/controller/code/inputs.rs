@@ -2,7 +2,8 @@
 
 use super::Builder;
 use crate::code::{
-    Access, Expr, Finish, Function, Inputs, Operator, Owner, Shape, Statement, Status, Test, Variable,
+    Access, Expr, Finish, Function, Inputs, Operator, Owner, Shape, Statement, Status, Test,
+    Variable,
 };
 use crate::controller::plan::Routine;
 use crate::internal::fault;
@@ -33,7 +34,7 @@ impl Builder<'_> {
                 let unknown = Expr::binary(Operator::Sub, t(), t());
                 value = Expr::binary(Operator::Add, value, unknown);
             }
-            let name = format!("v{index}");
+            let name = format!("control{index}");
             statements.push(Statement::Let(name.clone(), Shape::Real, value));
             values.push(Expr::local(name));
         }
@@ -43,7 +44,10 @@ impl Builder<'_> {
         let inputs = inputs.join(", ");
         Function {
             name: "step",
-            about: format!("u = ({inputs}) at time t [s] and state x = ({}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.", coupled.names()),
+            about: format!(
+                "u = ({inputs}) at time t [s] and state x = ({}). Where one of them is not finite, as at a state at which the inputs do not decouple the outputs, every u is 0; else the status is SATURATED where one was clipped.",
+                coupled.names()
+            ),
             owner: Owner::Controller,
             access: Access::Read,
             arguments: vec![

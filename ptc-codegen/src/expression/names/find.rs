@@ -5,7 +5,7 @@ use super::{NAMES, NameInfo, Sense};
 use crate::diagnostic::shorten;
 use crate::expression::{Expression, Function};
 use crate::family::FAMILIES;
-use crate::keys::{KeyInfo, PLANT_KEYS};
+use crate::keys::{KeyInfo, PARAMETERS_TOO, PLANT_KEYS};
 
 /// What the table says of a name.
 pub(in crate::expression) enum Found {
@@ -82,7 +82,8 @@ fn not_in_the_table(name: &str, subject: Subject) -> Found {
     if let Some(meant) = alike.iter().copied().find(same_case).or(alike.first().copied()) {
         return misspelt(&shown, meant.name);
     }
-    let key = KeyInfo::find(name).or_else(|| PLANT_KEYS.iter().find(|info| info.key == name));
+    let key = KeyInfo::find(name).filter(|info| !PARAMETERS_TOO.contains(&info.key));
+    let key = key.or_else(|| PLANT_KEYS.iter().find(|info| info.key == name));
     if let Some(key) = key {
         let message = format!("`{shown}` is a key of the design, not a name in expressions");
         return Found::wrong(

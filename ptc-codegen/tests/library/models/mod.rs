@@ -3,6 +3,7 @@
 
 mod by_hand;
 mod closed_loop;
+mod coupled;
 pub(crate) mod in_c;
 mod mistakes;
 #[cfg(feature = "lab")]

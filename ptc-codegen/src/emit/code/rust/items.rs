@@ -4,7 +4,9 @@ use super::super::block::Block;
 use super::super::gives::Gives;
 use super::super::text::Text;
 use super::{CHOICE, Rust};
-use crate::code::{Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Variable};
+use crate::code::{
+    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Variable,
+};
 use crate::internal::fault;
 use crate::parameter::type_name;
 

@@ -34,10 +34,13 @@ impl Reader<'_> {
         for key in OTHERS.into_iter().chain(against) {
             if let Some(node) = self.keys.get(key).copied() {
                 let message = match lagrangian {
-                    true => format!("`{key}` beside `inertia`, which gives the equations of motion"),
+                    true => {
+                        format!("`{key}` beside `inertia`, which gives the equations of motion")
+                    }
                     false => format!("`{key}` beside `inputs` and `outputs`"),
                 };
-                let help = format!("leave it out; the keys of such a plant are {}", wanted.join(", "));
+                let help =
+                    format!("leave it out; the keys of such a plant are {}", wanted.join(", "));
                 self.found.push("conflict", key, Some(node.place), message, help);
             }
         }
@@ -64,7 +67,8 @@ impl Reader<'_> {
         let m = inputs.len();
         self.count("outputs", outputs, m, "the inputs")?;
         if m > OUTPUTS.size() {
-            let message = format!("{m} outputs, and at most {} are decoupled in closed form", OUTPUTS.most);
+            let message =
+                format!("{m} outputs, and at most {} are decoupled in closed form", OUTPUTS.most);
             self.wrong("outputs", Some(outputs.place), message, OUTPUTS.fix.to_owned());
             return None;
         }
@@ -73,7 +77,8 @@ impl Reader<'_> {
         let driven: Vec<_> =
             own.iter().copied().chain(inputs.iter().copied().zip(controls)).collect();
         let given = self.all_of(items(outputs), own, &inputs);
-        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
+        let dynamics: Vec<_> =
+            rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
         let dynamics = dynamics.into_iter().collect::<Option<Vec<_>>>()?;
         let values = self.fixed_names();
         match Coupled::new((states.clone(), inputs.clone()), &given?, dynamics, &values) {
@@ -95,7 +100,8 @@ impl Reader<'_> {
         if states.len() != 2 * m {
             let place = self.keys.get("states").map(|node| node.place);
             let message = format!("{} states for {m} inputs of a mechanical plant", states.len());
-            let help = "give a coordinate for each input, and then the rate of each: q1, q2, w1, w2";
+            let help =
+                "give a coordinate for each input, and then the rate of each: q1, q2, w1, w2";
             self.wrong("states", place, message, help.to_owned());
             return None;
         }
@@ -110,11 +116,14 @@ impl Reader<'_> {
         let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
         let rate = |e: &Expression| {
             let names = &states[m..];
-            e.parameters().into_iter().find(|p| names.iter().any(|name| p.spelling() == name.text()))
+            e.parameters()
+                .into_iter()
+                .find(|p| names.iter().any(|name| p.spelling() == name.text()))
         };
         if let Some(rate) = rows.iter().flatten().find_map(rate) {
             let message = format!("the inertia depends on the rate `{}`", rate.spelling());
-            let help = "the inertia is of the coordinates alone: what the rates do belongs in `bias`";
+            let help =
+                "the inertia is of the coordinates alone: what the rates do belongs in `bias`";
             self.wrong("inertia", Some(inertia.place), message, help.to_owned());
             return None;
         }
@@ -134,7 +143,8 @@ impl Reader<'_> {
         if found == wanted {
             return Some(());
         }
-        let message = format!("`{key}` has {found} items, and {wanted} are needed, as many as {of}");
+        let message =
+            format!("`{key}` has {found} items, and {wanted} are needed, as many as {of}");
         self.wrong(key, Some(node.place), message, format!("give {wanted}"));
         None
     }
@@ -155,17 +165,47 @@ impl Reader<'_> {
         let orders = coupled.orders();
         let differ = orders.iter().any(|order| *order != orders[0]);
         let beside = [
-            ("clock", samples, "a plant of several inputs needs a clock in time", "leave `clock` out"),
-            ("what", spec.what != What::Controller, "such a plant is of a controller", "leave `what` out: the infinite-time system is that of one output"),
-            ("pi0", spec.feedback != Feedback::Linear, "the outputs need a linear law", "give gains or poles"),
-            ("after", spec.after != After::Hold, "the outputs hold their gains after the deadline", "leave `after` out, and set u = 0 outside"),
-            ("reference", true, "the outputs are brought to 0, not to a reference", "subtract a constant set point in `outputs`: q - 0.3"),
+            (
+                "clock",
+                samples,
+                "a plant of several inputs needs a clock in time",
+                "leave `clock` out",
+            ),
+            (
+                "what",
+                spec.what != What::Controller,
+                "such a plant is of a controller",
+                "leave `what` out: the infinite-time system is that of one output",
+            ),
+            (
+                "pi0",
+                spec.feedback != Feedback::Linear,
+                "the outputs need a linear law",
+                "give gains or poles",
+            ),
+            (
+                "after",
+                spec.after != After::Hold,
+                "the outputs hold their gains after the deadline",
+                "leave `after` out, and set u = 0 outside",
+            ),
+            (
+                "reference",
+                true,
+                "the outputs are brought to 0, not to a reference",
+                "subtract a constant set point in `outputs`: q - 0.3",
+            ),
             ("noise", true, "the loop of such a plant is not checked", "leave it out"),
             ("noise_rms", true, "the loop of such a plant is not checked", "leave it out"),
             ("sensor_step", true, "the loop of such a plant is not checked", "leave it out"),
             ("error", differ, "the outputs have different orders", "leave it out, and give eps"),
             ("x0_max", differ, "the outputs have different orders", "leave it out, and give eps"),
-            ("u_max", spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()), "`u_max` beside `limits`", "give `limits` for each input, or `u_max` for all"),
+            (
+                "u_max",
+                spec.axes.as_ref().is_some_and(|axes| !axes.limits.is_empty()),
+                "`u_max` beside `limits`",
+                "give `limits` for each input, or `u_max` for all",
+            ),
         ];
         for (key, wrong, message, help) in beside {
             if let Some(node) = self.keys.get(key).copied().filter(|_| wrong) {
@@ -182,11 +222,13 @@ impl Reader<'_> {
         match given {
             Some((_, node)) if own(node) => {}
             Some((key, node)) => {
-                let message = format!("one list of {key} for outputs of the orders {}", all.join(", "));
+                let message =
+                    format!("one list of {key} for outputs of the orders {}", all.join(", "));
                 self.wrong(key, Some(node.place), message, help);
             }
             None => {
-                let message = format!("`poles` are missing: the outputs have the orders {}", all.join(", "));
+                let message =
+                    format!("`poles` are missing: the outputs have the orders {}", all.join(", "));
                 self.found.push("missing-key", "poles", None, message, help);
             }
         }

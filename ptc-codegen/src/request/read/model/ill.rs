@@ -43,7 +43,7 @@ impl Reader<'_> {
                     [one] => format!("the input {one} does not reach the output"),
                     several => format!("none of the inputs {} reaches the output", several.join(", ")),
                 },
-                "take an output that an input moves, or give the states between them their dynamics".to_owned(),
+                "take an output that it moves, or give the states between them their dynamics".to_owned(),
             ),
             Ill::TooLarge(order) => (
                 key,
@@ -69,15 +69,21 @@ impl Reader<'_> {
                 return self.ill_model(ill, names, rates, (key, Some(node.place)));
             }
             IllCoupled::Open(determinant) => (
-                format!("whether the inputs decouple the outputs is not decided: is {determinant} = 0 for all states?"),
+                format!(
+                    "whether the inputs decouple the outputs is not decided: is {determinant} = 0 for all states?"
+                ),
                 "write the model with fewer functions, or fix parameters under [params]",
             ),
             IllCoupled::Singular(matrix) if key == "inertia" => (
-                format!("the inertia {matrix} is singular for all states: no motion follows from the inputs"),
+                format!(
+                    "the inertia {matrix} is singular for all states: no motion follows from the inputs"
+                ),
                 "check its entries: an inertia is symmetric and positive definite",
             ),
             IllCoupled::Singular(matrix) => (
-                format!("no static decoupling exists: the matrix {matrix}, by which the inputs move the last derivatives of the outputs, is singular for all states"),
+                format!(
+                    "no static decoupling exists: the matrix {matrix}, by which the inputs move the last derivatives of the outputs, is singular for all states"
+                ),
                 "take outputs that the inputs move one by one, or add an integrator before the input that acts first: a state whose rate is the new input",
             ),
         };

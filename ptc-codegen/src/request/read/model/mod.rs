@@ -53,7 +53,8 @@ impl Reader<'_> {
         let output = self.of_states(output_node, &own, &inputs);
         let rates = self.state_rates(dynamics?, &states)?;
         let driven = [own.as_slice(), &[(input, Variable::Control)]].concat();
-        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
+        let dynamics: Vec<_> =
+            rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
         let dynamics: Vec<_> = dynamics.into_iter().collect::<Option<_>>()?;
         let output = output?;
         let values = self.fixed_names();

@@ -30,7 +30,8 @@ impl Reader<'_> {
         }
         let mut names: Vec<Name> = Vec::with_capacity(given.len() + inputs.len());
         let mut whole = true;
-        let keyed = given.iter().map(|node| ("states", node)).chain(inputs.iter().map(|node| (key, node)));
+        let keyed =
+            given.iter().map(|node| ("states", node)).chain(inputs.iter().map(|node| (key, node)));
         for (key, node) in keyed {
             match word(node).filter(|word| !is_taken(word)).and_then(Name::new) {
                 Some(name) if names.contains(&name) => {

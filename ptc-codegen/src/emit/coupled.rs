@@ -1,0 +1,46 @@
+//! What the head of an emitted file says of a plant with several inputs.
+
+use crate::expression::Expression;
+use crate::model::Coupled;
+use crate::model::coupled::Inverse;
+
+/// The orders of the outputs, with commas between them.
+pub(super) fn orders(coupled: &Coupled) -> String {
+    let orders: Vec<_> = coupled.orders().iter().map(ToString::to_string).collect();
+    orders.join(", ")
+}
+
+/// The plant and what becomes of it.
+pub(super) fn purpose(coupled: &Coupled) -> Vec<String> {
+    let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();
+    vec![
+        format!("Plant, with the inputs {}: {}. Time in s.", inputs.join(", "), coupled.lines().join(", ")),
+        "Goal: every output with its derivatives is 0 at the deadline t0 + tau from any state at t0, up to the error that the hold at eps, sampling, what differs from the model and clipping leave. The checks below say what is known of this design.".to_owned(),
+        "The law takes the plant to be the model. What differs from it is not part of the law.".to_owned(),
+    ]
+}
+
+/// How u follows from what is wanted of the outputs.
+pub(super) fn law(coupled: &Coupled) -> Vec<String> {
+    let zero = Expression::integer(0);
+    let mut lines = Vec::new();
+    for (index, output) in (1..).zip(&coupled.outputs) {
+        lines.push(format!("Output {index}, of order n = {}:", output.coordinates.len()));
+        let x = (1..).zip(&output.coordinates);
+        lines.extend(x.map(|(j, e)| format!("  x_{j} = {}", coupled.text(e))));
+        if output.drift != zero {
+            lines.push(format!("  f_{index} = {}", coupled.text(&output.drift)));
+        }
+    }
+    match &coupled.inverse {
+        Inverse::Adjugate { determinant, adjugate, .. } => {
+            lines.push("u = adj(D) w/det(D) with w_i = v_i - f_i:".to_owned());
+            lines.push(format!("  det(D) = {}", coupled.text(determinant)));
+            lines.push(format!("  adj(D) = {}", coupled.matrix(adjugate)));
+        }
+        Inverse::Inertia { .. } => {
+            lines.push("u = M v + bias".to_owned());
+        }
+    }
+    lines
+}

@@ -1,0 +1,281 @@
+//! Plants with several inputs and outputs: u of the emitted C against 50 digits, closed loops, and what is
+//! refused.
+
+use std::collections::BTreeMap;
+
+use ptc_codegen::emit::Language;
+use ptc_codegen::request::Spec;
+
+use super::{example, in_c, spec, support};
+use support::{folder_with, run_in};
+
+/// What `tools/coupled.py` computes: a plant, t, its state and u.
+const DIGITS: &str = include_str!("coupled.txt");
+
+const MIX: &str = "name = \"mix\"
+mu = \"exp(a=1)\"
+poles = [[-4, -5], [-3]]
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"p\", \"v\", \"h\"]
+inputs = [\"a\", \"b\"]
+outputs = [\"p\", \"h\"]
+dynamics = { p = \"v\", v = \"-v + (2 + sin(p))*a + h*b\", h = \"v*h + h*a + (2 + h^2)*b\" }
+";
+
+/// At rest its inputs do not decouple its outputs.
+const UNICYCLE: &str = "name = \"unicycle\"
+mu = \"exp(a=1)\"
+poles = [-4, -5]
+allow = \"zeros\"
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"x\", \"y\", \"s\", \"c\"]
+inputs = [\"a\", \"w\"]
+outputs = [\"x\", \"y\"]
+dynamics = { x = \"s*cos(c)\", y = \"s*sin(c)\", s = \"a\", c = \"w\" }
+";
+
+const THREE: &str = "name = \"three\"
+mu = \"exp(a=1)\"
+poles = [-3]
+[params]
+tau = 1
+eps = 1e-2
+u_max = inf
+[model]
+states = [\"p\", \"q\", \"r\"]
+inputs = [\"a\", \"b\", \"c\"]
+outputs = [\"p\", \"q\", \"r\"]
+dynamics = { p = \"3*a + p*b + q*c + sin(q)\", q = \"sin(r)*a + 4*b + p*c - p*r\", r = \"q*a + r*b + 5*c\" }
+";
+
+fn robot() -> String {
+    example("two_link.toml").replace("limits = [120, 60]", "u_max = inf #")
+}
+
+/// The plants by their names.
+fn plants() -> BTreeMap<&'static str, Spec> {
+    let all = [MIX.to_owned(), UNICYCLE.to_owned(), THREE.to_owned(), robot()];
+    ["mix", "unicycle", "three", "two_link"].into_iter().zip(all.map(|text| spec(&text))).collect()
+}
+
+#[test]
+fn u_is_that_of_the_definition() {
+    let mut lines: BTreeMap<&str, Vec<Vec<f64>>> = BTreeMap::new();
+    for line in DIGITS.lines() {
+        let (name, numbers) = line.split_once(' ').expect("a name");
+        let numbers = numbers.split(' ').map(|word| word.parse().expect("a number")).collect();
+        lines.entry(name).or_default().push(numbers);
+    }
+    for (name, spec) in plants() {
+        let (rows, n) = (&lines[name], spec.states());
+        let m = spec.coupled.as_ref().expect("several inputs").inputs.len();
+        let row = |row: &Vec<f64>| {
+            let given: Vec<_> = row[..=n].iter().map(|number| format!("{number:e}")).collect();
+            format!("{{ {} }}", given.join(", "))
+        };
+        let rows_in_c: Vec<_> = rows.iter().map(row).collect();
+        let main = format!(
+            "static const {name}_params params = {{ .t0 = 0.0 }};\n\
+             static const double calls[][{}] = {{ {} }};\n\
+             int main(void)\n{{\n    {name} control;\n\
+             \x20   if ({name}_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
+             \x20   for (unsigned i = 0; i < sizeof calls / sizeof calls[0]; i++) {{\n\
+             \x20       double u[{m}];\n        ptc_status axes[{m}];\n\
+             \x20       if ({name}_step(&control, calls[i][0], calls[i] + 1, u, axes) != PTC_OK) {{ return 2; }}\n\
+             \x20       for (int j = 0; j < {m}; j++) {{ printf(\"%.17g \", u[j]); }}\n\
+             \x20       printf(\"\\n\");\n    }}\n    return 0;\n}}\n",
+            n + 1,
+            rows_in_c.join(", ")
+        );
+        let found = in_c::run(&format!("coupled_{name}"), &spec, &main);
+        assert_eq!(found.len(), rows.len());
+        for (found, row) in found.iter().zip(rows) {
+            let wanted = &row[n + 1..];
+            let size = wanted.iter().fold(1e-3f64, |size, u| size.max(u.abs()));
+            for (u, wanted) in found.iter().zip(wanted) {
+                assert!((u - wanted).abs() <= 2e-12 * size, "{name} at {row:?}: {found:?}");
+            }
+        }
+    }
+}
+
+/// The state that the plant `rate` has at the end of `[tau, eps]` under the emitted C, from `start`.
+fn rest(spec: &Spec, (rate, start): (&str, &[f64]), [tau, eps]: [f64; 2]) -> Vec<f64> {
+    let (name, n) = (spec.name(), start.len());
+    let m = spec.coupled.as_ref().expect("several inputs").inputs.len();
+    let start: Vec<_> = start.iter().map(|x| format!("{x:e}")).collect();
+    let main = format!(
+        "static const {name}_params params = {{ .t0 = 0.0 }};\nstatic {name} control;\n\
+         static int rates(double t, const double *x, double *dx)\n{{\n    double u[{m}];\n    ptc_status axes[{m}];\n\
+         \x20   const int wrong = {name}_step(&control, t, x, u, axes) != PTC_OK;\n{rate}\n    return wrong;\n}}\n{}\
+         int main(void)\n{{\n    double x[{n}] = {{ {} }};\n    const int steps = 40000;\n    double t = 0.0;\n\
+         \x20   if ({name}_init(&control, &params) != PTC_OK) {{ return 1; }}\n\
+         \x20   for (int i = 0; i < steps; i++) {{\n\
+         \x20       const double next = {tau:e} - {tau:e} * pow(1.0000001 * {eps:e} / {tau:e}, (i + 1.0) / steps);\n\
+         \x20       if (advance(t, next - t, x)) {{ return 2; }}\n\
+         \x20       t = next;\n    }}\n\
+         \x20   for (int j = 0; j < {n}; j++) {{ printf(\"%.17g \", x[j]); }}\n    return 0;\n}}\n",
+        in_c::advance(n),
+        start.join(", ")
+    );
+    in_c::run(&format!("coupled_loop_{name}"), spec, &main).remove(0)
+}
+
+/// The robot moves by its equations solved for the accelerations, which the law never forms.
+#[test]
+fn a_robot_comes_to_rest() {
+    let rate = "    { const double c = cos(x[1]), s = sin(x[1]), tip = 1.5 * 9.81 * 0.5 * cos(x[0] + x[1]);\n\
+        \x20   const double m22 = 1.5 * 0.25, m12 = m22 + 1.5 * 0.3 * c, m11 = 3.5 * 0.36 + m22 + 2.0 * 1.5 * 0.3 * c;\n\
+        \x20   const double f1 = u[0] + 1.5 * 0.3 * s * (2.0 * x[2] * x[3] + x[3] * x[3]) - 3.5 * 9.81 * 0.6 * cos(x[0]) - tip;\n\
+        \x20   const double f2 = u[1] - 1.5 * 0.3 * s * x[2] * x[2] - tip, d = m11 * m22 - m12 * m12;\n\
+        \x20   dx[0] = x[2]; dx[1] = x[3]; dx[2] = (m22 * f1 - m12 * f2) / d; dx[3] = (m11 * f2 - m12 * f1) / d; }";
+    let x = rest(&spec(&robot()), (rate, &[1.0, -0.5, 0.2, 0.1]), [20.0, 1.0]);
+    // Each mode is e^(-kappa) or faster, and kappa is 380 at the clamp: what is left is rounding.
+    assert!(x.iter().all(|x| x.abs() < 1e-12), "{x:?}");
+}
+
+#[test]
+fn outputs_of_different_orders_come_to_rest() {
+    let rate = "    dx[0] = x[1]; dx[1] = -x[1] + (2.0 + sin(x[0])) * u[0] + x[2] * u[1];\n\
+        \x20   dx[2] = x[1] * x[2] + x[2] * u[0] + (2.0 + x[2] * x[2]) * u[1];";
+    let x = rest(&spec(MIX), (rate, &[1.0, 0.0, 0.5]), [1.0, 1e-2]);
+    // With T = 0.01 the modes of the pole -m are T^m: p = 5 T^4 - 4 T^5, h = 0.5 T^3.
+    let s = 1e-2 * 1.000_000_1f64;
+    let (p, h) = (5.0 * s.powi(4) - 4.0 * s.powi(5), 0.5 * s.powi(3));
+    assert!((x[0] - p).abs() < 1e-3 * p && (x[2] - h).abs() < 1e-3 * h, "{x:?}: p = {p}, h = {h}");
+}
+
+/// Where the matrix is singular every u is 0, whatever the call is trusted with.
+#[test]
+fn a_singular_state_gives_no_u() {
+    let main = "static const unicycle_params params = { .t0 = 0.0 };\n\
+        int main(void)\n{\n    unicycle control;\n    const double x[4] = { 1.0, 1.0, 0.0, 0.0 };\n\
+        \x20   double u[2] = { 7.0, 7.0 };\n    ptc_status axes[2];\n\
+        \x20   if (unicycle_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   printf(\"%d \", (int)unicycle_step(&control, 0.5, x, u, axes));\n\
+        \x20   printf(\"%g %g %d %d\\n\", u[0], u[1], (int)axes[0], (int)axes[1]);\n    return 0;\n}\n";
+    let found = in_c::run("coupled_singular", &spec(UNICYCLE), main);
+    assert_eq!(found, [[-3.0, 0.0, 0.0, -3.0, -3.0]]);
+}
+
+fn outcome(test: &str, text: &str, name: &str) -> (String, String) {
+    let folder = folder_with(test, "design.toml", text);
+    let (_, json, stderr) = run_in(&folder, &["check", "design.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).expect(&stderr);
+    let all = found["checks"].as_array().expect("checks");
+    let own = all.iter().find(|check| check["name"] == name).expect("an outcome");
+    let word = |key: &str| own[key].as_str().expect("text").to_owned();
+    (word("verdict"), word("summary"))
+}
+
+#[test]
+fn a_singular_matrix_is_found_in_the_envelope_and_at_rest() {
+    let (verdict, summary) = outcome("coupled_rest", UNICYCLE, "zeros");
+    assert_eq!((verdict.as_str(), summary.contains("is 0 at the origin")), ("unsound", true));
+    let bounded =
+        UNICYCLE.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1, 1]\n";
+    let (verdict, summary) = outcome("coupled_envelope", &bounded, "envelope");
+    assert_eq!(verdict, "refuted", "{summary}");
+    let inside = MIX.replace("tau = 1\n", "tau = 1\nt0 = 0\n") + "[envelope]\nx_max = [1, 1, 1]\n";
+    let (verdict, summary) = outcome("coupled_inside", &inside, "envelope");
+    assert_eq!(verdict, "sound", "{summary}");
+}
+
+#[test]
+fn mistakes_are_shown_at_their_lines() {
+    let arm = "mu = \"exp(a=1)\"\npoles = [-4, -5]\n[model]\nstates = [\"p\", \"q\", \"v\", \"w\"]\n\
+        inputs = [\"a\", \"b\"]\ninertia = [[\"2\", \"q\"], [\"q\", \"3\"]]\nbias = [\"v\", \"w\"]\n";
+    for (text, from, to, line, message, help) in [
+        (MIX, "[\"p\", \"h\"]", "[\"p\"]", 11, "`outputs` has 1 items, and 2 are needed", "give 2"),
+        (
+            MIX,
+            "[\"p\", \"h\"]",
+            "[\"p\", \"p\"]",
+            11,
+            "no static decoupling exists",
+            "add an integrator",
+        ),
+        (
+            MIX,
+            "v*h + h*a + (2 + h^2)*b",
+            "-h",
+            11,
+            "none of the inputs `a`, `b` reaches",
+            "it moves",
+        ),
+        (MIX, "h*a + (2", "a*b + (2", 12, "h' is not affine in the input `a`", "f + g*input"),
+        (
+            MIX,
+            "[\"p\", \"h\"]",
+            "[\"p\", \"a\"]",
+            11,
+            "the output depends on the input",
+            "states alone",
+        ),
+        (
+            MIX,
+            "v = \"-v + (2 + sin(p))*a + h*b\", ",
+            "",
+            12,
+            "the state `v` has no dynamics",
+            "v = ",
+        ),
+        (MIX, "[[-4, -5], [-3]]", "[-4, -5]", 3, "one list of poles", "of 2 and 1 numbers"),
+        (MIX, "poles = [[-4, -5], [-3]]\n", "", 0, "`poles` are missing", "a list for each output"),
+        (MIX, "mu =", "axes = 2\nmu =", 2, "`axes` beside `inputs`", "leave it out"),
+        (MIX, "mu =", "reference = \"input\"\nmu =", 2, "brought to 0", "set point"),
+        (arm, "\"w\"]\ninputs", "\"q\"]\ninputs", 4, "two names `q`", "a name of its own"),
+        (arm, ", \"w\"]\ninputs", "]\ninputs", 4, "3 states for 2 inputs", "the rate of each"),
+        (arm, "[\"q\", \"3\"]", "[\"q\", \"v\"]", 6, "depends on the rate `v`", "`bias`"),
+        (
+            arm,
+            "[\"q\", \"3\"]",
+            "[\"2\", \"q\"]",
+            6,
+            "is singular for all states",
+            "positive definite",
+        ),
+        (arm, "bias = [\"v\", \"w\"]\n", "", 0, "the model has no `bias`", "give"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let folder = folder_with("coupled_mistakes", "design.toml", &text.replacen(from, to, 1));
+        let (status, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+        assert_ne!(status, Some(0), "{from} -> {to}");
+        let at = format!("design.toml:{line}:");
+        let shown = stderr.contains(message) && stderr.contains(help);
+        assert!(shown && (line == 0 || stderr.contains(&at)), "{from} -> {to}: {stderr}");
+    }
+    let four = "mu = \"exp(a=1)\"\npoles = [-4]\n[model]\nstates = [\"p\", \"q\", \"r\", \"s\"]\n\
+        inputs = [\"a\", \"b\", \"c\", \"d\"]\noutputs = [\"p\", \"q\", \"r\", \"s\"]\n\
+        dynamics = { p = \"a\", q = \"b\", r = \"c\", s = \"d\" }\n";
+    let folder = folder_with("coupled_four", "design.toml", four);
+    let (_, _, stderr) = run_in(&folder, &["check", "design.toml"]);
+    assert!(stderr.contains("at most 3 are decoupled"), "{stderr}");
+}
+
+/// The command in the head gives the design back, and every language has it.
+#[test]
+fn every_language_has_it() {
+    for (name, own) in plants() {
+        let again = crate::command::spec_of(&own.command()).expect("a legal command");
+        assert_eq!(again.command(), own.command());
+        for language in
+            [Language::C, Language::Cpp, Language::Rust, Language::Python, Language::Matlab]
+        {
+            let files = ptc_codegen::generate(&own, language).expect(name);
+            assert_eq!(ptc_codegen::generate(&again, language).expect(name), files);
+        }
+        for language in [Language::StructuredText, Language::Fmu2, Language::Fmu3] {
+            let found = ptc_codegen::generate(&own, language).expect_err("no such plants");
+            assert!(found.iter().any(|d| d.key == "inputs"), "{language:?}: {found:?}");
+        }
+    }
+}
