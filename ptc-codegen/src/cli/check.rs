@@ -71,7 +71,11 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
 
 fn text(report: &Report, margins: Option<&Option<Margins>>, refused: bool) -> String {
     let spec = &report.spec;
-    let mut out = format!("{}: order n = {}, {}\n", spec.name(), spec.n, spec.command());
+    let order = match &spec.coupled {
+        Some(coupled) => coupled.order_text(),
+        None => format!("order n = {}", spec.n),
+    };
+    let mut out = format!("{}: {order}, {}\n", spec.name(), spec.command());
     for outcome in &report.outcomes {
         let verdict = outcome.verdict.text();
         let _ = writeln!(out, "\n{:<11} {verdict}: {}", outcome.name, outcome.summary);

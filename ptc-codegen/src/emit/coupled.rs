@@ -4,12 +4,6 @@ use crate::expression::Expression;
 use crate::model::Coupled;
 use crate::model::coupled::Inverse;
 
-/// The orders of the outputs, with commas between them.
-pub(super) fn orders(coupled: &Coupled) -> String {
-    let orders: Vec<_> = coupled.orders().iter().map(ToString::to_string).collect();
-    orders.join(", ")
-}
-
 /// The plant and what becomes of it.
 pub(super) fn purpose(coupled: &Coupled) -> Vec<String> {
     let inputs: Vec<_> = coupled.inputs.iter().map(|name| name.text()).collect();

@@ -20,7 +20,7 @@ pub(super) fn lines(controller: &Controller<'_>, language: Language) -> Vec<Stri
     let kind = if associated { "Infinite-time system of" } else { "Prescribed-time controller" };
     let (name, mapping_name) = (spec.name(), spec.mapping_name());
     let order = match &spec.coupled {
-        Some(coupled) => format!("outputs of order {}", coupled::orders(coupled)),
+        Some(coupled) => coupled.order_text(),
         None => format!("order n = {}", spec.n),
     };
     let mut lines = vec![

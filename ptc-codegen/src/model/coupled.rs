@@ -154,6 +154,12 @@ impl Coupled {
         self.outputs.iter().map(|output| output.coordinates.len()).collect()
     }
 
+    /// The same in words.
+    pub fn order_text(&self) -> String {
+        let orders: Vec<_> = self.orders().iter().map(ToString::to_string).collect();
+        format!("outputs of order {}", orders.join(", "))
+    }
+
     /// Every expression that the law is computed from.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         let chains = self.outputs.iter();

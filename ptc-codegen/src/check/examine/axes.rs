@@ -26,9 +26,10 @@ pub(super) fn of_axes(spec: &Spec, expanded: Option<&Expanded>) -> Report {
         }
     }
     let names = reports.first().map(|report| report.outcomes.len()).unwrap_or_default();
+    let each = if spec.coupled.is_some() { "output" } else { "axis" };
     let of_check = |check: usize| {
         let outcomes = reports.iter().filter_map(|report| report.outcomes.get(check));
-        joined(&outcomes.collect::<Vec<_>>())
+        joined(&outcomes.collect::<Vec<_>>(), each)
     };
     let mut outcomes: Vec<Outcome> = (0..names).filter_map(of_check).collect();
     if let Some(coupled) = &spec.coupled {
@@ -64,7 +65,7 @@ fn gravity(verdict: Verdict) -> u8 {
 }
 
 /// One check of all axes: that of the first axis for which it is gravest, and the others as details.
-fn joined(axes: &[&Outcome]) -> Option<Outcome> {
+fn joined(axes: &[&Outcome], each: &str) -> Option<Outcome> {
     let (first, rest) = axes.split_first()?;
     if rest.iter().all(|other| other == first) {
         return Some((*first).clone());
@@ -72,7 +73,7 @@ fn joined(axes: &[&Outcome]) -> Option<Outcome> {
     let says = |outcome: &Outcome| (outcome.verdict, outcome.summary.clone(), outcome.fix.clone());
     if rest.iter().all(|other| says(other) == says(first)) {
         let of_axis = |(axis, outcome): (usize, &&Outcome)| {
-            outcome.details.iter().map(move |detail| format!("axis {axis}: {detail}")).collect()
+            outcome.details.iter().map(move |detail| format!("{each} {axis}: {detail}")).collect()
         };
         let details: Vec<Vec<String>> = (1..).zip(axes).map(of_axis).collect();
         return Some(Outcome { details: details.concat(), ..(*first).clone() });
@@ -80,10 +81,10 @@ fn joined(axes: &[&Outcome]) -> Option<Outcome> {
     let gravest = axes.iter().map(|outcome| gravity(outcome.verdict)).max()?;
     let at = axes.iter().position(|outcome| gravity(outcome.verdict) == gravest)?;
     let mut outcome = axes[at].clone();
-    outcome.summary = format!("axis {}: {}", at + 1, outcome.summary);
+    outcome.summary = format!("{each} {}: {}", at + 1, outcome.summary);
     let others = (1..).zip(axes).filter(|(axis, _)| *axis != at + 1);
     outcome.details.extend(
-        others.map(|(axis, o)| format!("axis {axis}: {}: {}", o.verdict.text(), o.summary)),
+        others.map(|(axis, o)| format!("{each} {axis}: {}: {}", o.verdict.text(), o.summary)),
     );
     Some(outcome)
 }
