@@ -153,7 +153,7 @@ pub static KEYS: [KeyInfo; 51] = [
         key: "inertia",
         meaning: "matrix M(q) of a mechanical model M q'' + bias = u, whose states are q and then q'",
         legal: "a row for each input, of an expression in q for each input",
-        example: "[[2 + cos(q2), 1], [1, 1]]",
+        example: "[[3, 1], [1, 1]]",
     },
     KeyInfo {
         key: "bias",
