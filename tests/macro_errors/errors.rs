@@ -21,7 +21,8 @@ fn cases() -> Option<TestCases> {
 fn mistakes_are_told_at_their_token() {
     let Some(cases) = cases() else { return };
     // The package that trybuild makes of the cases, where their design file is looked for.
-    let target = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
+    let target =
+        std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
     let package = target.join("tests/trybuild").join(env!("CARGO_PKG_NAME"));
     std::fs::create_dir_all(&package).expect("the folder of the cases");
     std::fs::copy("cases/wrong.toml", package.join("wrong.toml")).expect("a design file");
