@@ -17,6 +17,7 @@ impl Spec {
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
         }
+        words.extend(self.units.iter().map(|unit| format!("--units {unit}")));
         match self.what {
             What::Controller => {}
             What::Associated => words.push("--what associated".to_owned()),

@@ -7,6 +7,7 @@ mod poles;
 mod promises;
 mod read;
 mod sampled;
+mod units;
 
 pub use axes::Axes;
 pub use poles::{Pole, PoleError, gains};
@@ -115,6 +116,8 @@ pub struct Spec {
     pub time_mapping: TimeMapping,
     /// Name of the controller: prefix of every emitted symbol, stem of the files.
     pub name: Option<String>,
+    /// Unit of x1, where the design names it.
+    pub units: Option<String>,
     /// What is generated.
     pub what: What,
     /// What a call is given beside the state.
@@ -163,6 +166,7 @@ impl Spec {
             n,
             time_mapping,
             name: None,
+            units: None,
             what: What::Controller,
             clock: Clock::Time,
             precision: Precision::F64,
