@@ -111,6 +111,7 @@ impl Case {
                 Parameter::UMax => 1e37,
                 Parameter::A => 8.0,
                 Parameter::M => 1.5,
+                Parameter::Start => 0.25,
                 Parameter::Rate(i) => [0.75, 1.75][i % 2],
                 Parameter::Named(_) => 1.0,
                 Parameter::Samples => 1000.0,
