@@ -12,7 +12,6 @@ pub(super) const PAGE: RGBColor = RGBColor(0xff, 0xff, 0xff);
 pub(super) const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub(super) const FRAME: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub(super) const GRID: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
-const BAND: RGBColor = RGBColor(0xcf, 0xdf, 0xf0);
 const BOUND: RGBColor = RGBColor(0xa0, 0x20, 0x30);
 const TRACES: [RGBColor; 5] = [
     RGBColor(0x1b, 0x5f, 0xa8),
@@ -23,13 +22,12 @@ const TRACES: [RGBColor; 5] = [
 ];
 
 /// Each colour of the white page with the one of a dark page.
-const DARK: [(RGBColor, &str); 11] = [
+const DARK: [(RGBColor, &str); 10] = [
     (PAGE, "#161b22"),
     (TEXT, "#e6edf3"),
     (FRAME, "#8b949e"),
     (GRID, "#30363d"),
     (BOUND, "#ff7b86"),
-    (BAND, "#1f3a57"),
     (TRACES[0], "#6cb6ff"),
     (TRACES[1], "#f0883e"),
     (TRACES[2], "#57c97a"),
@@ -94,7 +92,7 @@ impl Pen {
 
     /// Between what runs are.
     pub(super) fn band(self) -> ShapeStyle {
-        BAND.filled()
+        GRID.filled()
     }
 
     /// Thin line of axes and mesh.
