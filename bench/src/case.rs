@@ -32,7 +32,7 @@ const fn plain(name: &'static str, family: Family) -> Variant {
     Variant { name, family, fixed: None }
 }
 
-/// Every family, and power with m = 2 fixed as well.
+/// Every family but soft, and power with m = 2 fixed as well.
 pub(crate) const VARIANTS: [Variant; 8] = [
     plain("exp", Family::Exp),
     plain("rational", Family::Rational),
