@@ -38,7 +38,7 @@ pub static KEYS: [KeyInfo; 48] = [
     KeyInfo {
         key: "mu",
         meaning: "time mapping, with its parameters where they are fixed",
-        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum) or an expression in t",
+        legal: "a family (exp, rational, power, tan, tanh, algebraic, exp_sum, soft) or an expression in t",
         example: "exp(a=1)",
     },
     KeyInfo {

@@ -211,7 +211,9 @@ impl Spec {
         };
         let name = family.name();
         let mut arguments = Vec::new();
-        for (parameter, key) in [(Parameter::A, "a"), (Parameter::M, "m")] {
+        for (parameter, key) in
+            [(Parameter::A, "a"), (Parameter::M, "m"), (Parameter::Start, "start")]
+        {
             if let Some(value) = self.fixed.get(&parameter) {
                 arguments.push(format!("{key}={value}"));
             }

@@ -78,7 +78,7 @@ fn exponent(parameter: Parameter, n: usize) -> Option<i64> {
     match parameter {
         Parameter::Tau | Parameter::StartTime | Parameter::Eps | Parameter::SampleTime => Some(1),
         Parameter::A | Parameter::Rate(_) => Some(-1),
-        Parameter::M | Parameter::Samples | Parameter::Deadbeat => Some(0),
+        Parameter::M | Parameter::Start | Parameter::Samples | Parameter::Deadbeat => Some(0),
         Parameter::Gain(i) => Some(order(i)? - 1 - order(n)?),
         Parameter::UMax | Parameter::Named(_) => None,
     }
