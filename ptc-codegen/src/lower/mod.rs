@@ -18,6 +18,7 @@ mod quantity;
 mod rows;
 mod scalar;
 mod series;
+mod soft;
 mod state;
 mod taylor;
 mod time;
@@ -67,7 +68,9 @@ fn controller(spec: &Spec, law: &Law) -> Program {
     };
     let past = (spec.after != After::Hold).then(|| b.past());
     let (late, hold_from, eps) = (b.late(), b.hold_from(), b.parameter(Parameter::Eps));
-    let program = b.finish(step, Limits { start_time, u_max, past, late, hold_from, eps });
+    let elapsed = b.elapsed;
+    let limits = Limits { start_time, u_max, past, late, hold_from, eps, elapsed };
+    let program = b.finish(step, limits);
     let Shared { gains, divisors, bounds, axis } = shared;
     Program { others, gains, divisors, bounds, axis, ..program }
 }

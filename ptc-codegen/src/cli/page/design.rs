@@ -89,7 +89,7 @@ pub(super) fn known(spec: &Spec, plant: &Plant) -> Vec<Known> {
         name: parameter.spelling(),
         meaning: parameter.meaning(),
         value: told(spec.fixed.get(&parameter), spec.bounds.get(&parameter)),
-        unit: parameter.unit_for(spec.n),
+        unit: spec.unit(parameter),
     });
     let symbols = plant.symbols(spec).into_iter().map(|symbol| (symbol, "symbol of the plant"));
     let others = spec.parameters().into_iter().filter(|parameter| plant.gives(*parameter));
@@ -108,7 +108,7 @@ pub(super) fn file(spec: &Spec) -> String {
     format!("{}.toml", spec.name())
 }
 
-/// The command that gives the same report, of the design in a file of its name.
+/// A command of the design, in a file of its name.
 pub(crate) fn command(
     verb: &str,
     spec: &Spec,
@@ -127,8 +127,12 @@ pub(crate) fn command(
         "" => flag.to_owned(),
         _ => format!("{flag}={}", shell(value)),
     }));
-    words.push(format!("--report={}.html", spec.name()));
     words.join(" ")
+}
+
+/// The command that gives the same report.
+pub(crate) fn reporting(command: &str, spec: &Spec) -> String {
+    format!("{command} --report={}.html", spec.name())
 }
 
 /// A value as a shell reads it.
