@@ -1,6 +1,7 @@
 //! One scenario: on both sides of Theorem 1, or in the loop of the emitted program alone.
 
-use super::objective::Observer;
+use super::batch::InLanes;
+use super::observer::Observer;
 use super::{Campaign, Level, Other, Outcome, Setting};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
@@ -13,6 +14,8 @@ use crate::simulate::{
 #[derive(Clone, Debug)]
 pub struct Trial {
     closed: Closed,
+    /// The same for many scenarios at once, where both sides are smooth.
+    pub(super) lanes: Option<Box<InLanes>>,
     observer: Observer,
     objectives: usize,
 }
@@ -46,7 +49,7 @@ pub struct Instant {
 }
 
 /// Far below the tolerance of the sides, and an order above what would cost time.
-const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
+pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
 
 impl Trial {
     /// The loops of a campaign. Both sides of Theorem 1 compute in f64: what f32 makes of the law is no
@@ -69,7 +72,12 @@ impl Trial {
             }
         };
         let observer = Observer::new(&spec, &campaign.objectives);
-        Ok(Self { closed, observer, objectives: campaign.objectives.len() })
+        let lanes = match &closed {
+            Closed::Theorem(sides) => InLanes::of((&sides.0, &sides.1), &observer),
+            _ => None,
+        };
+        let lanes = lanes.map(Box::new);
+        Ok(Self { closed, lanes, observer, objectives: campaign.objectives.len() })
     }
 
     /// Runs a scenario.
@@ -97,7 +105,7 @@ impl Trial {
         setting: &Setting,
         visit: &mut dyn FnMut(Instant),
     ) -> Result<(), Failure> {
-        let Self { closed, observer, objectives } = self;
+        let Self { closed, observer, objectives, .. } = self;
         match closed {
             Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), setting, visit),
             Closed::Direct(direct) => along(direct, (observer, *objectives), setting, visit),
@@ -185,27 +193,35 @@ fn both(
     (observer, objectives): (&mut Observer, usize),
     setting: &Setting,
 ) -> Outcome {
-    let (mut first, mut second) = (Vec::new(), Vec::new());
+    let (mut first, mut second) =
+        (Track::new(setting, objectives), Track::new(setting, objectives));
     let watched = (&mut *observer, objectives);
-    let infinite = along(infinite, watched, setting, &mut |instant| first.push(instant));
-    let direct = along(direct, (observer, objectives), setting, &mut |i| second.push(i));
-    let excess = |side: &[Instant], end: &Result<(), Failure>| {
+    let infinite = along(infinite, watched, setting, &mut |instant| first.take(&instant));
+    let direct = along(direct, (observer, objectives), setting, &mut |i| second.take(&i));
+    compared((&first, &infinite), (&second, direct))
+}
+
+/// What both sides say, with how each ended.
+pub(super) fn compared(
+    (first, infinite): (&Track, &Result<(), Failure>),
+    (second, direct): (&Track, Result<(), Failure>),
+) -> Outcome {
+    let excess = |side: &Track, end: &Result<(), Failure>| -> Vec<f64> {
         let start = if is_range(end) { f64::INFINITY } else { f64::NEG_INFINITY };
-        let worst = |i: usize| side.iter().map(|instant| instant.excess[i]).fold(start, f64::max);
-        (0..objectives).map(worst).collect()
+        side.excess.iter().map(|excess| excess.max(start)).collect()
     };
-    let difference = match (is_range(&infinite), is_range(&direct)) {
+    let difference = match (is_range(infinite), is_range(&direct)) {
         // As far as both came.
-        (false, false) => difference(&first, &second),
+        (false, false) => first.difference(second),
         (true, true) => 0.0,
         _ if infinite.is_err() && direct.is_err() => 0.0,
         _ => f64::INFINITY,
     };
     Outcome {
-        excess: excess(&first, &infinite),
-        direct: Some(Other { excess: excess(&second, &direct), difference }),
+        excess: excess(first, infinite),
+        direct: Some(Other { excess: excess(second, &direct), difference }),
         // What could not be finished says more than what left the range of numbers elsewhere.
-        ended: match (infinite.err(), direct.err()) {
+        ended: match (infinite.clone().err(), direct.err()) {
             (Some(first), Some(second)) if first.cause == Cause::Range => Some(second),
             (first, second) => first.or(second),
         },
@@ -286,17 +302,50 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Largest difference of two sides, each component as a part of its largest value.
-fn difference(first: &[Instant], second: &[Instant]) -> f64 {
-    let n = first.first().map_or(0, |instant| instant.x.len());
-    let component = |i: usize| {
-        let get = |instant: &Instant| if i < n { instant.x[i] } else { instant.u };
-        let size = first.iter().chain(second).map(|one| get(one).abs()).fold(0.0, f64::max);
-        let pairs = first.iter().zip(second);
-        let apart = pairs.map(|(a, b)| (get(a) - get(b)).abs());
-        // No number differs from everything.
-        let apart = apart.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) });
-        if apart == 0.0 { 0.0 } else { apart / size }
-    };
-    (0..=n).map(component).fold(0.0, f64::max)
+/// What is kept of one side of a run: x_1..x_n and u at each instant, and the worst of each objective.
+#[derive(Clone, Debug)]
+pub(super) struct Track {
+    width: usize,
+    numbers: Vec<f64>,
+    excess: Vec<f64>,
+}
+
+impl Track {
+    pub(super) fn new(setting: &Setting, objectives: usize) -> Self {
+        let width = setting.x0.len() + 1;
+        let count: usize = setting.pieces.iter().map(|(shares, _)| shares.len()).sum();
+        let excess = vec![f64::NEG_INFINITY; objectives];
+        Self { width, numbers: Vec::with_capacity(count * width), excess }
+    }
+
+    fn take(&mut self, instant: &Instant) {
+        self.push(instant.x.iter().copied(), instant.u);
+        (0..).zip(&instant.excess).for_each(|(objective, excess)| self.exceed(objective, *excess));
+    }
+
+    pub(super) fn push(&mut self, x: impl Iterator<Item = f64>, u: f64) {
+        self.numbers.extend(x.chain([u]));
+    }
+
+    pub(super) fn exceed(&mut self, objective: usize, excess: f64) {
+        self.excess[objective] = self.excess[objective].max(excess);
+    }
+
+    fn component(&self, i: usize) -> impl Iterator<Item = f64> {
+        self.numbers.iter().skip(i).step_by(self.width).copied()
+    }
+
+    /// Largest difference from another side, each component as a part of its largest value.
+    fn difference(&self, other: &Self) -> f64 {
+        let component = |i: usize| {
+            let size = self.component(i).chain(other.component(i)).map(f64::abs);
+            let size = size.fold(0.0, f64::max);
+            let apart = self.component(i).zip(other.component(i)).map(|(a, b)| (a - b).abs());
+            // No number differs from everything.
+            let more = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
+            let apart = apart.fold(0.0, more);
+            if apart == 0.0 { 0.0 } else { apart / size }
+        };
+        (0..self.width).map(component).fold(0.0, f64::max)
+    }
 }
