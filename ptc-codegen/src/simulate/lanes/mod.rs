@@ -110,8 +110,15 @@ pub(crate) trait LaneSide {
     fn tell(&mut self, at: &At, state: &[Pack]) -> (&[Pack], &Pack);
 }
 
+/// The accuracy of a step, as a part of what is asked for: that of the dense output, whose order is one
+/// less, is ten times as large.
+const CLOSER: f64 = 0.1;
+
 /// Steps of a run after which it counts as stiff, as for one that is run by itself.
 const MOST: usize = 1200;
+
+/// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
+const REFUSED: usize = 200;
 
 /// A run under way.
 #[derive(Clone, Copy, Debug)]
@@ -121,6 +128,7 @@ struct Place {
     /// The next instant of the piece.
     next: usize,
     steps: usize,
+    refused: usize,
 }
 
 /// The runs under way.
@@ -146,6 +154,7 @@ pub(crate) fn run<S: LaneSide>(
     accuracy: Accuracy,
     see: See<'_>,
 ) -> Vec<bool> {
+    let accuracy = Accuracy { relative: CLOSER * accuracy.relative, ..accuracy };
     let method = Method::new(side.order(), side.slant(), accuracy);
     let mut batch = Batch {
         seen: vec![Pack::all(0.0); side.order()],
@@ -221,7 +230,7 @@ impl<'a, S: LaneSide> Batch<'a, S> {
                 self.method.at.0[lane] = 0.0;
                 self.method.step.0[lane] = FIRST;
                 let job = self.next - 1;
-                self.places[lane] = Some(Place { job, piece: 0, next: 0, steps: 0 });
+                self.places[lane] = Some(Place { job, piece: 0, next: 0, steps: 0, refused: 0 });
                 return true;
             }
         }
@@ -274,7 +283,8 @@ impl<'a, S: LaneSide> Batch<'a, S> {
             let finite = self.method.y.iter().all(|y| y.0[lane].is_finite());
             if let Some(place) = &mut self.places[lane] {
                 place.steps += 1;
-                if !finite || place.steps == MOST {
+                place.refused += usize::from(!moved[lane]);
+                if !finite || place.steps == MOST || place.refused == REFUSED {
                     self.places[lane] = None;
                 }
             }
