@@ -91,6 +91,8 @@ fn beside(text: &str, count: u64) -> (f64, bool) {
     for (setting, own) in settings.iter().zip(&together) {
         let alone = trial.run(setting);
         assert_eq!(alone.status(), own.status(), "{text}");
+        let apart = alone.difference().max(own.difference());
+        assert!(apart < campaign.tolerance, "{apart:.1e}, {text}");
         same &= bits(&alone) == bits(own);
         let (alone, own) = (numbers(&alone), numbers(own));
         let sizes = alone.iter().zip(&own).map(|(a, b)| (a - b).abs() / (1.0 + a.abs()));

@@ -131,7 +131,7 @@ impl Continuous {
 
 impl Run<Continuous> {
     /// The same for many scenarios at once, where the loop is smooth and u has no bound.
-    pub(crate) fn in_lanes(&self) -> Option<StretchedLanes> {
+    pub fn in_lanes(&self) -> Option<StretchedLanes> {
         let Continuous { n, closed, kinks, back_program, .. } = self.side();
         StretchedLanes::of(*n, closed, kinks, back_program)
     }

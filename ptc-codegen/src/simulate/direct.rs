@@ -35,7 +35,7 @@ impl Direct {
 
 impl Run<Direct> {
     /// The same for many scenarios at once, where the loop is smooth and u has no bound.
-    pub(crate) fn in_lanes(&self) -> Option<DirectLanes> {
+    pub fn in_lanes(&self) -> Option<DirectLanes> {
         let Direct { controller, motion } = self.side();
         DirectLanes::of(controller, controller.program(), motion.program())
     }

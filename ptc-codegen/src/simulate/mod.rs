@@ -16,7 +16,7 @@ mod controller;
 mod crossing;
 mod direct;
 mod failure;
-pub(crate) mod lanes;
+pub mod lanes;
 mod linear;
 mod mode;
 mod pass;

@@ -1,9 +1,11 @@
 //! Many scenarios at once: in lanes where both sides of Theorem 1 are smooth, else one by one.
 
+use std::slice::from_ref;
+
 use rayon::prelude::*;
 
 use super::observer::{LaneObserver, Observer};
-use super::trial::{ACCURACY, Track, compared};
+use super::trial::{ACCURACY, Track, compared, is_blurred};
 use super::{Campaign, Outcome, Scenario, Setting, Trial};
 use crate::simulate::lanes::{DirectLanes, Instants, Job, LaneSide, StretchedLanes, run};
 use crate::simulate::{Continuous, Direct, Run};
@@ -72,7 +74,13 @@ fn tracks<S: LaneSide>(
 }
 
 impl Trial {
-    /// Runs scenarios, as [`run`](Self::run) each.
+    /// The outcome that a scenario has in a campaign, in whatever company.
+    pub fn run_one(&mut self, setting: &Setting) -> Outcome {
+        self.run_all(from_ref(setting)).pop().unwrap_or_else(|| self.run(setting))
+    }
+
+    /// The outcomes of scenarios: in lanes where they go smoothly to their end and their sides agree,
+    /// else of [`run`](Self::run).
     pub fn run_all(&mut self, settings: &[Setting]) -> Vec<Outcome> {
         let mut outcomes = Vec::with_capacity(settings.len());
         for settings in settings.chunks(HELD) {
@@ -81,6 +89,7 @@ impl Trial {
                 None => vec![None; settings.len()],
             };
             for (setting, found) in settings.iter().zip(found) {
+                let found = found.filter(|outcome| !is_blurred(outcome, self.blur));
                 outcomes.push(found.unwrap_or_else(|| self.run(setting)));
             }
         }

@@ -53,8 +53,7 @@ impl Campaign {
     /// The row of a draw.
     pub fn row(&self, trial: &mut Trial, index: u64) -> Row {
         let scenario = self.scenario(index);
-        let outcome = trial.run(&self.setting(&scenario));
-        row(index, &scenario, outcome)
+        row(index, &scenario, trial.run_one(&self.setting(&scenario)))
     }
 
     /// The rows of scenarios that are no draws, by their place. `done` is called after each.

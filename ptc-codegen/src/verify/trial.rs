@@ -18,6 +18,8 @@ pub struct Trial {
     pub(super) lanes: Option<Box<InLanes>>,
     observer: Observer,
     objectives: usize,
+    /// Difference of the sides above which their integration may show: see [`is_blurred`].
+    pub(super) blur: f64,
 }
 
 /// What a scenario is run in.
@@ -51,6 +53,12 @@ pub struct Instant {
 /// Far below the tolerance of the sides, and an order above what would cost time.
 pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-280, steps: 100_000 };
 
+/// That of a run of which the first accuracy says too little.
+const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
+
+/// Part of the tolerance of the sides up to which their difference is taken as it is.
+const BLUR: f64 = 0.1;
+
 impl Trial {
     /// The loops of a campaign. Both sides of Theorem 1 compute in f64: what f32 makes of the law is no
     /// part of it.
@@ -77,13 +85,18 @@ impl Trial {
             _ => None,
         };
         let lanes = lanes.map(Box::new);
-        Ok(Self { closed, lanes, observer, objectives: campaign.objectives.len() })
+        let blur = BLUR * campaign.tolerance;
+        Ok(Self { closed, lanes, observer, objectives: campaign.objectives.len(), blur })
     }
 
     /// Runs a scenario.
     pub fn run(&mut self, setting: &Setting) -> Outcome {
         if let Closed::Theorem(sides) = &mut self.closed {
-            return both(sides, (&mut self.observer, self.objectives), setting);
+            let mut run = |accuracy: Accuracy| {
+                both(sides, (&mut self.observer, self.objectives), setting, accuracy)
+            };
+            let outcome = run(ACCURACY);
+            return if is_blurred(&outcome, self.blur) { run(CLOSER) } else { outcome };
         }
         // Of many instants the worst is kept alone.
         let mut excess = vec![f64::NEG_INFINITY; self.objectives];
@@ -106,9 +119,10 @@ impl Trial {
         visit: &mut dyn FnMut(Instant),
     ) -> Result<(), Failure> {
         let Self { closed, observer, objectives, .. } = self;
+        let how = (setting, ACCURACY);
         match closed {
-            Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), setting, visit),
-            Closed::Direct(direct) => along(direct, (observer, *objectives), setting, visit),
+            Closed::Theorem(sides) => along(&mut sides.0, (observer, *objectives), how, visit),
+            Closed::Direct(direct) => along(direct, (observer, *objectives), how, visit),
             Closed::Running(sampled) => running(sampled, (observer, *objectives), setting, visit),
         }
     }
@@ -187,17 +201,26 @@ fn is_range(end: &Result<(), Failure>) -> bool {
     end.as_ref().is_err_and(|failure| failure.cause == Cause::Range)
 }
 
+/// Whether the sides, both at their end, differ by more than `blur`: where the terms of x or u cancel,
+/// the error of a step counts many times, and falls with the accuracy; a difference in what is
+/// integrated does not.
+pub(super) fn is_blurred(outcome: &Outcome, blur: f64) -> bool {
+    outcome.ended.is_none() && outcome.difference() > blur
+}
+
 /// Both sides of Theorem 1.
 fn both(
     (infinite, direct): &mut (Run<Continuous>, Run<Direct>),
     (observer, objectives): (&mut Observer, usize),
     setting: &Setting,
+    accuracy: Accuracy,
 ) -> Outcome {
     let (mut first, mut second) =
         (Track::new(setting, objectives), Track::new(setting, objectives));
     let watched = (&mut *observer, objectives);
-    let infinite = along(infinite, watched, setting, &mut |instant| first.take(&instant));
-    let direct = along(direct, (observer, objectives), setting, &mut |i| second.take(&i));
+    let how = (setting, accuracy);
+    let infinite = along(infinite, watched, how, &mut |instant| first.take(&instant));
+    let direct = along(direct, (observer, objectives), how, &mut |i| second.take(&i));
     compared((&first, &infinite), (&second, direct))
 }
 
@@ -232,7 +255,7 @@ pub(super) fn compared(
 fn along<S: Side>(
     run: &mut Run<S>,
     (observer, objectives): (&mut Observer, usize),
-    setting: &Setting,
+    (setting, accuracy): (&Setting, Accuracy),
     visit: &mut dyn FnMut(Instant),
 ) -> Result<(), Failure> {
     run.start(&setting.values, &setting.x0)?;
@@ -243,7 +266,7 @@ fn along<S: Side>(
             left -= 1;
             visit(watch.instant(sample, left == 0));
         };
-        run.advance(values, shares, ACCURACY, seen)
+        run.advance(values, shares, accuracy, seen)
     })
 }
 

@@ -12,8 +12,8 @@ use super::method::Which;
 
 /// A program in lanes with the registers of what changes along a run.
 #[derive(Clone, Debug)]
-pub(crate) struct Abreast {
-    pub(crate) lanes: Lanes,
+pub struct Abreast {
+    pub lanes: Lanes,
     time: Option<Register>,
     state: Vec<Option<Register>>,
     control: Option<Register>,
@@ -21,7 +21,7 @@ pub(crate) struct Abreast {
 
 impl Abreast {
     /// `program` of order `n`, of which `outputs` are looked at; `None` where it does not run in lanes.
-    pub(crate) fn new(program: &Program, outputs: &[Value], n: usize) -> Option<Self> {
+    pub fn new(program: &Program, outputs: &[Value], n: usize) -> Option<Self> {
         let lanes = Lanes::new(program, outputs)?;
         Some(Self {
             time: lanes.register(Input::Time),
@@ -35,7 +35,7 @@ impl Abreast {
     ///
     /// # Errors
     /// One that has no value.
-    pub(crate) fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
+    pub fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
         let inputs: Vec<_> = self.lanes.inputs().collect();
         for (input, register) in inputs {
             if let Some(value) = values.of_input(input)? {
@@ -49,12 +49,7 @@ impl Abreast {
     ///
     /// # Errors
     /// A parameter that has no value.
-    pub(crate) fn start(
-        &mut self,
-        lane: usize,
-        values: &Values,
-        x0: &[f64],
-    ) -> Result<(), Failure> {
+    pub fn start(&mut self, lane: usize, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         for (j, x) in (1..).zip(x0) {
             if let Some(register) = self.lanes.register(Input::StateAtStart(j)) {
                 self.lanes.set(register, lane, *x);
@@ -64,13 +59,13 @@ impl Abreast {
     }
 
     /// Computes what depends on parameters and the start alone.
-    pub(crate) fn settle(&mut self) {
+    pub fn settle(&mut self) {
         self.lanes.run(Stage::Init);
         self.lanes.run(Stage::Arm);
     }
 
     /// Computes the rest at a time and a state.
-    pub(crate) fn at(&mut self, time: &Pack, state: &[Pack]) {
+    pub fn at(&mut self, time: &Pack, state: &[Pack]) {
         self.lanes.fill(self.time, time);
         self.lanes.run(Stage::Tick);
         for (register, x) in self.state.iter().zip(state) {
@@ -80,7 +75,7 @@ impl Abreast {
     }
 
     /// The same under a control.
-    pub(crate) fn under(&mut self, time: &Pack, state: &[Pack], control: &Pack) {
+    pub fn under(&mut self, time: &Pack, state: &[Pack], control: &Pack) {
         self.lanes.fill(self.control, control);
         self.at(time, state);
     }

@@ -13,7 +13,7 @@ use crate::simulate::{Controller, Failure, Values};
 
 /// The same loop as [`Direct`](crate::simulate::Direct), where u has no bound.
 #[derive(Clone, Debug)]
-pub(crate) struct DirectLanes {
+pub struct DirectLanes {
     /// What `init` checks.
     controller: Controller,
     step: Value,
@@ -27,7 +27,7 @@ pub(crate) struct DirectLanes {
 impl DirectLanes {
     /// The programs of the controller and of the plant, each with its kinks; `None` where they do not
     /// run in lanes.
-    pub(crate) fn of(
+    pub fn of(
         controller: &Controller,
         (law, of_law): (&Program, &[Kink]),
         (motion, of_motion): (&Program, &[Kink]),

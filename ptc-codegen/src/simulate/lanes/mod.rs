@@ -11,9 +11,9 @@ mod method;
 mod stretched;
 mod tableau;
 
-pub(crate) use along::Abreast;
-pub(crate) use direct::DirectLanes;
-pub(crate) use stretched::StretchedLanes;
+pub use along::Abreast;
+pub use direct::DirectLanes;
+pub use stretched::StretchedLanes;
 
 use super::solver::FIRST;
 use super::{Accuracy, Failure, Values};
@@ -23,43 +23,43 @@ use method::{Method, Which};
 
 /// One scenario.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Job<'a> {
+pub struct Job<'a> {
     /// Parameters and symbols, with those of the first piece.
-    pub(crate) values: &'a Values,
+    pub values: &'a Values,
     /// State at t0.
-    pub(crate) x0: &'a [f64],
+    pub x0: &'a [f64],
     /// T/tau of the instants that are looked at, with what holds from the one before on.
-    pub(crate) pieces: &'a [(Vec<f64>, Values)],
+    pub pieces: &'a [(Vec<f64>, Values)],
 }
 
 /// One instant of the runs of some lanes.
 #[derive(Debug)]
-pub(crate) struct Instants<'a> {
+pub struct Instants<'a> {
     /// The job of each lane of which this is an instant.
-    pub(crate) jobs: [Option<usize>; LANES],
+    pub jobs: [Option<usize>; LANES],
     /// Whether it is its last one.
-    pub(crate) last: Which,
+    pub last: Which,
     /// Time-to-go T in s.
-    pub(crate) time_to_go: &'a Pack,
+    pub time_to_go: &'a Pack,
     /// State x_1..x_n of the plant.
-    pub(crate) x: &'a [Pack],
+    pub x: &'a [Pack],
     /// Control u.
-    pub(crate) u: &'a Pack,
+    pub u: &'a Pack,
 }
 
 /// What sees the instants.
-pub(crate) type See<'a> = &'a mut dyn FnMut(&Instants<'_>);
+pub type See<'a> = &'a mut dyn FnMut(&Instants<'_>);
 
 /// Where each lane is.
 #[derive(Clone, Debug)]
-pub(crate) struct Clock {
+pub struct Clock {
     tau: Pack,
     t0: Pack,
 }
 
 /// An instant of each lane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct At {
+pub struct At {
     pub(super) t: Pack,
     pub(super) time_to_go: Pack,
 }
@@ -75,7 +75,7 @@ impl Clock {
 }
 
 /// One side of Theorem 1 in lanes.
-pub(crate) trait LaneSide {
+pub trait LaneSide {
     /// Number of components.
     fn order(&self) -> usize;
 
@@ -114,8 +114,12 @@ pub(crate) trait LaneSide {
 /// less, is ten times as large.
 const CLOSER: f64 = 0.1;
 
-/// Steps of a run after which it counts as stiff, as for one that is run by itself.
+/// Steps of a run above which it counts as stiff, as for one that is run by itself.
 const MOST: usize = 1200;
+
+/// Steps after which a run is left where the rest, at the length of the last step, takes more than that:
+/// by then the first steps, which are short, are done.
+const SETTLED: usize = 40;
 
 /// Steps that are refused after which a run is left: its rates round too coarsely for its accuracy.
 const REFUSED: usize = 200;
@@ -127,8 +131,20 @@ struct Place {
     piece: usize,
     /// The next instant of the piece.
     next: usize,
+    /// sigma of the end of the job.
+    finish: f64,
     steps: usize,
     refused: usize,
+}
+
+impl Place {
+    /// Whether a run goes on that has come to `at` and takes a step of `step` next.
+    fn goes_on(&self, at: f64, step: f64) -> bool {
+        #[allow(clippy::cast_precision_loss)]
+        let left = MOST as f64 - self.steps as f64;
+        let is_stiff = self.steps >= SETTLED && (self.finish - at) / step > left;
+        !is_stiff && self.steps < MOST && self.refused < REFUSED
+    }
 }
 
 /// The runs under way.
@@ -148,7 +164,7 @@ struct Batch<'a, S> {
 
 /// Runs the jobs, and hands over their instants: of each job in order, of all in any. Whether each came
 /// to its end; what was seen of one that did not counts for nothing.
-pub(crate) fn run<S: LaneSide>(
+pub fn run<S: LaneSide>(
     side: &mut S,
     jobs: &[Job<'_>],
     accuracy: Accuracy,
@@ -229,8 +245,11 @@ impl<'a, S: LaneSide> Batch<'a, S> {
                 self.clock.t0.0[lane] = job.values.get(Parameter::StartTime);
                 self.method.at.0[lane] = 0.0;
                 self.method.step.0[lane] = FIRST;
+                let last = job.pieces.iter().filter_map(|(shares, _)| shares.last()).next_back();
+                let finish = -last.copied().unwrap_or(1.0).ln();
                 let job = self.next - 1;
-                self.places[lane] = Some(Place { job, piece: 0, next: 0, steps: 0, refused: 0 });
+                let place = Place { job, piece: 0, next: 0, finish, steps: 0, refused: 0 };
+                self.places[lane] = Some(place);
                 return true;
             }
         }
@@ -280,11 +299,12 @@ impl<'a, S: LaneSide> Batch<'a, S> {
             method.accept(&moved, &mut rates);
         }
         for lane in (0..LANES).filter(|lane| active[*lane]) {
-            let finite = self.method.y.iter().all(|y| y.0[lane].is_finite());
+            let Method { at, step, y, .. } = &self.method;
+            let finite = y.iter().all(|y| y.0[lane].is_finite());
             if let Some(place) = &mut self.places[lane] {
                 place.steps += 1;
                 place.refused += usize::from(!moved[lane]);
-                if !finite || place.steps == MOST || place.refused == REFUSED {
+                if !finite || !place.goes_on(at.0[lane], step.0[lane]) {
                     self.places[lane] = None;
                 }
             }

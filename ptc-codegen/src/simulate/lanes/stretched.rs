@@ -16,7 +16,7 @@ use crate::simulate::{Failure, Values};
 
 /// The same loop as [`Continuous`](crate::simulate::Continuous), where u has no bound: xi throughout.
 #[derive(Clone, Debug)]
-pub(crate) struct StretchedLanes {
+pub struct StretchedLanes {
     closed: Arc<ClosedLoop>,
     kinks: Kinks,
     rates: Abreast,
@@ -29,12 +29,7 @@ pub(crate) struct StretchedLanes {
 
 impl StretchedLanes {
     /// `None` where the loop does not run in lanes.
-    pub(crate) fn of(
-        n: usize,
-        closed: &Arc<ClosedLoop>,
-        kinks: &[Kink],
-        back: &Program,
-    ) -> Option<Self> {
+    pub fn of(n: usize, closed: &Arc<ClosedLoop>, kinks: &[Kink], back: &Program) -> Option<Self> {
         let program = &closed.program;
         let mut outputs = vec![closed.control()];
         outputs.extend(closed.xi());
