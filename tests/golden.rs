@@ -6,7 +6,7 @@ mod support;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use ptc_codegen::emit::Language;
@@ -100,30 +100,40 @@ fn generated_is_what_the_generator_writes() {
 
 #[test]
 fn goldens_in_rust_are_formatted() {
-    if !Command::new("rustfmt").arg("--version").output().is_ok_and(|run| run.status.success()) {
-        eprintln!("NOT RUN: rustfmt cannot be had");
-        return;
+    formatted(("rustfmt", ""), &["rust"], &["--check", "--edition", "2024"]);
+}
+
+/// In the style of .clang-format, as version 14 of the program reads it.
+#[test]
+fn goldens_in_c_and_cpp_are_formatted() {
+    let style = format!("--style=file:{}/.clang-format", env!("CARGO_MANIFEST_DIR"));
+    formatted(("clang-format", "version 14."), &["c", "cpp"], &["--dry-run", "--Werror", &style]);
+}
+
+/// A program of this version that lays out sources has nothing to change in the goldens of these languages.
+fn formatted((program, version): (&str, &str), languages: &[&str], arguments: &[&str]) {
+    let told = Command::new(program).arg("--version").output();
+    let has = |run: &Output| String::from_utf8_lossy(&run.stdout).contains(version);
+    if !told.is_ok_and(|run| run.status.success() && has(&run)) {
+        return eprintln!("NOT RUN: {program} {version} cannot be had");
     }
     // Apart from the workspace, whose style is its own.
-    let folder = std::env::temp_dir().join(format!("ptc_formatted_{}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("ptc_{program}_{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
-    let of_rust = WANTED.iter().filter(|(path, _)| path.starts_with("rust"));
-    let files: Vec<_> = of_rust
+    let own = WANTED.iter().filter(|(path, _)| languages.iter().any(|one| path.starts_with(one)));
+    let files: Vec<_> = own
         .map(|(path, text)| {
             let file = folder.join(path.file_name().expect("a name"));
             fs::write(&file, text).expect("a file");
             file
         })
         .collect();
-    let told = Command::new("rustfmt")
-        .args(["--check", "--edition", "2024"])
-        .args(&files)
-        .output()
-        .expect("rustfmt");
+    let told = Command::new(program).args(arguments).args(&files).output().expect(program);
     assert!(
         !files.is_empty() && told.status.success(),
-        "{}",
-        String::from_utf8_lossy(&told.stdout)
+        "{}{}",
+        String::from_utf8_lossy(&told.stdout),
+        String::from_utf8_lossy(&told.stderr)
     );
     fs::remove_dir_all(&folder).expect("its end");
 }

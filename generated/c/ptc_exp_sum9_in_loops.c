@@ -356,7 +356,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 self->w7,
                 self->w8,
                 self->w9,
-                -362880.0
+                -362880.0,
             };
             const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
             ptc_exp_sum9_in_loops_rows(row, p);
@@ -483,7 +483,7 @@ ptc_status ptc_exp_sum9_in_loops_tick(
                 self->w7,
                 self->w8,
                 self->w9,
-                -362880.0
+                -362880.0,
             };
             const double p[8] = {p2, p3, p4, p5, p6, p7, p8, p9};
             ptc_exp_sum9_in_loops_rows(row, p);

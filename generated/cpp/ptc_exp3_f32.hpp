@@ -83,26 +83,26 @@ namespace ptc {
 #define PTC_STATUS_HPP
 /// Outcome of a call; a negative one leaves u = 0.
 enum class Status : int {
-    Ok = 0,        ///< tracking
-    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
-    After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
-    Input = -2,    ///< x or t not finite, or t before t0
-    Range = -3     ///< u not finite
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
 };
 
 /// What a step gives.
 template <class Real>
 struct [[nodiscard]] Control {
-    Real u;        ///< input of the plant
+    Real u; ///< input of the plant
     Status status; ///< its status
 };
 
 /// What the infinite-time system gives.
 template <class State>
 struct [[nodiscard]] Rate {
-    State xi_dot;  ///< zeros on a negative status
+    State xi_dot; ///< zeros on a negative status
     Status status;
 };
 #endif
@@ -181,18 +181,18 @@ public:
         const float k2 = params.k[1];
         const float k3 = params.k[2];
         if (!(finite(tau)
-            && (1e-18f <= tau)
-            && (tau <= 1e18f)
-            && finite(t0)
-            && (1e-18f <= eps)
-            && (0.0f < u_max)
-            && finite(a)
-            && (1e-18f <= a)
-            && (a <= 1e18f)
-            && finite(k1)
-            && finite(k2)
-            && finite(k3)
-            && (eps < tau))) {
+                && (1e-18f <= tau)
+                && (tau <= 1e18f)
+                && finite(t0)
+                && (1e-18f <= eps)
+                && (0.0f < u_max)
+                && finite(a)
+                && (1e-18f <= a)
+                && (a <= 1e18f)
+                && finite(k1)
+                && finite(k2)
+                && finite(k3)
+                && (eps < tau))) {
             return Status::Param;
         }
         const float v1 = a * a;
@@ -208,13 +208,13 @@ public:
         const float size_K2 = (absolute(k2) <= 0.0f) ? 1e-30f : absolute(K2);
         const float size_K3 = (absolute(k3) <= 0.0f) ? 1e-30f : absolute(K3);
         if (!((1e-30f <= v2)
-            && (1e-30f <= size_K1)
-            && (1e-30f <= size_K2)
-            && (1e-30f <= size_K3)
-            && finite(c1)
-            && finite(c2)
-            && finite(c3)
-            && finite(hold_from))) {
+                && (1e-30f <= size_K1)
+                && (1e-30f <= size_K2)
+                && (1e-30f <= size_K3)
+                && finite(c1)
+                && finite(c2)
+                && finite(c3)
+                && finite(hold_from))) {
             return Status::Param;
         }
         built.c1_ = c1;

@@ -80,26 +80,26 @@ namespace ptc {
 #define PTC_STATUS_HPP
 /// Outcome of a call; a negative one leaves u = 0.
 enum class Status : int {
-    Ok = 0,        ///< tracking
-    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
-    After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
-    Input = -2,    ///< x or t not finite, or t before t0
-    Range = -3     ///< u not finite
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
 };
 
 /// What a step gives.
 template <class Real>
 struct [[nodiscard]] Control {
-    Real u;        ///< input of the plant
+    Real u; ///< input of the plant
     Status status; ///< its status
 };
 
 /// What the infinite-time system gives.
 template <class State>
 struct [[nodiscard]] Rate {
-    State xi_dot;  ///< zeros on a negative status
+    State xi_dot; ///< zeros on a negative status
     Status status;
 };
 #endif
@@ -177,20 +177,20 @@ public:
         const double k1 = params.k[0];
         const double k2 = params.k[1];
         if (!(finite(tau)
-            && (1e-150 <= tau)
-            && (tau <= 1e150)
-            && finite(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
-            && finite(a1)
-            && (1e-150 <= a1)
-            && (a1 <= 1e150)
-            && finite(a2)
-            && (1e-150 <= a2)
-            && (a2 <= 1e150)
-            && finite(k1)
-            && finite(k2)
-            && (eps < tau))) {
+                && (1e-150 <= tau)
+                && (tau <= 1e150)
+                && finite(t0)
+                && (1e-150 <= eps)
+                && (0.0 < u_max)
+                && finite(a1)
+                && (1e-150 <= a1)
+                && (a1 <= 1e150)
+                && finite(a2)
+                && (1e-150 <= a2)
+                && (a2 <= 1e150)
+                && finite(k1)
+                && finite(k2)
+                && (eps < tau))) {
             return Status::Param;
         }
         const double hold_from = -eps;
@@ -210,20 +210,20 @@ public:
         const double size_w1 = (absolute(k1) <= 0.0) ? 1e-200 : absolute(w1);
         const double size_w2 = (absolute(k2) <= 0.0) ? 1e-200 : absolute(w2);
         if (!((b2_1 <= -1e-200)
-            && (b2_2 <= -1e-200)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
-            && finite(hold_from)
-            && finite(target_rate)
-            && finite(slowest)
-            && finite(mean_period)
-            && finite(tolerance)
-            && finite(b1_1)
-            && finite(b1_2)
-            && finite(b2_1)
-            && finite(b2_2)
-            && finite(w1)
-            && finite(w2))) {
+                && (b2_2 <= -1e-200)
+                && (1e-200 <= size_w1)
+                && (1e-200 <= size_w2)
+                && finite(hold_from)
+                && finite(target_rate)
+                && finite(slowest)
+                && finite(mean_period)
+                && finite(tolerance)
+                && finite(b1_1)
+                && finite(b1_2)
+                && finite(b2_1)
+                && finite(b2_2)
+                && finite(w1)
+                && finite(w2))) {
             return Status::Param;
         }
         built.a1_ = a1;

@@ -79,26 +79,26 @@ namespace ptc {
 #define PTC_STATUS_HPP
 /// Outcome of a call; a negative one leaves u = 0.
 enum class Status : int {
-    Ok = 0,        ///< tracking
-    Hold = 1,      ///< time-to-go held at eps: the deadline is near or over, u is valid
+    Ok = 0, ///< tracking
+    Hold = 1, ///< time-to-go held at eps: the deadline is near or over, u is valid
     Saturated = 2, ///< u clipped to u_max; wins over Hold and After
-    After = 3,     ///< the deadline is over: u is 0 or that of the user-defined law
-    Param = -1,    ///< a parameter outside its domain, or coefficients outside the range
-    Input = -2,    ///< x or t not finite, or t before t0
-    Range = -3     ///< u not finite
+    After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
+    Param = -1, ///< a parameter outside its domain, or coefficients outside the range
+    Input = -2, ///< x or t not finite, or t before t0
+    Range = -3 ///< u not finite
 };
 
 /// What a step gives.
 template <class Real>
 struct [[nodiscard]] Control {
-    Real u;        ///< input of the plant
+    Real u; ///< input of the plant
     Status status; ///< its status
 };
 
 /// What the infinite-time system gives.
 template <class State>
 struct [[nodiscard]] Rate {
-    State xi_dot;  ///< zeros on a negative status
+    State xi_dot; ///< zeros on a negative status
     Status status;
 };
 #endif
@@ -129,15 +129,15 @@ public:
         const double u_max = params.u_max;
         const double a = params.a;
         if (!(finite(tau)
-            && (1e-150 <= tau)
-            && (tau <= 1e150)
-            && finite(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
-            && finite(a)
-            && (1e-150 <= a)
-            && (a <= 1e150)
-            && (eps < tau))) {
+                && (1e-150 <= tau)
+                && (tau <= 1e150)
+                && finite(t0)
+                && (1e-150 <= eps)
+                && (0.0 < u_max)
+                && finite(a)
+                && (1e-150 <= a)
+                && (a <= 1e150)
+                && (eps < tau))) {
             return Status::Param;
         }
         const double hold_from = -eps;

@@ -35,7 +35,7 @@ pub(crate) fn tokens(input: &Input, mut found: Vec<Diagnostic>) -> TokenStream {
             "missing-key" => format!(", for example {}", example(&wrong.key)),
             _ => String::new(),
         };
-        let text = format!("{message}\nhelp: {}{example}", wrong.help);
+        let text = format!("[{}] {message}\nhelp: {}{example}", wrong.code, wrong.help);
         compile_error(spans, &visible(&text))
     });
     let errors = errors.collect();

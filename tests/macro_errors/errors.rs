@@ -3,8 +3,6 @@
 //! `TRYBUILD=overwrite cargo test` in this folder writes the expectations anew, with `--no-default-features` those
 //! of `bare`; they hold for Rust 1.95, as other compilers word and mark some of them differently.
 
-use std::path::Path;
-
 use trybuild::TestCases;
 
 /// The cases, where the compiler is the one whose words they expect.
@@ -23,7 +21,8 @@ fn cases() -> Option<TestCases> {
 fn mistakes_are_told_at_their_token() {
     let Some(cases) = cases() else { return };
     // The package that trybuild makes of the cases, where their design file is looked for.
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
+    let target =
+        std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("the target folder");
     let package = target.join("tests/trybuild").join(env!("CARGO_PKG_NAME"));
     std::fs::create_dir_all(&package).expect("the folder of the cases");
     std::fs::copy("cases/wrong.toml", package.join("wrong.toml")).expect("a design file");

@@ -11,6 +11,7 @@ use super::command::generator;
 use crate::context::{Context, workspace};
 use crate::harness::command::text;
 use crate::harness::empty;
+use crate::harness::goldens::of_axes;
 use crate::layer::{Finding, Layer, Table};
 use crate::tool::{ShownBy, Source, Tool};
 
@@ -166,7 +167,8 @@ fn reproduce(context: &Context, finding: &mut Finding) -> Result<usize> {
     let root = workspace();
     let scratch = context.scratch("reproduce");
     let binary = generator()?;
-    let goldens = context.goldens();
+    let mut goldens = context.goldens();
+    goldens.extend(of_axes());
     let processors = std::thread::available_parallelism()?.get();
     for (index, variables) in ENVIRONMENTS.iter().enumerate() {
         let home = empty(&scratch.join(format!("place {index}")));

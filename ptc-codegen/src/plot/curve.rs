@@ -1,13 +1,11 @@
 //! One quantity over another, both on logarithmic axes.
 
-use plotters::backend::SVGBackend;
-use plotters::drawing::IntoDrawingArea;
 use plotters::element::PathElement;
 use plotters::series::LineSeries;
 
 use super::chart::dashed;
-use super::style::{self, Pen};
-use super::{PANEL, chart, range};
+use super::style::Pen;
+use super::{chart, range, single};
 
 /// A curve, and what its values should not exceed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,18 +28,11 @@ impl Curve {
     /// # Errors
     /// A drawing that cannot be made.
     pub fn svg(&self) -> Result<String, String> {
-        style::register_letters()?;
-        let mut text = String::new();
-        let pen = Pen::FINE;
-        let size = (pen.px(PANEL.0), pen.px(PANEL.1));
-        let drawn = self.draw(SVGBackend::with_string(&mut text, size), pen);
-        drawn.map_err(|error| error.to_string())?;
-        Ok(style::finished(&text, PANEL))
+        single::svg(|page, pen| self.draw(page, pen))
     }
 
-    fn draw(&self, back: SVGBackend<'_>, pen: Pen) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let area = back.into_drawing_area();
-        area.fill(&style::PAGE)?;
+    fn draw(&self, page: &single::Page<'_>, pen: Pen) -> Result<(), String> {
+        let told = |error: &dyn std::fmt::Display| error.to_string();
         // Drawn by the powers of ten.
         let points = self.points.iter().map(|(x, y)| (x.log10(), y.log10()));
         let points: Vec<_> = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
@@ -52,23 +43,23 @@ impl Curve {
             true => range::power_of_ten(*power),
             false => String::new(),
         };
-        let mut chart = chart::around(&area, &self.title, pen)
-            .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
+        let mut chart = chart::around(page, &self.title, pen)
+            .build_cartesian_2d(across.0..across.1, up.0..up.1)
+            .map_err(|e| told(&e))?;
         chart::mesh(&mut chart, pen)
             .x_label_formatter(&label)
             .y_label_formatter(&label)
             .x_desc(&self.across)
-            .draw()?;
+            .draw()
+            .map_err(|e| told(&e))?;
         if let Some(limit) = limit {
             let line = vec![(across.0, limit), (across.1, limit)];
             dashed(&mut chart, line, pen.dash_of_bound(), pen.bound())?;
         }
         if let Some(x) = self.chosen.map(f64::log10).filter(|x| (across.0..=across.1).contains(x)) {
             let line = PathElement::new(vec![(x, up.0), (x, up.1)], pen.deadline(0));
-            chart.draw_series([line])?;
+            chart.draw_series([line]).map_err(|e| told(&e))?;
         }
-        chart.draw_series(LineSeries::new(points, pen.line(0)))?;
-        area.present()?;
-        Ok(())
+        chart.draw_series(LineSeries::new(points, pen.line(0))).map(|_| ()).map_err(|e| told(&e))
     }
 }

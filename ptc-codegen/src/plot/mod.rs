@@ -3,18 +3,23 @@
 //! The same drawing becomes SVG, PNG and PDF. The page is white, which prints; where a reader's page is
 //! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
 
+mod band;
 mod chart;
 mod curve;
+mod histogram;
 mod panel;
 mod pdf;
 mod pixels;
 mod range;
+mod single;
 mod style;
 
 use plotters::drawing::DrawingArea;
 use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 
+pub use band::Band;
 pub use curve::Curve;
+pub use histogram::Histogram;
 use panel::Panel;
 use style::Pen;
 

@@ -85,6 +85,16 @@ impl Pen {
         TRACES[index % TRACES.len()].stroke_width(self.px(1))
     }
 
+    /// Bar of a histogram.
+    pub(super) fn bar(self) -> ShapeStyle {
+        TRACES[0].filled()
+    }
+
+    /// Between what runs are.
+    pub(super) fn band(self) -> ShapeStyle {
+        GRID.filled()
+    }
+
     /// Thin line of axes and mesh.
     pub(super) fn thin(self, colour: RGBColor) -> ShapeStyle {
         colour.stroke_width(self.px(1))

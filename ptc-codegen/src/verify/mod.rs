@@ -5,7 +5,7 @@
 //! the seed and an index, so that shards and threads decide nothing; corners are joint extremes of all
 //! that is uncertain. A [`Trial`] runs one on both sides of Theorem 1, or, where the design has a
 //! sample period, in the loop that runs; a [`Tally`] holds what is kept
-//! of many, by reductions in which no order counts; [`search`] goes on from the worst ones, with the
+//! of many, by reductions in which no order counts, and [`Drawn`] what a report tells of the draws besides; [`search`] goes on from the worst ones, with the
 //! signals that `kernel` makes of a run. A [`Verdict`] is all that is known of an objective, and
 //! [`record`] keeps one row per draw.
 
@@ -13,6 +13,7 @@ mod batch;
 pub mod bound;
 mod corner;
 mod course;
+mod envelope;
 mod kernel;
 pub mod objective;
 mod observer;
@@ -24,6 +25,7 @@ mod run;
 mod scenario;
 pub mod search;
 mod start;
+mod survey;
 mod tally;
 mod trial;
 mod verdict;
@@ -31,12 +33,14 @@ mod verdict;
 pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS};
 pub use corner::Corners;
 pub use course::{Course, Signal};
+pub use envelope::Envelope;
 pub use objective::{Kind, Level, Objective};
 pub use outcome::{Judgement, Other, Outcome, Status};
 pub use read::{read, read_with_plant};
 pub use run::{Done, chunks, sample};
 pub use scenario::{Scenario, Setting};
 pub use start::{Impossible, impossible, reversed};
+pub use survey::{Drawn, Driver, Spread};
 pub use tally::{Tally, Worst};
 pub use trial::{Instant, Trial};
 pub use verdict::{Doubt, Evidence, Verdict, confidence};

@@ -56,6 +56,12 @@ impl Kind {
         }
     }
 
+    /// What an excess says in the words of the bound: the size as a part of it, or, of `within`, the distance
+    /// outside in the unit of h.
+    pub fn measure(&self, excess: f64) -> f64 {
+        if matches!(self, Self::Within { .. }) { excess } else { 1.0 + excess }
+    }
+
     /// The same with other expressions.
     #[must_use]
     pub(super) fn map(&self, to: &dyn Fn(&Expression) -> Expression) -> Self {

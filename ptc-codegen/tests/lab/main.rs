@@ -13,6 +13,7 @@ mod simulate_command;
 #[path = "../support/mod.rs"]
 mod support;
 mod verify_command;
+mod verify_draws;
 mod verify_proofs;
 mod verify_running;
 mod verify_scenarios;

@@ -7,7 +7,7 @@ use ptc_codegen::parameter::{Fixed, Parameter};
 use ptc_codegen::plot::Curve;
 use ptc_codegen::request::one_or_each;
 
-use super::svg::{Svg, undrawn};
+use super::svg::Svg;
 use crate::cli::report::Failure;
 
 /// The final error in parts of what is wanted, or of the largest state, and the peak of u over eps;
@@ -30,7 +30,7 @@ pub(super) fn charts(report: &Report) -> Result<Vec<Svg>, Failure> {
     let over_eps = |title: &str, points, limit| {
         let (title, across) = (title.to_owned(), "eps in s".to_owned());
         let curve = Curve { title, across, points, chosen: number(Parameter::Eps), limit };
-        curve.svg().map(Svg).map_err(|wrong| undrawn(&wrong))
+        curve.svg().try_into()
     };
     let given = !errors.is_empty();
     let title = if given { "worst |x|/error at the deadline" } else { "worst |x| at the deadline" };

@@ -108,7 +108,7 @@ pub(super) fn file(spec: &Spec) -> String {
     format!("{}.toml", spec.name())
 }
 
-/// The command that gives the same report, of the design in a file of its name.
+/// A command of the design, in a file of its name.
 pub(crate) fn command(
     verb: &str,
     spec: &Spec,
@@ -127,8 +127,12 @@ pub(crate) fn command(
         "" => flag.to_owned(),
         _ => format!("{flag}={}", shell(value)),
     }));
-    words.push(format!("--report={}.html", spec.name()));
     words.join(" ")
+}
+
+/// The command that gives the same report.
+pub(crate) fn reporting(command: &str, spec: &Spec) -> String {
+    format!("{command} --report={}.html", spec.name())
 }
 
 /// A value as a shell reads it.

@@ -22,7 +22,7 @@ use super::report::Failure;
 use super::source::Source;
 use budget::Bar;
 use design::{Fact, Known};
-pub(crate) use design::{command, short};
+pub(crate) use design::{command, reporting, short};
 use formulas::Group;
 pub(crate) use svg::{Svg, undrawn};
 use worst::Drawn;
@@ -44,6 +44,16 @@ pub(crate) struct Section {
     /// The caption of the figure.
     pub(crate) caption: String,
     pub(crate) figure: Svg,
+    pub(crate) table: Table,
+    /// What else there is to see, each under a title of its own.
+    pub(crate) parts: Vec<Part>,
+}
+
+/// A part of a section.
+pub(crate) struct Part {
+    pub(crate) title: &'static str,
+    pub(crate) told: Vec<String>,
+    pub(crate) charts: Vec<Svg>,
     pub(crate) table: Table,
 }
 

@@ -6,7 +6,7 @@ use ptc_codegen::plot::Figure;
 use crate::cli::report::Failure;
 
 /// A drawing, which is part of the page.
-pub(crate) struct Svg(pub(super) String);
+pub(crate) struct Svg(String);
 
 impl std::fmt::Display for Svg {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -20,7 +20,16 @@ impl HtmlSafe for Svg {}
 impl Svg {
     /// The drawing of a figure.
     pub(crate) fn of(figure: &Figure) -> Result<Self, Failure> {
-        figure.svg().map(Self).map_err(|wrong| undrawn(&wrong))
+        figure.svg().try_into()
+    }
+}
+
+impl TryFrom<Result<String, String>> for Svg {
+    type Error = Failure;
+
+    /// A drawing, if it could be made.
+    fn try_from(drawn: Result<String, String>) -> Result<Self, Failure> {
+        drawn.map(Self).map_err(|wrong| undrawn(&wrong))
     }
 }
 

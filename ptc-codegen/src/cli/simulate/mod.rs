@@ -2,6 +2,7 @@
 
 mod args;
 mod input;
+mod merit;
 mod page;
 mod picture;
 mod run;

@@ -6,9 +6,10 @@ use ptc_codegen::plant::Plant;
 use ptc_codegen::request::Spec;
 
 use super::args::Simulate;
+use super::merit;
 use super::picture::figure;
 use super::run::{Row, Run};
-use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
+use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
 use crate::cli::report::Failure;
 use crate::cli::source::Source;
 
@@ -42,7 +43,7 @@ pub(super) fn text(
         report: &report,
         plant,
         source,
-        command: command("simulate", &spec, source, &flags),
+        command: reporting(&command("simulate", &spec, source, &flags), &spec),
         section: section(request, &spec, runs)?,
     };
     page::html(&content)
@@ -78,6 +79,7 @@ fn section(request: &Simulate, spec: &Spec, runs: &[Run]) -> Result<Section, Fai
         caption: drawn.caption(),
         figure: Svg::of(&drawn)?,
         table: table(request.at.is_some(), runs),
+        parts: vec![merit::part(runs)],
     })
 }
 

@@ -31,7 +31,7 @@ pub(super) struct Run {
     pub(super) held: bool,
     pub(super) rows: Vec<Row>,
     /// The tracking error in the last row, where there is a reference.
-    error: Option<Vec<f64>>,
+    pub(super) error: Option<Vec<f64>>,
 }
 
 impl Run {

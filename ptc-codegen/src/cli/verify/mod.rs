@@ -1,6 +1,7 @@
 //! `verify`: objectives over all that is uncertain, by scenarios, a search and proofs.
 
 mod args;
+mod draws;
 mod journal;
 mod page;
 mod parts;
@@ -54,7 +55,7 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         }
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
-        let count = drawn.scenarios;
+        let count = drawn.tally.scenarios;
         outputs
             .tell(&format!("wrote {}, part {shard} with {count} scenarios\n", write::shown(out)))?;
         journal.into_iter().for_each(Journal::finish);
@@ -64,14 +65,15 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let corners = Corners::run(&campaign, &trial, &|| bar.inc(1));
     let search = |objective: usize| {
         let mut starts = corners.starts(&campaign, objective);
-        starts.insert(0, campaign.scenario(drawn.excess[objective].index));
+        starts.insert(0, campaign.scenario(drawn.tally.excess[objective].index));
         let told = |runs| bar.inc(runs as u64);
         verify::search::search(&campaign, &trial, (objective, &starts), &told)
     };
     let found: Vec<_> = (0..campaign.objectives.len()).map(search).collect();
     bar.finish_and_clear();
     let proofs = verify::bound::proved(&campaign);
-    let all = report::Known { drawn: &drawn, corners: &corners, found: &found, proofs: &proofs };
+    let all =
+        report::Known { drawn: &drawn.tally, corners: &corners, found: &found, proofs: &proofs };
     let summary = report::summary(&campaign, &mut trial, &all)?;
     let mut files = Vec::new();
     if let (Some(place), Some(worst)) = (worst_to, report::foremost(&found)) {
@@ -79,7 +81,10 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
         files.push((place, csv));
     }
     if let Some(place) = report {
-        files.push((place, page::text(request, &source, (&campaign, &mut trial), &summary)?));
+        files.push((
+            place,
+            page::text(request, &source, (&campaign, &mut trial), (&summary, &drawn))?,
+        ));
     }
     let files: Vec<_> =
         files.iter().map(|(place, text)| (place.clone(), text.as_bytes())).collect();

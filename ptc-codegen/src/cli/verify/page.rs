@@ -4,15 +4,16 @@ use ptc_codegen::check::examine::examine;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plot::{Bounded, Figure, Trace};
 use ptc_codegen::request::Spec;
-use ptc_codegen::verify::{Campaign, Kind, Level, Objective, Trial, Verdict};
+use ptc_codegen::verify::{Campaign, Drawn, Kind, Level, Objective, Trial, Verdict};
 
 use super::args::Verify;
+use super::draws;
 use super::report::{APART, End, Judged, Sides, Summary};
 use super::trajectory::{Trajectory, shown};
 use crate::cli::mathml::{
     Math, fenced, name, number, of_expression, product, relation, row, sub, words,
 };
-use crate::cli::page::{self, Content, Section, Svg, Table, command, short};
+use crate::cli::page::{self, Content, Section, Svg, Table, command, reporting, short};
 use crate::cli::report::Failure;
 use crate::cli::source::Source;
 
@@ -21,17 +22,20 @@ pub(super) fn text(
     request: &Verify,
     source: &Source,
     (campaign, trial): (&Campaign, &mut Trial),
-    summary: &Summary,
+    (summary, drawn): (&Summary, &Drawn),
 ) -> Result<String, Failure> {
     let spec = &campaign.spec;
     let flags = [("--scenarios", request.scenarios.clone()), ("--seed", request.seed.clone())];
+    let command = command("verify", spec, source, &flags);
+    let replayed = |index: u64| format!("{command} --scenario={index}");
+    let parts = draws::parts((campaign, trial), drawn, summary.trajectory.as_ref(), &replayed)?;
     let content = Content {
         spec,
         report: &examine(spec),
         plant: &campaign.plant,
         source,
-        command: command("verify", spec, source, &flags),
-        section: section((campaign, trial), summary)?,
+        section: Section { parts, ..section((campaign, trial), summary)? },
+        command: reporting(&command, spec),
     };
     page::html(&content)
 }
@@ -70,6 +74,7 @@ fn section(
             caption,
             figure,
             table: Table::default(),
+            parts: Vec::new(),
         });
     };
     Ok(Section {
@@ -87,6 +92,7 @@ fn section(
         ),
         figure: Svg::of(&figure((campaign, trial), trajectory)?)?,
         table: table(&campaign.spec, trajectory),
+        parts: Vec::new(),
     })
 }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use ptc_codegen::verify::record::{self, Row, Writer};
-use ptc_codegen::verify::{Campaign, Tally, Trial, chunks, sample};
+use ptc_codegen::verify::{Campaign, Drawn, Trial, chunks, sample};
 
 use super::journal::{Journal, SUFFIX};
 use super::progress::progress;
@@ -59,7 +59,7 @@ pub(super) fn run(
     trial: &Trial,
     range: Range<u64>,
     out: Option<&Rows>,
-) -> Result<(Tally, Option<Journal>), Failure> {
+) -> Result<(Drawn, Option<Journal>), Failure> {
     let journal = out.map(|rows| rows.open(campaign, &range)).transpose()?;
     let all = chunks(range.clone());
     let is_done = |chunk: &Range<u64>| journal.as_ref().is_some_and(|journal| journal.has(chunk));
@@ -67,24 +67,24 @@ pub(super) fn run(
     let bar = progress("running", range.end - range.start);
     let length = |chunks: &[Range<u64>]| chunks.iter().map(|c| c.end - c.start).sum::<u64>();
     bar.inc(length(&all) - length(&left));
-    let total = Mutex::new(Tally::new(campaign));
+    let total = Mutex::new(Drawn::new(campaign));
     sample(campaign, trial, &left, &|chunk, rows| {
         bar.inc(chunk.end - chunk.start);
         if let (Some(journal), Some(out)) = (&journal, out) {
             let path = out.journal.as_ref().unwrap_or(&out.out.shown);
             return journal.keep(chunk, &rows).map_err(|error| write_failed(path, &error));
         }
-        let mut tally = Tally::new(campaign);
-        rows.iter().for_each(|row| tally.add(row));
+        let mut drawn = Drawn::new(campaign);
+        rows.iter().for_each(|row| drawn.add(campaign, row));
         let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
-        *total = total.clone().merge(&tally);
+        *total = std::mem::replace(&mut *total, Drawn::new(campaign)).merge(&drawn);
         Ok(())
     })?;
     bar.finish_and_clear();
     let (Some(journal), Some(out)) = (journal, out) else {
         return Ok((total.into_inner().unwrap_or_else(PoisonError::into_inner), None));
     };
-    let tally = write(campaign, Some(out), &mut |put| {
+    let drawn = write(campaign, Some(out), &mut |put| {
         for chunk in &all {
             let path = out.journal.as_ref().unwrap_or(&out.out.shown);
             let rows = journal.rows(chunk).map_err(|error| unread(path, &error))?;
@@ -92,7 +92,7 @@ pub(super) fn run(
         }
         Ok(())
     })?;
-    Ok((tally, Some(journal)))
+    Ok((drawn, Some(journal)))
 }
 
 /// Puts the parts of a run together, in whatever order they are given.
@@ -100,7 +100,7 @@ pub(super) fn merge(
     campaign: &Campaign,
     parts: &[PathBuf],
     out: Option<&Rows>,
-) -> Result<(Tally, Option<Journal>), Failure> {
+) -> Result<(Drawn, Option<Journal>), Failure> {
     let mut found = Vec::new();
     for path in parts {
         let extent = record::extent(path, campaign).map_err(|error| unread(path, &error))?;
@@ -131,7 +131,7 @@ pub(super) fn merge(
     }
     // No other run writes to the same file meanwhile.
     let journal = out.map(|out| out.open(campaign, &(0..campaign.scenarios))).transpose()?;
-    let tally = write(campaign, out, &mut |put| {
+    let drawn = write(campaign, out, &mut |put| {
         let mut next = 0;
         for (_, path) in &found {
             let done = record::read(path, campaign, &mut |row| {
@@ -146,7 +146,7 @@ pub(super) fn merge(
         }
         Ok(())
     })?;
-    Ok((tally, journal))
+    Ok((drawn, journal))
 }
 
 fn missing(range: Range<u64>) -> Failure {
@@ -165,20 +165,20 @@ fn write(
     campaign: &Campaign,
     to: Option<&Rows>,
     give: &mut dyn FnMut(&mut Put<'_>) -> Result<(), Failure>,
-) -> Result<Tally, Failure> {
-    let mut tally = Tally::new(campaign);
+) -> Result<Drawn, Failure> {
+    let mut drawn = Drawn::new(campaign);
     let Some(Rows { out, .. }) = to else {
         give(&mut |row| {
-            tally.add(&row);
+            drawn.add(campaign, &row);
             Ok(())
         })?;
-        return Ok(tally);
+        return Ok(drawn);
     };
     let failed = |error: &dyn Display| write_failed(&out.shown, error);
-    let mut into = |file: &File, tally: &mut Tally| -> Result<(), Failure> {
+    let mut into = |file: &File, drawn: &mut Drawn| -> Result<(), Failure> {
         let mut writer = Writer::new(file, campaign).map_err(|error| failed(&error))?;
         give(&mut |row| {
-            tally.add(&row);
+            drawn.add(campaign, &row);
             writer.push(row)
         })?;
         writer.finish().map(|_| ()).map_err(|error| failed(&error))
@@ -189,20 +189,20 @@ fn write(
         Kind::Missing | Kind::Regular(_) => {
             let temporary = open_beside(&place).map_err(|error| failed(&error))?;
             let file = temporary.file().map_err(|error| failed(&error))?;
-            into(file, &mut tally)?;
+            into(file, &mut drawn)?;
             // The journal, which goes after it, is all that there is besides.
             file.sync_all().map_err(|error| failed(&error))?;
             commit(vec![(temporary, place.path)]).map_err(|(_, error)| failed(&error))?;
         }
         _ if place.is_stream() => {
             let mut file = tempfile::tempfile().map_err(|error| failed(&error))?;
-            into(&file, &mut tally)?;
+            into(&file, &mut drawn)?;
             let copied = file.rewind().and_then(|()| through(&place, &mut file));
             copied.map_err(|error| failed(&error))?;
         }
         _ => return Err(failed(&io::Error::from(io::ErrorKind::IsADirectory))),
     }
-    Ok(tally)
+    Ok(drawn)
 }
 
 fn unread(path: &Path, error: &dyn Display) -> Failure {

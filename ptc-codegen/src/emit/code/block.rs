@@ -58,9 +58,19 @@ pub(super) trait Block: Text {
             [one] if is_finite(test) => format!("{}{not}{one}{then}", branch.open),
             parts => {
                 let before = format!("{}{not}(", branch.open);
-                self.lines().joined(&before, parts, (self.and(), branch.joint), &format!("){then}"))
+                self.lines().joined(
+                    &before,
+                    parts,
+                    (self.and(), self.joint_of_not()),
+                    &format!("){then}"),
+                )
             }
         }
+    }
+
+    /// What joins the parts of a long test that is negated as a whole.
+    fn joint_of_not(&self) -> &'static str {
+        self.branch().joint
     }
 
     /// The line that opens a block where one of the tests holds, behind `start`: a line for each part

@@ -332,7 +332,7 @@ impl Lines {
         if self.has_room(&line) {
             return line;
         }
-        format!("{before}\n    {}\n{behind}", items.join(",\n    "))
+        format!("{before}\n    {},\n{behind}", items.join(",\n    "))
     }
 
     /// A line behind which a block opens.

@@ -72,7 +72,15 @@ fn a_simulation_has_every_section() {
     assert_eq!(rows[1], ["1", "0", "1", "0", "-3"]);
     assert_eq!(rows[2], ["1", "0.25", "0.84375", "-1.125", "-1.5"]);
     assert_eq!(rows[3], ["1", "0.75", "0.15625", "-1.125", "1.5"]);
-    assert_eq!(rows.len(), 4);
+    // One line in numbers: it ends at rest, and |u| is greatest at the start.
+    assert_eq!(rows[4], ["run", "ends at t in s", "final x1", "final x2", "peak |u|", "at t in s"]);
+    assert_eq!(
+        (rows[5][0].as_str(), &rows[5][4..]),
+        ("tau = 1 s", &["3".to_owned(), "0".into()][..])
+    );
+    let rest: f64 = rows[5][2].parse().expect("a number");
+    assert!(rest.abs() < 1e-15, "{rest}");
+    assert_eq!(rows.len(), 6);
     assert!(text(section(&page, "run")).contains("x1 = xi1 in stretched time"));
     let (code, header, _) = run(&folder, &["emit", "stage.toml", "--lang", "c", "-o", "out"]);
     assert_eq!(code, Some(0), "{header}");
@@ -193,7 +201,8 @@ fn several_tau_leave_tau_to_run_time() {
     let known = named(section(&page, "design"), "tr").map(text).find(|row| row.starts_with("tau"));
     assert!(known.expect("tau").contains("at run time"));
     assert!(text(section(&page, "code")).contains("double tau;"));
-    assert_eq!(named(section(&page, "run"), "tr").count(), 1 + 2 * 3);
+    let in_numbers = 1 + 2;
+    assert_eq!(named(section(&page, "run"), "tr").count(), 1 + 2 * 3 + in_numbers);
 }
 
 #[test]
@@ -251,6 +260,17 @@ fn a_verification_has_its_verdicts() {
         assert!(told.contains(part), "{part}: {told}");
     }
     assert_eq!(told.matches("holds, proved by intervals").count(), 4, "{told}");
+    // A histogram of each objective, an envelope of each state and u, and the way to run a draw again.
+    let charts = |page: &Document<'_>| named(section(page, "run"), "svg").count();
+    assert_eq!(charts(&page), 1 + 4 + 3);
+    let commands: Vec<_> = named(section(&page, "run"), "td").map(text).collect();
+    let replay = commands.iter().find(|cell| cell.contains("--scenario=1")).expect("a command");
+    let words: Vec<_> = replay.split(' ').skip(1).collect();
+    let (code, trajectory, _) = run(&folder, &words);
+    assert_eq!(
+        (code, trajectory.lines().next()),
+        (Some(0), Some("t,time_to_go,x1,x2,u,excess1,excess2,excess3,excess4"))
+    );
     // Bounds of four objectives are drawn, in dashes.
     let bounds =
         named(section(&page, "run"), "line").chain(named(section(&page, "run"), "polyline"));

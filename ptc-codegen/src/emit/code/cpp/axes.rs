@@ -10,9 +10,9 @@ pub(super) const AXES: &str = "
 /// What a step of several axes gives.
 template <class Real, std::size_t Count>
 struct [[nodiscard]] Axes {
-    std::array<Real, Count> u{};      ///< inputs of the plants, 0 on a negative status
+    std::array<Real, Count> u{}; ///< inputs of the plants, 0 on a negative status
     std::array<Status, Count> axes{}; ///< status of each axis
-    Status status{Status::Input};     ///< that of the first axis that fails; else Saturated where one is
+    Status status{Status::Input}; ///< that of the first axis that fails; else Saturated where one is
 };
 #endif
 ";

@@ -84,6 +84,10 @@ impl Block for Cpp<'_> {
         Branch { open: "if (", turn: "} else if (", then: ") {", joint, otherwise, end }
     }
 
+    fn joint_of_not(&self) -> &'static str {
+        "\n        && "
+    }
+
     fn comment(&self) -> (&'static str, &'static str) {
         ("// ", "")
     }
