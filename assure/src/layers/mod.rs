@@ -1,6 +1,7 @@
 //! The layers, each in a file of its own.
 
 mod attack;
+mod book;
 mod campaign;
 mod command;
 mod comparison;
@@ -52,6 +53,7 @@ pub const LAYERS: &[Layer] = &[
     campaign::LAYER,
     attack::LAYER,
     report::LAYER,
+    book::LAYER,
     explorer::LAYER,
     verdicts::LAYER,
 ];
