@@ -1,7 +1,6 @@
 //! Scenarios in lanes: against closed solutions, against runs by themselves, and alone or in company.
-#![cfg(feature = "lab")]
 
-mod support;
+use crate::support;
 
 use ptc_codegen::verify::{self, Campaign, Outcome, Setting, Trial};
 
