@@ -47,7 +47,7 @@ fn designs() -> Result<Vec<(String, String)>> {
         "tan(a=1)",
         "tanh(a=2)",
         "algebraic(a=1)",
-        "exp_sum(a=[1, 2])",
+        "exp_sum(rates=[1, 2])",
     ];
     for mu in families {
         designs.push((format!("`{mu}`"), with("exp(a=1)", mu)));

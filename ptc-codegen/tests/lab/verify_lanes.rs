@@ -109,7 +109,7 @@ fn lanes_agree_with_runs_by_themselves() {
         "tan(a=1)",
         "tanh(a=1/2)",
         "algebraic(a=1)",
-        "exp_sum(a=[1, 2])",
+        "exp_sum(rates=[1, 2])",
     ];
     for (place, mu) in families.into_iter().enumerate() {
         for n in [1 + place, 2 + place % 3] {
